@@ -1,0 +1,107 @@
+#include "core/analysis/autocorrelation.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/analysis/point_grid.h"
+
+namespace dapple {
+namespace {
+
+bool in_window(glm::dvec2 p, const Domain& domain) {
+    return p.x >= 0 && p.y >= 0 && p.x <= domain.width && p.y <= domain.height;
+}
+
+struct Meetings {
+    std::size_t asked = 0;  // points whose place after the lag is inside the domain
+    std::size_t met = 0;
+};
+
+Meetings count_meetings(const PointGrid& grid, std::span<const glm::dvec2> points, glm::dvec2 lag,
+                        double tolerance) {
+    const Domain& domain = grid.domain();
+    const double radius = tolerance * std::sqrt(domain.area() / double(grid.entries().size()));
+    Meetings meetings;
+    for (const glm::dvec2 p : points) {
+        const glm::dvec2 place = p + lag;
+        if (domain.topology == Topology::window && !in_window(place, domain)) continue;
+        bool found = false;
+        grid.for_each_within(place, radius, [&](std::uint32_t, glm::dvec2) { found = true; });
+        ++meetings.asked;
+        meetings.met += found;
+    }
+    return meetings;
+}
+
+double correlation(const Meetings& meetings, double tolerance) {
+    if (meetings.asked == 0) return 0;
+    const double chance = 1 - std::exp(-std::numbers::pi * tolerance * tolerance);
+    return (double(meetings.met) / double(meetings.asked) - chance) / (1 - chance);
+}
+
+// Evenly spread over the list by the golden ratio: any fixed step could meet the order that a tile's points
+// have in it and ask the same point of every tile.
+std::vector<glm::dvec2> evenly_chosen(std::span<const glm::dvec2> points, std::size_t count) {
+    if (points.size() <= count) return {points.begin(), points.end()};
+    std::vector<glm::dvec2> chosen(count);
+    double place = 0;
+    for (glm::dvec2& p : chosen) {
+        place += std::numbers::phi - 1;
+        place -= std::floor(place);
+        p = points[std::size_t(place * double(points.size()))];
+    }
+    return chosen;
+}
+
+// The distance from a lag to the nearest one that changes nothing.
+double distance_from_rest(glm::dvec2 lag, const Domain& domain) {
+    if (domain.topology == Topology::torus) {
+        lag.x -= domain.width * std::round(lag.x / domain.width);
+        lag.y -= domain.height * std::round(lag.y / domain.height);
+    }
+    return std::hypot(lag.x, lag.y);
+}
+
+}  // namespace
+
+double autocorrelation(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 lag,
+                       double tolerance) {
+    return correlation(count_meetings(PointGrid(points, domain), points, lag, tolerance), tolerance);
+}
+
+Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 period,
+                        const PeriodicityOptions& options, std::stop_token stop) {
+    if (points.empty()) return {};
+    const PointGrid grid(points, domain);
+    const std::vector<glm::dvec2> asked = evenly_chosen(points, options.sample);
+    const double spacing = std::sqrt(domain.area() / double(points.size()));
+
+    // One of each pair lag, -lag.
+    struct Lag {
+        int x, y;
+        Meetings meetings;
+    };
+    std::vector<Lag> lags;
+    for (int y = 0; y <= options.furthest; ++y)
+        for (int x = y == 0 ? 1 : -options.furthest; x <= options.furthest; ++x)
+            if (distance_from_rest({x * period.x, y * period.y}, domain) > options.tolerance * spacing)
+                lags.push_back({x, y, {}});
+    tbb::parallel_for(std::size_t(0), lags.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) return;
+        lags[i].meetings =
+            count_meetings(grid, asked, {lags[i].x * period.x, lags[i].y * period.y}, options.tolerance);
+    });
+    Periodicity highest;
+    for (const Lag& lag : lags) {
+        if (4 * lag.meetings.asked < asked.size()) continue;
+        const double value = correlation(lag.meetings, options.tolerance);
+        if ((highest.lag_x == 0 && highest.lag_y == 0) || value > highest.value)
+            highest = {value, lag.x, lag.y};
+    }
+    return highest;
+}
+
+}  // namespace dapple

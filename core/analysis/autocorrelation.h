@@ -1,0 +1,43 @@
+#pragma once
+// Does a point set repeat itself? The share of points that meet another point when the set is moved.
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <span>
+#include <stop_token>
+
+#include "core/analysis/domain.h"
+
+namespace dapple {
+
+/// Tolerance is in units of the mean spacing sqrt(area / n): 0.1 finds what the eye takes for the same place.
+inline constexpr double kMeetingTolerance = 0.1;
+
+/// Autocorrelation of the set at a lag (in the unit of the domain): s, the share of the points p that have a
+/// point within the tolerance t of p + lag, freed of chance: (s - c) / (1 - c), where c = 1 - exp(-pi t^2) is
+/// the share in white noise. 1 for a set that repeats itself after the lag, 0 (a little below or above) for
+/// unrelated points, down to -c / (1 - c) at lags that a set avoids. In a window only points whose p + lag
+/// lies inside count; 0 if there are none. Points as points_inside() gives them.
+double autocorrelation(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 lag,
+                       double tolerance = kMeetingTolerance);
+
+struct PeriodicityOptions {
+    double tolerance = kMeetingTolerance;
+    int furthest = 8;           // lags of up to so many periods in each direction
+    std::size_t sample = 4096;  // so many of the points are asked for each lag, evenly chosen
+};
+
+struct Periodicity {
+    double value = 0;          // the highest autocorrelation; 1 = the set repeats itself
+    int lag_x = 0, lag_y = 0;  // where: in periods; of equal ones the first found, nearest in y, then in x
+};
+
+/// The highest autocorrelation over all lags (a period.x, b period.y), |a|, |b| <= furthest, that do not
+/// bring a torus back onto itself and leave at least a quarter of the points inside a window (of fewer, some
+/// would meet a point by chance). 1 for a periodic set. Not exactly 0 for others: the highest of some hundred
+/// lags is about 0.01 for unrelated points and a sample of 4096. 0 if there is no such lag, or no point. The
+/// same to the bit for any number of threads. Unfinished when a stop was requested.
+Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 period,
+                        const PeriodicityOptions& options = {}, std::stop_token stop = {});
+
+}  // namespace dapple

@@ -1,0 +1,221 @@
+#include "core/image/density.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace dapple {
+
+namespace {
+
+// The pyramid's last level has squares of 1 to 2 times so many pixels; twice that for large pictures, to save
+// memory.
+constexpr double kPixelsPerBaseSquare = 1.5;
+constexpr std::size_t kLargePicture = 16'000'000;  // pixels
+constexpr double kPixelSlack = 1e-6;  // a placer's rounding never reaches a pixel further than this
+constexpr double kRelativePixelSlack = 3e-7;
+constexpr float kRelativeSlack = 1e-6f;  // nor a value further than this
+
+// Rounded down, for positions above -1: a conversion, where std::floor may be a call.
+std::int64_t floor_of_pixel(double position) {
+    return static_cast<std::int64_t>(position + 1) - 1;
+}
+
+// The pixels, first and last, that interpolation can touch between two positions in pixels from the picture's
+// edge.
+std::pair<std::int64_t, std::int64_t> support(double from, double to) {
+    const double slack = kPixelSlack + kRelativePixelSlack * (to - from);
+    return {floor_of_pixel(from - 0.5 - slack), floor_of_pixel(to - 0.5 + slack) + 1};
+}
+
+void include(Bounds& bounds, float value) {
+    bounds.min = std::min(bounds.min, value);
+    bounds.max = std::max(bounds.max, value);
+}
+
+constexpr Bounds kNothing{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+
+// The index of a pixel, beyond the picture that of the nearest or, across a wrapping seam, of the other side.
+int clamped(std::int64_t i, int count) {
+    return static_cast<int>(std::clamp<std::int64_t>(i, 0, count - 1));
+}
+int across(std::int64_t i, int count, Seam seam) {
+    return seam == Seam::wrap ? static_cast<int>((i % count + count) % count) : clamped(i, count);
+}
+
+}  // namespace
+
+Density::Density(Grid<float> values, Seam seam) : values_(std::move(values)), seam_(seam) {
+    if (values_.empty()) throw std::runtime_error("a density needs at least one pixel");
+    if (values_.values.size() > std::numeric_limits<std::int32_t>::max()) {
+        throw std::runtime_error("a density has at most 2,147 megapixels; make the picture smaller");
+    }
+    longer_ = std::max(values_.width, values_.height);
+    for (int depth = 0; depth < static_cast<int>(side_.size()); ++depth)
+        side_[depth] = std::ldexp(longer_, -depth);
+
+    std::vector<double> sums(values_.height);
+    tbb::parallel_for(0, values_.height, [&](int y) {
+        const float* row = values_.row(y);
+        double sum = 0;
+        float lowest = 0;
+        for (int x = 0; x < values_.width; ++x) {
+            sum += row[x];
+            lowest = std::min(lowest, row[x]);
+        }
+        sums[y] = lowest < 0 ? -std::numeric_limits<double>::infinity() : sum;
+    });
+    for (const double sum : sums) mean_ += sum;
+    if (!std::isfinite(mean_)) throw std::runtime_error("a density must be finite and not negative");
+    mean_ /= static_cast<double>(longer_) * longer_;
+    build_pyramid();
+}
+
+double Density::at(glm::dvec2 p) const {
+    const double u = p.x * longer_, v = p.y * longer_;
+    if (!(u >= 0 && v >= 0 && u < values_.width && v < values_.height)) return 0;
+    const double fx = std::floor(u - 0.5), fy = std::floor(v - 0.5);
+    const double s = u - 0.5 - fx, t = v - 0.5 - fy;
+    const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy);
+    const int x0 = across(ix, values_.width, seam_), x1 = across(ix + 1, values_.width, seam_);
+    const float* row0 = values_.row(clamped(iy, values_.height));
+    const float* row1 = values_.row(clamped(iy + 1, values_.height));
+    const double upper = row0[x0] + (static_cast<double>(row0[x1]) - row0[x0]) * s;
+    const double lower = row1[x0] + (static_cast<double>(row1[x1]) - row1[x0]) * s;
+    return upper + (lower - upper) * t;
+}
+
+void Density::build_pyramid() {
+    const double pixels_per_square = kPixelsPerBaseSquare * (values_.values.size() > kLargePicture ? 2 : 1);
+    const int base_depth = std::max(0, static_cast<int>(std::floor(std::log2(longer_ / pixels_per_square))));
+    pyramid_.resize(base_depth + 1);
+    for (int depth = 0; depth <= base_depth; ++depth) {
+        const double squares = std::ldexp(1.0, depth);
+        Level& level = pyramid_[depth];
+        level.width = static_cast<std::int64_t>(std::ceil(values_.width * squares / longer_));
+        level.height = static_cast<std::int64_t>(std::ceil(values_.height * squares / longer_));
+        level.squares.resize(level.width * level.height);
+    }
+
+    // The base: minimum and maximum down the columns of a row of squares, then along them.
+    Level& base = pyramid_.back();
+    const double side = std::ldexp(static_cast<double>(longer_), -base_depth);  // pixels
+    tbb::parallel_for(std::int64_t{0}, base.height, [&](std::int64_t y) {
+        const double top = static_cast<double>(y) * side;
+        const auto [first_row, last_row] = support(top, top + side);
+        const float* first = values_.row(clamped(first_row, values_.height));
+        std::vector<float> low(first, first + values_.width), high = low;
+        for (int j = clamped(first_row, values_.height) + 1; j <= clamped(last_row, values_.height); ++j) {
+            const float* row = values_.row(j);
+            for (int x = 0; x < values_.width; ++x) {
+                low[x] = std::min(low[x], row[x]);
+                high[x] = std::max(high[x], row[x]);
+            }
+        }
+        const bool below_picture = top + side > values_.height;
+        for (std::int64_t x = 0; x < base.width; ++x) {
+            Bounds bounds = kNothing;
+            const double left = static_cast<double>(x) * side;
+            const auto [first_column, last_column] = support(left, left + side);
+            for (std::int64_t i = first_column; i <= last_column; ++i) {
+                const int column = across(i, values_.width, seam_);
+                bounds.min = std::min(bounds.min, low[column]);
+                bounds.max = std::max(bounds.max, high[column]);
+            }
+            if (below_picture || left + side > values_.width) bounds.min = 0;
+            base.squares[y * base.width + x] = {bounds.min * (1 - kRelativeSlack),
+                                                bounds.max * (1 + kRelativeSlack)};
+        }
+    });
+
+    for (int depth = base_depth - 1; depth >= 0; --depth) {
+        Level& level = pyramid_[depth];
+        const Level& finer = pyramid_[depth + 1];
+        for (std::int64_t y = 0; y < level.height; ++y) {
+            for (std::int64_t x = 0; x < level.width; ++x) {
+                Bounds bounds = kNothing;
+                for (int q = 0; q < 4; ++q) {
+                    const std::int64_t cx = 2 * x + (q & 1), cy = 2 * y + (q >> 1);
+                    const bool outside = cx >= finer.width || cy >= finer.height;
+                    const Bounds child = outside ? Bounds{} : finer.squares[cy * finer.width + cx];
+                    include(bounds, child.min);
+                    include(bounds, child.max);
+                }
+                level.squares[y * level.width + x] = bounds;
+            }
+        }
+    }
+}
+
+PixelRange Density::pixels_in(const QuadSquare& square) const {
+    const double side = side_[square.depth];
+    const double left = static_cast<double>(square.x) * side, top = static_cast<double>(square.y) * side;
+    const auto [first_column, last_column] = support(left, left + side);
+    const auto [first_row, last_row] = support(top, top + side);
+    return {first_column, last_column, first_row, last_row};
+}
+
+float Density::pixel(std::int64_t column, std::int64_t row) const {
+    return values_.at(across(column, values_.width, seam_), clamped(row, values_.height));
+}
+
+SmallSquare Density::look(const QuadSquare& square) const {
+    const double side = side_[square.depth];
+    const double left = static_cast<double>(square.x) * side, top = static_cast<double>(square.y) * side;
+    const double right = left + side, bottom = top + side;
+    SmallSquare look;
+    if (right <= 0 || bottom <= 0 || left >= values_.width || top >= values_.height) return look;
+    const bool inside = left >= 0 && top >= 0 && right <= values_.width && bottom <= values_.height;
+
+    // A square that rounding puts across a centre line by a hair is a patch all the same: patches are
+    // continuous.
+    const std::int64_t column = floor_of_pixel(left - 0.5 + kPixelSlack);
+    const std::int64_t row = floor_of_pixel(top - 0.5 + kPixelSlack);
+    const auto first_column = static_cast<double>(column), first_row = static_cast<double>(row);
+    if (inside && right - 0.5 <= first_column + 1 + kPixelSlack &&
+        bottom - 0.5 <= first_row + 1 + kPixelSlack) {
+        const double v00 = pixel(column, row), v10 = pixel(column + 1, row);
+        const double v01 = pixel(column, row + 1), v11 = pixel(column + 1, row + 1);
+        const double s = left + side / 2 - 0.5 - first_column, t = top + side / 2 - 0.5 - first_row;
+        const double along = v10 - v00, down = v01 - v00, twist = v11 - v10 - down;
+        look.is_patch = true;
+        look.patch = {v00 + along * s + (down + twist * s) * t, (along + twist * t) * side / 2,
+                      (down + twist * s) * side / 2, twist * side * side / 4};
+        look.bounds = look.patch.bounds();
+        return look;
+    }
+
+    const PixelRange p = look.pixels = pixels_in(square);
+    Bounds bounds = kNothing;
+    if (p.first_column >= 0 && p.first_row >= 0 && p.last_column < values_.width &&
+        p.last_row < values_.height) {
+        for (std::int64_t j = p.first_row; j <= p.last_row; ++j) {
+            const float* pixels = values_.row(static_cast<int>(j));
+            for (std::int64_t i = p.first_column; i <= p.last_column; ++i) include(bounds, pixels[i]);
+        }
+    } else {
+        for (std::int64_t j = p.first_row; j <= p.last_row; ++j) {
+            for (std::int64_t i = p.first_column; i <= p.last_column; ++i) include(bounds, pixel(i, j));
+        }
+    }
+    if (!inside) bounds.min = 0;
+    look.bounds = {bounds.min * (1 - kRelativeSlack), bounds.max * (1 + kRelativeSlack)};
+    return look;
+}
+
+BilinearPatch BilinearPatch::quadrant(int q) const {
+    const double s = q & 1 ? 0.5 : -0.5, t = q & 2 ? 0.5 : -0.5;
+    return {c + x * s + y * t + xy * s * t, 0.5 * (x + xy * t), 0.5 * (y + xy * s), 0.25 * xy};
+}
+
+Bounds BilinearPatch::bounds() const {
+    const double low = std::min(std::min(-x - y + xy, x - y - xy), std::min(-x + y - xy, x + y + xy));
+    const double high = std::max(std::max(-x - y + xy, x - y - xy), std::max(-x + y - xy, x + y + xy));
+    const double slack = kRelativeSlack * (std::abs(c) + std::abs(x) + std::abs(y) + std::abs(xy));
+    return {static_cast<float>(std::max(0.0, c + low - slack)), static_cast<float>(c + high + slack)};
+}
+
+}  // namespace dapple

@@ -1,0 +1,117 @@
+#pragma once
+// A density over the page, with bounds over every square of a quadtree so that a recursion can be exact.
+//
+// Page frame: x to the right, y down, the picture's longer side is 1; the root square is [0, 1]^2 and holds
+// nothing outside the picture. Between the pixels' centres the density is bilinear, beyond the outermost
+// centres constant.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// The square of side 2^-depth whose corner is (x, y) * 2^-depth.
+struct QuadSquare {
+    int depth = 0;
+    std::int64_t x = 0, y = 0;
+};
+
+struct Bounds {
+    float min = 0, max = 0;
+};
+
+/// The density within a square that lies between four pixels' centres: d = c + x X + y Y + xy X Y, with X and
+/// Y from the square's centre in half sides, -1..1.
+struct BilinearPatch {
+    double c = 0, x = 0, y = 0, xy = 0;
+
+    /// The same density in the square's quadrant q.
+    BilinearPatch quadrant(int q) const;
+
+    /// Its extremes are at the square's corners. Widened by what evaluating it in single precision can err.
+    Bounds bounds() const;
+};
+
+/// Pixels from the first to the last column and row, these included. They may lie outside the picture.
+struct PixelRange {
+    std::int64_t first_column = 0, last_column = 0, first_row = 0, last_row = 0;
+};
+
+/// A square of a few pixels or less.
+struct SmallSquare {
+    Bounds bounds;
+    bool is_patch = false;  // lies between four pixels' centres, within the picture
+    BilinearPatch patch;    // if so
+    PixelRange pixels;      // else: those that interpolation can touch
+};
+
+/// What lies to the left and right of the picture.
+enum class Seam {
+    paper,  // nothing: bare paper
+    wrap,   // the picture's other side: interpolation goes round, as on an environment map
+};
+
+class Density {
+ public:
+    /// Values 0..1 (more is allowed, as on environment maps). Throws std::runtime_error if the grid is empty
+    /// or a value is negative or not finite.
+    explicit Density(Grid<float> values, Seam seam = Seam::paper);
+
+    int width() const { return values_.width; }
+    int height() const { return values_.height; }
+    int longer_side() const { return longer_; }
+    Seam seam() const { return seam_; }
+    const Grid<float>& values() const { return values_; }
+
+    /// Mean over the root square, the empty part included: a placer puts about 16 * scale * mean() dots.
+    double mean() const { return mean_; }
+
+    /// Bilinear density at a point of the page; 0 outside the picture.
+    double at(glm::dvec2 p) const;
+
+    /// Numbers that no value in the square lies below and above. Exact up to rounding (and safe against it)
+    /// on squares smaller than a pixel; on larger ones the bounds of the pixels that interpolation there can
+    /// touch.
+    Bounds bounds(const QuadSquare& square) const {
+        if (square.depth >= static_cast<int>(pyramid_.size())) return look(square).bounds;
+        const Level& level = pyramid_[square.depth];
+        const bool outside =
+            square.x < 0 || square.y < 0 || square.x >= level.width || square.y >= level.height;
+        return outside ? Bounds{} : level.squares[square.y * level.width + square.x];
+    }
+
+    /// Squares of this depth and more are small: a few pixels and less.
+    int small_depth() const { return static_cast<int>(pyramid_.size()); }
+
+    /// All there is to know about a small square, at once.
+    SmallSquare look(const QuadSquare& square) const;
+
+    /// The pixels that interpolation in a square can touch.
+    PixelRange pixels_in(const QuadSquare& square) const;
+
+    /// A pixel's value; outside the picture that of the nearest or, across a wrapping seam, of the other
+    /// side.
+    float pixel(std::int64_t column, std::int64_t row) const;
+
+ private:
+    struct Level {
+        std::int64_t width = 0, height = 0;
+        std::vector<Bounds> squares;
+    };
+
+    void build_pyramid();
+
+    Grid<float> values_;
+    Seam seam_;
+    int longer_ = 0;
+    double mean_ = 0;
+    std::array<double, 64> side_{};  // of a square, in pixels, by depth
+    std::vector<Level> pyramid_;     // by depth; the last has squares of two to four pixels
+};
+
+}  // namespace dapple

@@ -1,0 +1,60 @@
+#pragma once
+// A latitude-longitude environment map: the light that comes from every direction, by u and v.
+//
+//      u  0 .. 1  left to right, once around; the sides meet
+//      v  0 .. 1  from straight up to straight down, theta = pi v
+//
+// Texel (x, y) covers u in [x, x + 1) / width and v in [y, y + 1) / height; its centre is half a texel
+// further. Which way in space a texel lies is a matter of convention: core/lights/direction.h.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/image/density.h"
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// Rec. 709 luminance of linear RGB.
+double luminance(const glm::dvec3& light);
+
+class EnvironmentMap {
+ public:
+    /// Linear RGB radiance. Throws std::runtime_error saying what is wrong if the grid is not twice as wide
+    /// as high, if a value is NaN, infinite or negative, or if all of it is black.
+    explicit EnvironmentMap(Grid<glm::vec3> radiance);
+
+    int width() const { return radiance_.width; }
+    int height() const { return radiance_.height; }
+    const Grid<glm::vec3>& radiance() const { return radiance_; }
+
+    /// Of each texel in a row, steradians, exactly: (2 pi / width) (cos theta_top - cos theta_bottom). The
+    /// texels' sum is 4 pi.
+    double solid_angle(int row) const;
+
+    /// The integral of radiance over the sphere, by texels: sum of radiance * solid angle.
+    glm::dvec3 total_flux() const { return total_flux_; }
+
+    /// Bilinear between the texels' centres, around the sides; beyond the outermost rows' centres constant.
+    glm::dvec3 at(glm::dvec2 uv) const;
+
+ private:
+    Grid<glm::vec3> radiance_;
+    glm::dvec3 total_flux_{};
+};
+
+/// What samples are drawn in proportion to.
+enum class LightImportance {
+    light,        // luminance
+    compensated,  // luminance above the sphere's mean: for multiple importance sampling with the surface's
+                  // reflection, which finds the rest (Karlik et al. 2019, "MIS compensation")
+};
+
+/// Luminance * sin theta (Lagae & Dutré 2006, section 7), at most 1, for placing: the map is the upper half
+/// of the root square and its sides meet (Seam::wrap). `first_column` is the map's column that comes to lie
+/// at the left. sin theta is the mean over the texel's row, so that a texel's value is its flux up to one
+/// common factor. A map that is even everywhere has nothing to compensate and is sampled by its luminance.
+Density light_density(const EnvironmentMap& map, LightImportance importance = LightImportance::light,
+                      int first_column = 0);
+
+}  // namespace dapple

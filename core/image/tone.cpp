@@ -1,0 +1,101 @@
+#include "core/image/tone.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/image/blur.h"
+
+namespace dapple {
+
+namespace {
+
+constexpr float kLoadStep = 0.1f;
+constexpr std::array<float, 17> kCoverage{0.0f,    0.0998f, 0.1990f, 0.2984f, 0.3961f, 0.4895f,
+                                          0.5760f, 0.6547f, 0.7241f, 0.7838f, 0.8342f, 0.8753f,
+                                          0.9087f, 0.9343f, 0.9543f, 0.9689f, 0.9794f};
+
+// One light value through the tone's settings, as the light that is to be drawn.
+float toned(float light, const Tone& tone) {
+    float v = linear_to_srgb(light);
+    v = (v - tone.black_point) / std::max(tone.white_point - tone.black_point, 1e-4f);
+    v = std::clamp(v, 0.0f, 1.0f);
+    // A straight line about mid-grey: level at -1, upright at 1.
+    const float slope = std::tan((std::min(tone.contrast, 0.999f) + 1) * std::numbers::pi_v<float> / 4);
+    v = std::clamp((v - 0.5f) * slope + 0.5f + tone.brightness, 0.0f, 1.0f);
+    v = std::pow(v, 1 / tone.gamma);
+    if (tone.invert) v = 1 - v;
+    return srgb_to_linear(v);
+}
+
+// Densities at equal steps of the square root of light, along which tone curves bend least.
+class ToneCurve {
+ public:
+    explicit ToneCurve(const Tone& tone) {
+        for (int i = 0; i <= kSteps; ++i) {
+            const float root = static_cast<float>(i) / kSteps;
+            density_[i] = load_of_coverage(1 - toned(root * root, tone)) / kFullLoad;
+        }
+        density_[kSteps + 1] = density_[kSteps];
+    }
+
+    float operator()(float light) const {
+        // Written so that NaN becomes paper.
+        const float clamped = light < 1 ? (light > 0 ? light : 0.0f) : 1.0f;
+        const float at = std::sqrt(clamped) * kSteps;
+        const int i = static_cast<int>(at);
+        return density_[i] + (density_[i + 1] - density_[i]) * (at - static_cast<float>(i));
+    }
+
+ private:
+    static constexpr int kSteps = 4096;
+    std::array<float, kSteps + 2> density_;
+};
+
+}  // namespace
+
+float srgb_to_linear(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+float linear_to_srgb(float linear) {
+    return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+}
+
+float coverage_of_load(float load) {
+    const float at = std::clamp(load / kLoadStep, 0.0f, static_cast<float>(kCoverage.size() - 1));
+    const auto i = std::min(static_cast<std::size_t>(at), kCoverage.size() - 2);
+    return kCoverage[i] + (kCoverage[i + 1] - kCoverage[i]) * (at - static_cast<float>(i));
+}
+
+float load_of_coverage(float coverage) {
+    const auto above = std::upper_bound(kCoverage.begin(), kCoverage.end(), coverage);
+    if (above == kCoverage.begin()) return 0;
+    if (above == kCoverage.end()) return kFullLoad;
+    const float low = *(above - 1), high = *above;
+    return kLoadStep * (static_cast<float>(above - 1 - kCoverage.begin()) + (coverage - low) / (high - low));
+}
+
+double radius_for_tone(double scale) {
+    // At density 1 there are 16 * scale dots on a root square of area 1.
+    return std::sqrt(kFullLoad / (std::numbers::pi * 16 * std::max(scale, 1e-12)));
+}
+
+Grid<float> density_of(Grid<float> light, const Tone& tone) {
+    if (tone.blur > 0) {
+        for (float& v : light.values)
+            v = v < 1 ? (v > 0 ? v : 0.0f) : 1.0f;  // clamped as below: NaN would spread
+        light = blurred(std::move(light), tone.blur / 1000.0 * std::max(light.width, light.height));
+    }
+    const ToneCurve curve(tone);
+    tbb::parallel_for(0, light.height, [&](int y) {
+        float* const row = light.row(y);
+        for (int x = 0; x < light.width; ++x) row[x] = curve(row[x]);
+    });
+    return light;
+}
+
+}  // namespace dapple

@@ -1,0 +1,45 @@
+#pragma once
+// From a photograph's light to the density of dots: the darkroom.
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// What the tone sliders say. Levels, contrast, brightness and gamma act on the sRGB-encoded value, 0 black
+/// to 1 white, as in photo editors; blur acts on light. The defaults change nothing: coverage follows the
+/// photograph.
+struct Tone {
+    float black_point = 0;  // encoded value drawn as black; 0..1, below white_point
+    float white_point = 1;  // encoded value drawn as bare paper
+    float contrast = 0;     // -1 flat grey .. 0 as it is .. 1 hard
+    float brightness = 0;   // -1..1, added
+    float gamma = 1;        // 0.1..10, over 1 brightens the middle tones
+    float blur = 0;         // standard deviation in thousandths of the longer side, 0..100
+    bool invert = false;    // for white ink on black paper
+
+    bool operator==(const Tone&) const = default;
+};
+
+/// sRGB transfer function (IEC 61966-2-1), encoded value 0..1 to linear light 0..1, and back.
+float srgb_to_linear(float encoded);
+float linear_to_srgb(float linear);
+
+/// The share of paper that dots of a given total area cover, 0..1: evenly spread dots overlap late, and then
+/// as chance would have it. load = number of dots * area of one / area of paper, >= 0. Measured on dots that
+/// this program places.
+float coverage_of_load(float load);
+
+/// The inverse: the load that covers so much; coverage is clamped to what kFullLoad covers.
+float load_of_coverage(float coverage);
+
+/// The load at density 1: what black is drawn with.
+inline constexpr float kFullLoad = 1.6f;
+
+/// The dot radius, in page units, with which a drawing at that scale has the photograph's tone.
+double radius_for_tone(double scale);
+
+/// The density 0..1 of a picture of linear light (0 black, 1 paper; other values are clamped, NaN is paper).
+/// Takes the picture by value so that a large one can be turned in place.
+Grid<float> density_of(Grid<float> light, const Tone& tone);
+
+}  // namespace dapple

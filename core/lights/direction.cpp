@@ -1,0 +1,75 @@
+#include "core/lights/direction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace dapple {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// What the map's centre, its quarter and its top are in space. centre x quarter is up, except in pbrt, whose
+// maps run the other way round.
+struct Frame {
+    glm::dvec3 centre, quarter, up;
+};
+
+Frame frame_of(SphereConvention convention) {
+    switch (convention) {
+        case SphereConvention::openexr:
+        case SphereConvention::usd:
+        case SphereConvention::mitsuba:
+            return {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+        case SphereConvention::blender:
+            return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        case SphereConvention::pbrt:
+            return {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string_view name_of(SphereConvention convention) {
+    switch (convention) {
+        case SphereConvention::openexr:
+            return "openexr";
+        case SphereConvention::usd:
+            return "usd";
+        case SphereConvention::mitsuba:
+            return "mitsuba";
+        case SphereConvention::blender:
+            return "blender";
+        case SphereConvention::pbrt:
+            return "pbrt";
+    }
+    return "";
+}
+
+glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention) {
+    const Frame frame = frame_of(convention);
+    const double around = 2 * kPi * (0.5 - uv.x), theta = kPi * uv.y;
+    return std::sin(theta) * (std::cos(around) * frame.centre + std::sin(around) * frame.quarter) +
+           std::cos(theta) * frame.up;
+}
+
+glm::dvec2 uv_of(glm::dvec3 direction, SphereConvention convention) {
+    const Frame frame = frame_of(convention);
+    const double forward = glm::dot(direction, frame.centre), sideways = glm::dot(direction, frame.quarter);
+    double u = 0.5 - std::atan2(sideways, forward) / (2 * kPi);
+    if (u >= 1) u -= 1;
+    const double v = std::atan2(std::hypot(forward, sideways), glm::dot(direction, frame.up)) / kPi;
+    return {std::max(u, 0.0), v};
+}
+
+glm::dvec3 turned_about_up(glm::dvec3 direction, double degrees, SphereConvention convention) {
+    const glm::dvec3 up = frame_of(convention).up;
+    const double angle = degrees * kPi / 180;
+    const glm::dvec3 along = glm::dot(direction, up) * up;
+    return along + std::cos(angle) * (direction - along) + std::sin(angle) * glm::cross(up, direction);
+}
+
+}  // namespace dapple

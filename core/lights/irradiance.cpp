@@ -1,0 +1,49 @@
+#include "core/lights/irradiance.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/lights/direction.h"
+
+namespace dapple {
+
+std::vector<DistantLight> texel_lights(const EnvironmentMap& map) {
+    std::vector<DistantLight> lights;
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            const glm::dvec3 weight = glm::dvec3(map.radiance().at(x, y)) * map.solid_angle(y);
+            if (weight == glm::dvec3{}) continue;
+            const glm::dvec2 uv{(x + 0.5) / map.width(), (y + 0.5) / map.height()};
+            lights.push_back({direction_of(uv, SphereConvention::openexr), weight});
+        }
+    }
+    return lights;
+}
+
+std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights,
+                                   std::span<const glm::dvec3> normals) {
+    std::vector<glm::dvec3> result(normals.size());
+    tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t i) {
+        glm::dvec3 sum{};
+        for (const DistantLight& light : lights)
+            sum += light.weight * std::max(0.0, glm::dot(light.direction, normals[i]));
+        result[i] = sum;
+    });
+    return result;
+}
+
+std::vector<glm::dvec3> fibonacci_normals(int count) {
+    constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749978969641);
+    std::vector<glm::dvec3> normals(count);
+    for (int i = 0; i < count; ++i) {
+        const double height = 1 - (2 * i + 1.0) / count, radius = std::sqrt(1 - height * height);
+        normals[i] = {radius * std::cos(i * kGoldenAngle), height, radius * std::sin(i * kGoldenAngle)};
+    }
+    return normals;
+}
+
+}  // namespace dapple

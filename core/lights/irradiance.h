@@ -1,0 +1,29 @@
+#pragma once
+// What lights do to a diffuse surface: the integral of radiance times cosine over the hemisphere of a normal.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/image/environment.h"
+
+namespace dapple {
+
+/// A light that is far away: a unit vector towards it, and the irradiance on a surface that faces it.
+struct DistantLight {
+    glm::dvec3 direction{};
+    glm::dvec3 weight{};
+};
+
+/// Every texel of the map as a light at its centre, weight = radiance * solid angle, directions as in
+/// OpenEXR; black ones left out.
+std::vector<DistantLight> texel_lights(const EnvironmentMap& map);
+
+/// Sum of weight * max(0, direction . normal), for each normal (unit vectors). The result does not depend on
+/// the number of cores.
+std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals);
+
+/// Evenly spread unit vectors: the golden angle around, equal steps in height (Swinbank & Purser 2006).
+std::vector<glm::dvec3> fibonacci_normals(int count);
+
+}  // namespace dapple

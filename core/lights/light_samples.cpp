@@ -1,0 +1,148 @@
+#include "core/lights/light_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "core/lights/direction.h"
+#include "core/lights/random.h"
+#include "core/lights/regions.h"
+#include "core/tile/neighbours.h"
+
+namespace dapple {
+
+namespace {
+
+class Stopwatch {
+ public:
+    double ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+ private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+constexpr double kFigure8Growth = 1.05;
+constexpr double kMostFigure8Growth = 1e9;
+
+// Of the dots that Figure 8 emits, each place once, and of these the `count` that appear first as its scale
+// grows.
+std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& density, std::uint64_t count) {
+    const double first = static_cast<double>(count) / (16 * density.mean());
+    for (double scale = first; scale < first * kMostFigure8Growth;) {
+        const Dots dots = place_figure8(density, tile.tile(), tile.own_ranks(), scale).dots;
+        struct Place {
+            float x, y;
+            double critical;
+        };
+        std::vector<Place> places(dots.size());
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const double here = density.at({dots.x[i], dots.y[i]});
+            places[i] = {dots.x[i], dots.y[i],
+                         here > 0 ? dots.threshold[i] / here : std::numeric_limits<double>::max()};
+        }
+        std::ranges::sort(places, {}, [](const Place& p) { return std::tuple(p.y, p.x, p.critical); });
+        const auto again =
+            std::ranges::unique(places, {}, [](const Place& p) { return std::pair(p.x, p.y); });
+        places.erase(again.begin(), again.end());
+        if (places.size() >= count) {
+            std::ranges::stable_sort(places, {}, &Place::critical);
+            std::vector<glm::dvec2> chosen(count);
+            for (std::size_t i = 0; i < count; ++i) chosen[i] = {places[i].x, places[i].y};
+            return chosen;
+        }
+        const double share = static_cast<double>(count + 1) / static_cast<double>(places.size() + 1);
+        scale *= std::clamp(share, kFigure8Growth, 4.0);
+    }
+    throw std::runtime_error(
+        fmt::format("the paper's placer (figure8) does not find {} places in this map's light; use the exact "
+                    "placer",
+                    count));
+}
+
+std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request) {
+    Dots dots;
+    place_exactly(tile.placer(), density, {request.count, request.threads}, dots);
+    std::vector<glm::dvec2> places(dots.size());
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {dots.x[i], dots.y[i]};
+    return places;
+}
+
+}  // namespace
+
+std::string_view name_of(SamplePosition position) {
+    switch (position) {
+        case SamplePosition::centroid:
+            return "centroid";
+        case SamplePosition::dot:
+            return "dot";
+        case SamplePosition::random:
+            return "random";
+    }
+    return "";
+}
+
+std::string_view name_of(SampleRadiance radiance) {
+    return radiance == SampleRadiance::mean ? "mean" : "point";
+}
+
+std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request) {
+    if (request.count < 1 || request.count > kMostLightSamples) {
+        throw std::runtime_error(
+            fmt::format("{} samples are not possible; ask for 1 to {}", request.count, kMostLightSamples));
+    }
+    const int turn = request.seed == 0 ? 0 : static_cast<int>(RandomBits(request.seed).next() % map.width());
+    const Density density = light_density(map, request.importance, turn);
+    std::vector<glm::dvec2> places = request.placer == PlacerKind::figure8
+                                         ? figure8_dots(tile, density, request.count)
+                                         : exact_dots(tile, density, request);
+    for (glm::dvec2& p : places) {
+        p.x += static_cast<double>(turn) / map.width();
+        if (p.x >= 1) p.x -= 1;
+        p.y = std::min(2 * p.y, 1.0);  // the page's unit is the map's width
+    }
+    return places;
+}
+
+LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request) {
+    LightSamples result;
+    result.total_flux = map.total_flux();
+    const Stopwatch placing;
+    const std::vector<glm::dvec2> dots = light_dots(map, tile, request);
+    result.place_ms = placing.ms();
+
+    const Stopwatch sharing;
+    const bool drawn = request.position == SamplePosition::random;
+    const std::vector<Region> regions =
+        share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt);
+    result.samples.resize(dots.size());
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        const Region& region = regions[i];
+        LightSample& sample = result.samples[i];
+        sample.uv = dots[i];
+        if (request.position == SamplePosition::centroid && glm::length(region.moment) > 0)
+            sample.uv = uv_of(region.moment, SphereConvention::openexr);
+        if (request.position == SamplePosition::random && region.luminance > 0) sample.uv = region.drawn;
+        sample.weight = region.flux;
+        sample.radiance =
+            request.radiance == SampleRadiance::point ? map.at(sample.uv) : region.flux / region.solid_angle;
+        sample.pdf = 1 / (static_cast<double>(dots.size()) * region.solid_angle);
+    }
+    result.share_ms = sharing.ms();
+    return result;
+}
+
+bool meets_itself(const Tile& tile) {
+    return std::ranges::any_of(legal_neighbours(tile.rule), [](const Neighbour& neighbour) {
+        return neighbour.offset == glm::ivec2(1, 0) && neighbour.orientation == Orientation{};
+    });
+}
+
+}  // namespace dapple

@@ -1,0 +1,82 @@
+#pragma once
+// An environment map as a number of small lights (Lagae & Dutré 2006, section 7, figure 7).
+//
+//      map -> density -> placer -> dots -> regions -> samples
+//
+// The placer puts n dots in proportion to luminance * sin theta. Each dot stands for a region: the texels'
+// light is shared out among the dots (core/lights/regions.h) so that none is lost or counted twice. The
+// weights therefore sum to the map's flux for every n, every map and every seed: what a light list of fixed
+// weights L / (n pdf) only does on average.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/image/environment.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+/// Where in its region a sample is. All three agree in weight.
+enum class SamplePosition {
+    centroid,  // where the region's light has its centre of gravity: by far the least error, since any
+               // integrand that is linear over the regions comes out exactly; one step of Lloyd's relaxation
+    dot,       // where the placer put the dot
+    random,    // drawn from the region's light: unbiased in luminance for any integrand, since a region's
+               // flux times an integrand at a place drawn in proportion to its light has the region's
+               // integral as its mean
+};
+/// "centroid", "dot", "random".
+std::string_view name_of(SamplePosition position);
+
+/// What a sample's radiance says. Its weight is the same either way.
+enum class SampleRadiance {
+    mean,   // over its region: weight = radiance / (n pdf) holds exactly
+    point,  // the map's at (u, v), bilinear
+};
+/// "mean", "point".
+std::string_view name_of(SampleRadiance radiance);
+
+struct LightRequest {
+    std::uint64_t count = 1024;  // exactly so many samples, 1 .. kMostLightSamples
+    PlacerKind placer = PlacerKind::exact;
+    LightImportance importance = LightImportance::light;
+    SamplePosition position = SamplePosition::centroid;
+    SampleRadiance radiance = SampleRadiance::mean;
+    std::uint64_t seed = 0;  // 0: the tile as it is; else it lies turned about the up axis by whole texels,
+                             // each turn equally likely (Cranley-Patterson rotation), and random draws differ
+    int threads = 1;         // for placing; the samples are the same for any number; 0: all cores
+
+    bool operator==(const LightRequest&) const = default;
+};
+
+inline constexpr std::uint64_t kMostLightSamples = 10'000'000;
+
+struct LightSample {
+    glm::dvec2 uv{};        // on the map; core/lights/direction.h says which way that is
+    glm::dvec3 weight{};    // flux of its region: irradiance on a surface that faces it, linear RGB
+    glm::dvec3 radiance{};  // linear RGB
+    double pdf = 0;         // samples per steradian there, over n: 1 / (n * solid angle of its region)
+};
+
+struct LightSamples {
+    std::vector<LightSample> samples;  // in the placer's order
+    glm::dvec3 total_flux{};           // the map's
+    double place_ms = 0;               // wall time of placing the dots
+    double share_ms = 0;               // and of sharing out the light
+};
+
+/// Throws std::runtime_error if the count is out of range, if the tile cannot be used by the placer asked
+/// for, or if Figure 8 does not find so many places, as on a map whose light it loses.
+LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request);
+
+/// The dots of that request on the map: u and v.
+std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request);
+
+/// Whether copies of a tile side by side, as they meet where u = 0 and 1, are one of its legal
+/// neighbourhoods, so that dots keep their distance there too. Always so if its children are not turned.
+bool meets_itself(const Tile& tile);
+
+}  // namespace dapple

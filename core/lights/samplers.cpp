@@ -1,0 +1,137 @@
+#include "core/lights/samplers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/lights/direction.h"
+#include "core/lights/light_samples.h"
+#include "core/lights/random.h"
+
+namespace dapple {
+
+namespace {
+
+// Which of the steps of a cumulative sum holds a value, and how far in it, 0..1.
+struct Step {
+    int index;
+    double within;
+};
+
+Step step_at(std::span<const double> cumulative, double value) {
+    const auto above = std::upper_bound(cumulative.begin(), cumulative.end(), value);
+    // Rounding may put a value at the end; the last step that has any width is meant.
+    auto end = above == cumulative.end() ? std::ranges::lower_bound(cumulative, cumulative.back()) : above;
+    if (end == cumulative.begin()) ++end;
+    const double from = *(end - 1), to = *end;
+    return {static_cast<int>(end - cumulative.begin()) - 1,
+            to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : 0.5};
+}
+
+std::vector<DistantLight> uniform_lights(const EnvironmentMap& map, std::uint64_t count, RandomBits& random) {
+    std::vector<DistantLight> lights(count);
+    for (DistantLight& light : lights) {
+        const glm::dvec2 uv(random.uniform(), std::acos(1 - 2 * random.uniform()) / std::numbers::pi);
+        const int x = std::min(static_cast<int>(uv.x * map.width()), map.width() - 1);
+        const int y = std::min(static_cast<int>(uv.y * map.height()), map.height() - 1);
+        light = {direction_of(uv, SphereConvention::openexr),
+                 glm::dvec3(map.radiance().at(x, y)) * (4 * std::numbers::pi / static_cast<double>(count))};
+    }
+    return lights;
+}
+
+DistantLight inverted_light(const EnvironmentMap& map, const LightInversion& inversion, glm::dvec2 square,
+                            std::uint64_t count) {
+    const LightInversion::Place place = inversion.at(square.x, square.y);
+    const glm::dvec3 radiance(map.radiance().at(place.column, place.row));
+    return {direction_of(place.uv, SphereConvention::openexr),
+            radiance * (inversion.total() / (static_cast<double>(count) * luminance(radiance)))};
+}
+
+std::vector<DistantLight> own_lights(const EnvironmentMap& map, RankedTile& tile, SamplePosition position,
+                                     std::uint64_t count, std::uint64_t seed) {
+    std::vector<DistantLight> lights;
+    const LightRequest request{.count = count, .position = position, .seed = seed};
+    for (const LightSample& sample : light_samples(map, tile, request).samples)
+        lights.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
+    return lights;
+}
+
+}  // namespace
+
+std::string_view name_of(LightSampler sampler) {
+    switch (sampler) {
+        case LightSampler::uniform:
+            return "uniform random";
+        case LightSampler::importance:
+            return "importance random";
+        case LightSampler::stratified:
+            return "stratified inversion";
+        case LightSampler::unbiased:
+            return "dapple, unbiased";
+        case LightSampler::centroid:
+            return "dapple";
+    }
+    return "";
+}
+
+LightInversion::LightInversion(const EnvironmentMap& map)
+    : width_(map.width()), height_(map.height()), rows_(1, 0.0) {
+    for (int y = 0; y < height_; ++y) {
+        double sum = 0;
+        columns_.push_back(0);
+        for (int x = 0; x < width_; ++x) {
+            sum += luminance(map.radiance().at(x, y));
+            columns_.push_back(sum);
+        }
+        rows_.push_back(rows_.back() + sum * map.solid_angle(y));
+    }
+}
+
+LightInversion::Place LightInversion::at(double s, double t) const {
+    const Step row = step_at(rows_, t * rows_.back());
+    const std::span columns(columns_.data() + static_cast<std::size_t>(row.index) * (width_ + 1),
+                            static_cast<std::size_t>(width_) + 1);
+    const Step column = step_at(columns, s * columns.back());
+    const double top = std::cos(std::numbers::pi * row.index / height_);
+    const double bottom = std::cos(std::numbers::pi * (row.index + 1) / height_);
+    const double theta = std::acos(std::clamp(top + (bottom - top) * row.within, -1.0, 1.0));
+    return {{(column.index + column.within) / width_, theta / std::numbers::pi}, column.index, row.index};
+}
+
+std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& tile, LightSampler sampler,
+                                         std::uint64_t count, std::uint64_t seed) {
+    RandomBits random(seed * 5 + static_cast<std::uint64_t>(sampler));
+    std::vector<DistantLight> lights;
+    switch (sampler) {
+        case LightSampler::uniform:
+            return uniform_lights(map, count, random);
+        case LightSampler::importance: {
+            const LightInversion inversion(map);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const double s = random.uniform(), t = random.uniform();
+                lights.push_back(inverted_light(map, inversion, {s, t}, count));
+            }
+            return lights;
+        }
+        case LightSampler::stratified: {
+            const LightInversion inversion(map);
+            const auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
+            for (std::uint64_t i = 0; i < side * side; ++i) {
+                const double s =
+                    (static_cast<double>(i % side) + random.uniform()) / static_cast<double>(side);
+                const double t =
+                    (static_cast<double>(i / side) + random.uniform()) / static_cast<double>(side);
+                lights.push_back(inverted_light(map, inversion, {s, t}, side * side));
+            }
+            return lights;
+        }
+        case LightSampler::unbiased:
+            return own_lights(map, tile, SamplePosition::random, count, seed);
+        case LightSampler::centroid:
+            return own_lights(map, tile, SamplePosition::centroid, count, seed);
+    }
+    return lights;
+}
+
+}  // namespace dapple

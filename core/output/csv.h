@@ -1,0 +1,23 @@
+#pragma once
+// Dots as a table, for programs.
+
+#include <ostream>
+
+#include "core/output/progress.h"
+#include "core/placing/dots.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+struct CsvColumns {
+    double dot_radius_mm = 0;   // the same for every dot
+    std::size_t tile_size = 0;  // N, which a threshold needs to say level and rank
+};
+
+/// A line x_mm,y_mm,radius_mm,level,rank,critical_scale and a line a dot, in the order given. Numbers have as
+/// many digits as it takes to read back the very same: x_mm / mm_per_page_unit, rounded to float, is the
+/// dot's x. Needs Dots::critical. Needs a buffer's memory only.
+void write_csv(std::ostream& out, const Dots& dots, const PageSize& page, const CsvColumns& columns,
+               const WritingProgress& progress = {});
+
+}  // namespace dapple

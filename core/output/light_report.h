@@ -1,0 +1,24 @@
+#pragma once
+// A comparison of light samplers for people and programs.
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "core/lights/comparison.h"
+
+namespace dapple {
+
+/// sampler,samples,relative_error,slope and a line for each sampler and count.
+void write_comparison_csv(std::ostream& out, const LightComparison& comparison);
+
+/// Error over count, both logarithmic, an <svg> element.
+std::string comparison_plot(const LightComparison& comparison);
+
+/// A page with the plot, the figures, and the ratio of stratified inversion's error to ours.
+std::string comparison_page(const LightComparison& comparison, std::string_view map_name);
+
+/// The figures as a table of text, a line a count, then the slopes and the ratios.
+std::string comparison_table(const LightComparison& comparison);
+
+}  // namespace dapple

@@ -1,0 +1,221 @@
+#include "core/output/raster.h"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "core/image/tone.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kSamples = 16;                   // a side of the grid of sample points in a pixel
+constexpr int kPixelsPerWord = 64 / kSamples;  // one row of samples of so many pixels is a word
+constexpr std::size_t kBandBytes = 8u << 20;   // of samples
+constexpr std::int64_t kLargestSide = 1'000'000;
+
+// The page in pixels, and the dots on it.
+struct Canvas {
+    const Dots& dots;
+    RasterSize size;
+    double px_per_unit;
+    double radius;  // px
+    int band_rows;
+
+    int bands() const { return (size.height + band_rows - 1) / band_rows; }
+};
+
+// The samples of a band as bits: sample row after sample row, the leftmost sample in the lowest bit.
+class SampleBand {
+ public:
+    SampleBand(int width, int rows)
+        : words_((width + kPixelsPerWord - 1) / kPixelsPerWord),
+          sample_rows_(rows * kSamples),
+          bits_(static_cast<std::size_t>(words_) * sample_rows_) {}
+
+    // A disc, in sample units from the band's corner; sample (i, j) lies at (i + 1/2, j + 1/2).
+    void add_disc(double x, double y, double radius) {
+        const auto first_row = static_cast<int>(std::max(std::ceil(y - radius - 0.5), 0.0));
+        const auto last_row = static_cast<int>(std::min(std::floor(y + radius - 0.5), sample_rows_ - 1.0));
+        for (int row = first_row; row <= last_row; ++row) {
+            const double dy = row + 0.5 - y;
+            const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
+            const double first = std::max(std::ceil(x - half - 0.5), 0.0);
+            const double last = std::min(std::floor(x + half - 0.5), words_ * 64.0 - 1.0);
+            if (first <= last) set(row, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
+        }
+    }
+
+    Grid<float> coverage(int width) const {
+        Grid<float> result(width, sample_rows_ / kSamples);
+        std::vector<int> counts(static_cast<std::size_t>(words_) * kPixelsPerWord);
+        for (int y = 0; y < result.height; ++y) {
+            std::ranges::fill(counts, 0);
+            for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) count(row, counts);
+            for (int x = 0; x < width; ++x) {
+                result.at(x, y) = static_cast<float>(counts[x]) / (kSamples * kSamples);
+            }
+        }
+        return result;
+    }
+
+ private:
+    void set(int row, std::int64_t first, std::int64_t last) {
+        std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
+        const std::int64_t from = first / 64, to = last / 64;
+        const std::uint64_t head = ~std::uint64_t{0} << (first % 64);
+        const std::uint64_t tail = ~std::uint64_t{0} >> (63 - last % 64);
+        if (from == to) {
+            line[from] |= head & tail;
+            return;
+        }
+        line[from] |= head;
+        std::fill(line + from + 1, line + to, ~std::uint64_t{0});
+        line[to] |= tail;
+    }
+
+    void count(int row, std::span<int> counts) const {
+        constexpr std::uint64_t pixel_mask = (std::uint64_t{1} << kSamples) - 1;
+        const std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
+        for (int word = 0; word < words_; ++word) {
+            const std::uint64_t bits = line[word];
+            if (bits == 0) continue;
+            for (int i = 0; i < kPixelsPerWord; ++i) {
+                counts[word * kPixelsPerWord + i] += std::popcount(bits >> (i * kSamples) & pixel_mask);
+            }
+        }
+    }
+
+    int words_, sample_rows_;
+    std::vector<std::uint64_t> bits_;
+};
+
+// Which dots touch which band: the dots of band b are dots[begin[b] .. begin[b + 1]).
+struct DotsByBand {
+    std::vector<std::uint64_t> begin;
+    std::vector<std::uint32_t> dots;
+};
+
+struct BandRange {
+    int first, last;  // none if last < first
+};
+
+BandRange bands_touched(const Canvas& canvas, float y) {
+    const double centre = y * canvas.px_per_unit;
+    const auto band = [&](double row) {
+        return static_cast<int>(
+            std::clamp(std::floor(row / canvas.band_rows), -1.0, static_cast<double>(canvas.bands())));
+    };
+    return {std::max(band(centre - canvas.radius), 0),
+            std::min(band(centre + canvas.radius), canvas.bands() - 1)};
+}
+
+DotsByBand sort_into_bands(const Canvas& canvas) {
+    DotsByBand result;
+    result.begin.assign(canvas.bands() + 1, 0);
+    for (const float y : canvas.dots.y) {
+        const BandRange range = bands_touched(canvas, y);
+        for (int band = range.first; band <= range.last; ++band) ++result.begin[band + 1];
+    }
+    for (int band = 0; band < canvas.bands(); ++band) result.begin[band + 1] += result.begin[band];
+    result.dots.resize(result.begin.back());
+    std::vector<std::uint64_t> next(result.begin.begin(), result.begin.end() - 1);
+    for (std::size_t i = 0; i < canvas.dots.size(); ++i) {
+        const BandRange range = bands_touched(canvas, canvas.dots.y[i]);
+        for (int band = range.first; band <= range.last; ++band) {
+            result.dots[next[band]++] = static_cast<std::uint32_t>(i);
+        }
+    }
+    return result;
+}
+
+Grid<float> draw_band(const Canvas& canvas, const DotsByBand& sorted, int band) {
+    const int first_row = band * canvas.band_rows;
+    SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
+    for (std::uint64_t i = sorted.begin[band]; i < sorted.begin[band + 1]; ++i) {
+        const std::uint32_t dot = sorted.dots[i];
+        samples.add_disc(canvas.dots.x[dot] * canvas.px_per_unit * kSamples,
+                         (canvas.dots.y[dot] * canvas.px_per_unit - first_row) * kSamples,
+                         canvas.radius * kSamples);
+    }
+    return samples.coverage(canvas.size.width);
+}
+
+}  // namespace
+
+RasterSize raster_size(const PageSize& page, double dpi) {
+    const double width = std::round(page.width_mm / 25.4 * dpi),
+                 height = std::round(page.height_mm / 25.4 * dpi);
+    if (!(std::max(width, height) <= static_cast<double>(kLargestSide))) {
+        throw std::runtime_error(
+            fmt::format("the page would be {:.0f} x {:.0f} pixels, and {} a side is the most; choose fewer "
+                        "dots to the inch or a "
+                        "smaller page",
+                        width, height, kLargestSide));
+    }
+    return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};
+}
+
+void rasterise(const Dots& dots, const PageSize& page, const RasterRequest& request,
+               const CoverageSink& sink) {
+    const RasterSize size = raster_size(page, request.dpi);
+    const double px_per_mm = request.dpi / 25.4;
+    const std::size_t row_bytes = static_cast<std::size_t>(size.width) * kSamples * kSamples / 8;
+    const Canvas canvas{
+        .dots = dots,
+        .size = size,
+        .px_per_unit = page.mm_per_page_unit * px_per_mm,
+        .radius = request.dot_radius_mm * px_per_mm,
+        .band_rows = static_cast<int>(std::clamp<std::size_t>(kBandBytes / row_bytes, 1, 256))};
+    const DotsByBand sorted = sort_into_bands(canvas);
+
+    const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
+    tbb::task_arena arena(threads);
+    std::vector<Grid<float>> drawn(threads);
+    for (int first = 0; first < canvas.bands(); first += threads) {
+        const int count = std::min(threads, canvas.bands() - first);
+        arena.execute([&] {
+            tbb::parallel_for(0, count, [&](int i) { drawn[i] = draw_band(canvas, sorted, first + i); });
+        });
+        for (int i = 0; i < count; ++i) sink((first + i) * canvas.band_rows, drawn[i]);
+    }
+}
+
+Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request) {
+    const RasterSize size = raster_size(page, request.dpi);
+    Grid<float> whole(size.width, size.height);
+    rasterise(dots, page, request, [&](int first_row, const Grid<float>& band) {
+        std::ranges::copy(band.values, whole.row(first_row));
+    });
+    return whole;
+}
+
+Grid<glm::u8vec3> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper) {
+    // Coverage has few values, so each colour is worked out once.
+    constexpr int steps = kSamples * kSamples;
+    std::array<glm::u8vec3, steps + 1> colours;
+    for (int i = 0; i <= steps; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const float share = static_cast<float>(i) / steps;
+            const float light = srgb_to_linear(ink[c]) * share + srgb_to_linear(paper[c]) * (1.0f - share);
+            colours[i][c] = static_cast<std::uint8_t>(std::lround(linear_to_srgb(light) * 255.0f));
+        }
+    }
+    Grid<glm::u8vec3> result(coverage.width, coverage.height);
+    std::ranges::transform(coverage.values, result.values.begin(), [&](float share) {
+        return colours[static_cast<std::size_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * steps))];
+    });
+    return result;
+}
+
+}  // namespace dapple

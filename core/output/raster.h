@@ -1,0 +1,46 @@
+#pragma once
+// Dots as pixels, anti-aliased, without a graphics card.
+//
+// A pixel's coverage is the share of its 16 x 16 sample points that lie in any dot: dots that overlap unite,
+// they do not add up. Ink and paper are mixed in linear light, so that a half covered pixel is as light as
+// one that is half ink and half paper.
+
+#include <functional>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/image/grid.h"
+#include "core/placing/dots.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+struct RasterSize {
+    int width = 0, height = 0;  // pixels
+};
+
+/// The page at that resolution, rounded to whole pixels, at least 1 x 1. Throws std::runtime_error if a side
+/// is over 1,000,000 pixels, which is what PNG readers take.
+RasterSize raster_size(const PageSize& page, double dpi);
+
+struct RasterRequest {
+    double dot_radius_mm = 0;
+    double dpi = 300;
+    int threads = 1;  // the result is the same for any number; 0: all cores
+};
+
+/// A stretch of rows, the first of which is row `first_row` of the whole: coverage 0..1.
+using CoverageSink = std::function<void(int first_row, const Grid<float>& coverage)>;
+
+/// Draws the page in bands, from the top down, each handed to the sink in turn; so a picture of any size
+/// needs little memory: 4 bytes a dot and some bands.
+void rasterise(const Dots& dots, const PageSize& page, const RasterRequest& request,
+               const CoverageSink& sink);
+
+/// All bands in one.
+Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request);
+
+/// sRGB-encoded pixels of that coverage. The colours are sRGB-encoded too.
+Grid<glm::u8vec3> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
+
+}  // namespace dapple

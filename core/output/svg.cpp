@@ -1,0 +1,105 @@
+#include "core/output/svg.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/output/text_buffer.h"
+
+namespace dapple {
+namespace {
+
+constexpr double kPxPerMm = 96.0 / 25.4;
+
+// Two decimals, 0.0026 mm, are enough until the dots' mean spacing comes near a pixel.
+int decimals_for(std::size_t dots, const PageSize& page) {
+    const double area = page.width_mm * page.height_mm * kPxPerMm * kPxPerMm;
+    return static_cast<double>(dots) * 4 < area ? 2 : 3;
+}
+
+void begin_layer(TextBuffer& text, int number, std::string_view label) {
+    text << R"(<g inkscape:groupmode="layer" inkscape:label=")" << std::int64_t{number} << ' ' << label
+         << R"(" id="layer)" << std::int64_t{number} << '"';
+}
+
+void write_dots(TextBuffer& text, const Dots& dots, const PageSize& page, const SvgStyle& style,
+                const WritingProgress& progress) {
+    const int decimals = decimals_for(dots.size(), page);
+    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
+    const double radius = std::max(style.dot_radius_mm * kPxPerMm, 0.001);
+    begin_layer(text, 1, pen_name(style.ink));
+    text << R"( fill=")" << hex_of(style.ink) << R"(" stroke="none">)" << '\n';
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        if (progress && i % kDotsPerReport == 0)
+            progress(static_cast<double>(i) / static_cast<double>(dots.size()));
+        text << R"(<circle cx=")";
+        text.fixed(dots.x[i] * px_per_unit, decimals);
+        text << R"(" cy=")";
+        text.fixed(dots.y[i] * px_per_unit, decimals);
+        text << R"(" r=")";
+        text.fixed(radius, 3);
+        text << "\"/>\n";
+    }
+    text << "</g>\n";
+}
+
+void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page) {
+    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
+    const double width = page.width_mm * kPxPerMm, height = page.height_mm * kPxPerMm;
+    // Tiles cover a square, the page need not be one: what lies over its edge is cut off.
+    std::map<int, std::vector<PlacedTile>> by_level;
+    for (const PlacedTile& tile : tiles) {
+        const bool on_page = tile.x * px_per_unit < width && tile.y * px_per_unit < height;
+        if (on_page) by_level[tile.level].push_back(tile);
+    }
+    begin_layer(text, 2, "Tiles");
+    text << R"( fill="none" stroke-width="0.3">)" << '\n';
+    // Finest first: the coarse ones lie on top, so that every line shows the coarsest level that it bounds.
+    for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
+        text << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
+             << hex_of(level_colour(level->first)) << "\">\n";
+        for (const PlacedTile& tile : level->second) {
+            text << R"(<rect x=")";
+            text.fixed(tile.x * px_per_unit, 3);
+            text << R"(" y=")";
+            text.fixed(tile.y * px_per_unit, 3);
+            text << R"(" width=")";
+            text.fixed(std::min(tile.side * px_per_unit, width - tile.x * px_per_unit), 3);
+            text << R"(" height=")";
+            text.fixed(std::min(tile.side * px_per_unit, height - tile.y * px_per_unit), 3);
+            text << "\"/>\n";
+        }
+        text << "</g>\n";
+    }
+    text << "</g>\n";
+}
+
+}  // namespace
+
+void write_svg(std::ostream& out, const Dots& dots, const PageSize& page, const SvgStyle& style,
+               const WritingProgress& progress) {
+    TextBuffer text(out);
+    text
+        << R"(<?xml version="1.0" encoding="UTF-8"?>)"
+        << "\n"
+        << R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")"
+        << R"( version="1.1" width=")";
+    text.fixed(page.width_mm, 4);
+    text << R"(mm" height=")";
+    text.fixed(page.height_mm, 4);
+    text << R"(mm" viewBox="0 0 )";
+    text.fixed(page.width_mm * kPxPerMm, 4);
+    text << ' ';
+    text.fixed(page.height_mm * kPxPerMm, 4);
+    text << "\">\n";
+    if (style.background) {
+        text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
+    }
+    write_dots(text, dots, page, style, progress);
+    if (!style.tiles.empty()) write_tiles(text, style.tiles, page);
+    text << "</svg>\n";
+    text.flush();
+}
+
+}  // namespace dapple

@@ -1,0 +1,33 @@
+#pragma once
+// A drawing as SVG that plotters' and illustrators' programs read at once.
+//
+// The root has its size in millimetres and a viewBox; coordinates are in px of 96 to the inch, so readers
+// that ignore the viewBox are right too. Each pen has a layer, a direct child of the root, numbered first in
+// its label: "1 Black". The tiles' outlines are the layer "2 Tiles". There is no background unless asked for.
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <ostream>
+#include <span>
+
+#include "core/output/colour.h"
+#include "core/output/progress.h"
+#include "core/placing/dots.h"
+#include "core/placing/placer.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+struct SvgStyle {
+    double dot_radius_mm = 0.2;  // written as 0.001 px at least: readers drop circles of radius 0
+    glm::vec3 ink = kBlack;
+    std::optional<glm::vec3> background;     // a rectangle under everything
+    std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
+};
+
+/// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where
+/// dots are dense. Needs a buffer's memory only.
+void write_svg(std::ostream& out, const Dots& dots, const PageSize& page, const SvgStyle& style,
+               const WritingProgress& progress = {});
+
+}  // namespace dapple

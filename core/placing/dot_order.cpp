@@ -1,0 +1,77 @@
+#include "core/placing/dot_order.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+namespace dapple {
+
+namespace {
+
+constexpr int kHilbertDepth = 16;  // 2^16 cells along a side: finer than any pen
+
+// The index of a cell along the Hilbert curve of that depth (Hilbert 1891), by turning the frame on the way
+// down.
+std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t index = 0;
+    for (std::uint32_t side = 1u << (kHilbertDepth - 1); side > 0; side >>= 1) {
+        const std::uint32_t right = (x & side) != 0, lower = (y & side) != 0;
+        index = index << 2 | ((3 * right) ^ lower);
+        if (lower == 0) {
+            if (right == 1) {
+                x = ~x;
+                y = ~y;
+            }
+            std::swap(x, y);
+        }
+    }
+    return index;
+}
+
+std::uint32_t cell_of(float position) {
+    constexpr float kCells = 1 << kHilbertDepth;
+    return static_cast<std::uint32_t>(std::clamp(position * kCells, 0.0f, kCells - 1));
+}
+
+// What dots are sorted by; positive floats are ordered as their bits are.
+std::uint32_t key_of(const Dots& dots, std::size_t i, DotOrder order) {
+    if (order == DotOrder::priority) return std::bit_cast<std::uint32_t>(dots.critical[i]);
+    return hilbert_index(cell_of(dots.x[i]), cell_of(dots.y[i]));
+}
+
+void rearrange(FloatBuffer& column, const std::vector<std::uint64_t>& keys) {
+    FloatBuffer sorted(column.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) sorted[i] = column[static_cast<std::uint32_t>(keys[i])];
+    column = std::move(sorted);
+}
+
+}  // namespace
+
+std::string_view name_of(DotOrder order) {
+    switch (order) {
+        case DotOrder::recursion:
+            return "recursion";
+        case DotOrder::priority:
+            return "priority";
+        case DotOrder::space:
+            return "space";
+    }
+    return "";
+}
+
+void sort_dots(Dots& dots, DotOrder order) {
+    if (order == DotOrder::recursion) return;
+    assert(order != DotOrder::priority || dots.critical.size() == dots.size());
+    std::vector<std::uint64_t> keys(dots.size());  // key above, index below: ties stay in their order
+    for (std::size_t i = 0; i < dots.size(); ++i) keys[i] = std::uint64_t{key_of(dots, i, order)} << 32 | i;
+    tbb::parallel_sort(keys.begin(), keys.end());
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
+        if (!column->empty()) rearrange(*column, keys);
+    }
+}
+
+}  // namespace dapple

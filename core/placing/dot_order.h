@@ -1,0 +1,22 @@
+#pragma once
+// The order in which dots are drawn and written.
+
+#include <string_view>
+
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+enum class DotOrder {
+    recursion,  // as placed: each tile's newborn points, then its quadrants'
+    priority,   // by critical scale: the first n dots are the drawing with n dots
+    space,      // along a Hilbert curve: each dot near the one before, for pens and for locality
+};
+
+/// "recursion", "priority", "space".
+std::string_view name_of(DotOrder order);
+
+/// Sorts dots. For priority Dots::critical has to be filled; dots that tie stay in their order.
+void sort_dots(Dots& dots, DotOrder order);
+
+}  // namespace dapple

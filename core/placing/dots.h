@@ -1,0 +1,50 @@
+#pragma once
+// What a placer gives: positions, and for each dot its place in the order of appearance.
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dapple {
+
+/// Leaves floats unset when a vector grows: a million dots a frame are written once, not twice.
+template <class T>
+struct UnsetAllocator : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+    template <class U>
+    void construct(U* place) noexcept {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class... Args>
+    void construct(U* place, Args&&... args) {
+        ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+    }
+};
+using FloatBuffer = std::vector<float, UnsetAllocator<float>>;
+
+/// Dots as columns of equal length.
+struct Dots {
+    FloatBuffer x, y;  // page units, from the window's origin
+    FloatBuffer
+        threshold;         // the dot exists where scale * density > threshold; says level and rank, see below
+    FloatBuffer critical;  // critical scale: the dot exists at scales above this. Empty unless asked for
+
+    std::size_t size() const { return x.size(); }
+};
+
+/// Where in the subdivision a dot was born.
+struct Birthplace {
+    int level =
+        0;         // 0: a point of the root tile; l: a newborn point of the children of a tile of level l - 1
+    int rank = 0;  // level 0: 0..N-1; else N..4N-1, the joint order of those newborn points
+};
+
+/// A threshold is rank + 1/2, over 16, times 4^(level - 1) from level 1 on: it says both. N is the tile's
+/// size.
+Birthplace birthplace_of(float threshold, std::size_t tile_size);
+
+}  // namespace dapple

@@ -1,0 +1,84 @@
+#include "core/placing/figure8.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dapple {
+
+namespace {
+
+// The density in double precision, looked up as often as the printed algorithm does.
+class Figure8 {
+ public:
+    Figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks, double scale,
+            Figure8Result& result)
+        : density_(density), scale_(scale), ranks_(ranks), successor_(tile.successor), result_(result) {
+        for (const BinaryPoint p : tile.points) points_.push_back(to_unit_square(p));
+        for (const BinaryPoint p : tile.points) quadrant_.push_back(quadrant_of(p));
+    }
+
+    // `placed_before`: for each point, whether an ancestor has placed it. It changes nothing but the count of
+    // duplicates.
+    void place_tile(glm::dvec2 corner, int level, std::uint64_t placed_before) {
+        const auto count = static_cast<double>(points_.size());
+        const double side = std::ldexp(1.0, -level);
+        // The paper's 1/A is for 16 points; with other sizes scale keeps its meaning.
+        const double max = count / 16 / (side * side), min = max / 4;
+        result_.tiles.push_back({level, corner.x, corner.y, side, Orientation{}});
+        bool subdivide = false;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const glm::dvec2 p = corner + side * points_[i];
+            const double ink = scale_ * density_.at(p);
+            const double threshold = min + (ranks_[i] + 0.5) / count * (max - min);
+            if (ink > threshold) {
+                const std::uint64_t bit = std::uint64_t{1} << i;
+                if (placed_before & bit) ++result_.duplicates;
+                placed_before |= bit;
+                result_.dots.x.push_back(static_cast<float>(p.x));
+                result_.dots.y.push_back(static_cast<float>(p.y));
+                result_.dots.threshold.push_back(static_cast<float>(threshold));
+            }
+            subdivide = subdivide || ink > max;
+        }
+        if (!subdivide || level >= kMaxLevel) return;
+        for (int q = 0; q < 4; ++q) {
+            std::uint64_t inherited = 0;
+            for (std::size_t i = 0; i < points_.size(); ++i) {
+                if (quadrant_[i] == q && (placed_before >> i & 1))
+                    inherited |= std::uint64_t{1} << successor_[i];
+            }
+            place_tile(corner + side / 2 * glm::dvec2(q & 1, q >> 1), level + 1, inherited);
+        }
+    }
+
+ private:
+    static constexpr int kMaxLevel = 40;  // a double's positions end soon after
+
+    const Density& density_;
+    double scale_;
+    const std::vector<int>& ranks_;
+    const std::vector<std::uint32_t>& successor_;
+    Figure8Result& result_;
+    std::vector<glm::dvec2> points_;
+    std::vector<int> quadrant_;
+};
+
+}  // namespace
+
+Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
+                            double scale) {
+    if (tile.rule != Rule{} || tile.size() > 62) {
+        throw std::runtime_error(
+            "the paper's placer (figure8) knows only tiles whose children are not turned; use paper16 or "
+            "another "
+            "A,B/N tile, or the exact placer");
+    }
+    if (!(scale >= 0) || !std::isfinite(scale))
+        throw std::runtime_error("the scale must be a number from 0 up");
+    Figure8Result result;
+    Figure8(density, tile, ranks, scale, result).place_tile({0, 0}, 0, 0);
+    return result;
+}
+
+}  // namespace dapple

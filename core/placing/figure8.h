@@ -1,0 +1,27 @@
+#pragma once
+// The paper's placer as printed (Lagae & Dutré 2006, Figure 8): the reference, the baseline and a mode of the
+// viewer.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/density.h"
+#include "core/placing/dots.h"
+#include "core/placing/placer.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+struct Figure8Result {
+    Dots dots;                      // as emitted, duplicates included
+    std::uint64_t duplicates = 0;   // dots emitted again at a place that has one
+    std::vector<PlacedTile> tiles;  // every tile visited, parents first
+};
+
+/// Recursive, in double precision; decides about subdivision at the tile's N points and tests inherited
+/// points again. ranks: each point's place in the tile's own order, from farthest_point_ranks(). Throws
+/// std::runtime_error if the tile's rule is not the identity: the paper knows no other.
+Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
+                            double scale);
+
+}  // namespace dapple

@@ -1,0 +1,67 @@
+#pragma once
+// The inner loop: which points of one square exist, and where.
+//
+// One body (kernel_body.h) is compiled for several vector widths; the processor decides at run time. The
+// operations and their order are the same, so the dots are equal to the bit.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace dapple {
+
+/// A square of the page, ready for its points to be tested. Points are given about its centre in half sides,
+/// -1..1.
+struct KernelSquare {
+    // Points by ascending birth, padded to a multiple of kKernelPadding with births of infinity.
+    const float* x = nullptr;
+    const float* y = nullptr;
+    const float* birth = nullptr;
+
+    float centre_x = 0, centre_y = 0;  // in the window
+    float half_x = 0, half_y = 0;      // half sides; the signs mirror the points
+
+    float births_per_density = 0;  // a point exists where density * this > birth
+    float sure_below = 0;          // births below this exist all over the square
+    float none_from = 0;           // births from this on exist nowhere in it
+    float threshold_per_birth = 0;
+
+    // The density at a point, by one of these ways.
+    enum class Source {
+        patch,    // one bilinear patch: d = (c0 + cx X) + (cy + cxy X) Y, X and Y in half sides, signed
+        block,    // from at most 4 x 4 pixels, copied to `block`
+        picture,  // from the picture, all pixels that are read lying in it
+        clamped,  // from the picture, its outermost pixels going on outside
+    };
+    Source source = Source::patch;
+    float c0 = 0, cx = 0, cy = 0, cxy = 0;
+    float sign_x = 1, sign_y = 1;
+
+    // Position in pixels = pixel_centre + pixel_half * point, not negative, counted from the block's or the
+    // square's first pixel, which is `first_column`, `first_row` of the picture.
+    float pixel_centre_x = 0, pixel_centre_y = 0, pixel_half_x = 0, pixel_half_y = 0;
+    float block[16] = {};  // rows of four
+    const float* picture = nullptr;
+    int width = 0, height = 0, first_column = 0, first_row = 0;
+};
+
+/// Where dots go; room for all the square's points plus kKernelPadding. critical may be null.
+struct KernelOutput {
+    float* x = nullptr;
+    float* y = nullptr;
+    float* threshold = nullptr;
+    float* critical = nullptr;
+};
+
+inline constexpr std::size_t kKernelPadding = 16;
+
+/// Writes the square's dots, in the order of their births, and returns how many.
+using Kernel = std::size_t (*)(const KernelSquare& square, const KernelOutput& output);
+
+std::size_t place_square_baseline(const KernelSquare& square, const KernelOutput& output);
+std::size_t place_square_avx2(const KernelSquare& square, const KernelOutput& output);
+std::size_t place_square_avx512(const KernelSquare& square, const KernelOutput& output);
+
+/// The widest kernel that this processor can run.
+Kernel best_kernel();
+
+}  // namespace dapple

@@ -1,0 +1,129 @@
+// Eight points at a time. Compiled for AVX2: called only after the processor was asked.
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include "core/placing/kernel.h"
+
+namespace {
+
+constexpr std::size_t kWidth = 8;
+
+struct Lanes {
+    __m256 v;
+    explicit Lanes(float f) : v(_mm256_set1_ps(f)) {}
+    explicit Lanes(__m256 w) : v(w) {}
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(_mm256_add_ps(a.v, b.v)); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(_mm256_sub_ps(a.v, b.v)); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(_mm256_mul_ps(a.v, b.v)); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(_mm256_div_ps(a.v, b.v)); }
+    friend unsigned operator>(Lanes a, Lanes b) {
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+    }
+};
+using Mask = unsigned;
+
+struct Square4 {
+    Lanes v00, v10, v01, v11;
+};
+
+// For each of 256 masks the lanes it keeps, moved to the front.
+struct PackOrder {
+    alignas(32) std::uint32_t lane[256][8];
+    constexpr PackOrder() : lane{} {
+        for (unsigned mask = 0; mask < 256; ++mask) {
+            unsigned kept = 0;
+            for (unsigned i = 0; i < 8; ++i) {
+                if (mask >> i & 1) lane[mask][kept++] = i;
+            }
+        }
+    }
+};
+constexpr PackOrder kPackOrder;
+
+inline Lanes load(const float* p) {
+    return Lanes(_mm256_loadu_ps(p));
+}
+inline void store(float* p, Lanes a) {
+    _mm256_storeu_ps(p, a.v);
+}
+inline std::size_t pack(float* p, Lanes a, Mask keep) {
+    const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(kPackOrder.lane[keep]));
+    _mm256_storeu_ps(p, _mm256_permutevar8x32_ps(a.v, order));
+    return static_cast<std::size_t>(__builtin_popcount(keep));
+}
+struct Whole {
+    __m256i v;
+};
+inline Whole whole(Lanes a) {
+    return {_mm256_cvttps_epi32(a.v)};
+}
+inline Lanes lanes(Whole a) {
+    return Lanes(_mm256_cvtepi32_ps(a.v));
+}
+
+struct Block {
+    __m256 upper, lower;  // two rows of four each
+};
+inline Block load_block(const float* pixels) {
+    return {_mm256_loadu_ps(pixels), _mm256_loadu_ps(pixels + 8)};
+}
+inline Lanes pixel_of(const Block& block, __m256i at) {
+    const __m256 in_lower = _mm256_castsi256_ps(_mm256_slli_epi32(at, 28));  // bit 3 to the sign
+    return Lanes(_mm256_blendv_ps(_mm256_permutevar8x32_ps(block.upper, at),
+                                  _mm256_permutevar8x32_ps(block.lower, at), in_lower));
+}
+inline Square4 from_block(const Block& block, Whole left, Whole top) {
+    const __m256i at = _mm256_add_epi32(_mm256_slli_epi32(top.v, 2), left.v);
+    return {pixel_of(block, at), pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(1))),
+            pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(4))),
+            pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(5)))};
+}
+
+struct Pairs {
+    Lanes left, right;
+};
+// Two neighbouring pixels at a time: half as many loads as one by one.
+inline Pairs gather_pairs(const float* row, __m256i at) {
+    const auto pairs = reinterpret_cast<const double*>(row);
+    const __m256 low = _mm256_castpd_ps(_mm256_i32gather_pd(pairs, _mm256_castsi256_si128(at), 4));
+    const __m256 high = _mm256_castpd_ps(_mm256_i32gather_pd(pairs, _mm256_extracti128_si256(at, 1), 4));
+    const auto ordered = [](__m256 v) {
+        return Lanes(_mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(v), 0xD8)));
+    };
+    return {ordered(_mm256_shuffle_ps(low, high, 0x88)), ordered(_mm256_shuffle_ps(low, high, 0xDD))};
+}
+inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const float* first = s.picture + static_cast<std::int64_t>(s.first_row) * s.width + s.first_column;
+    const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(top.v, _mm256_set1_epi32(s.width)), left.v);
+    const Pairs upper = gather_pairs(first, at), lower = gather_pairs(first + s.width, at);
+    return {upper.left, upper.right, lower.left, lower.right};
+}
+inline __m256i clamped(__m256i i, int count) {
+    return _mm256_min_epi32(_mm256_max_epi32(i, _mm256_setzero_si256()), _mm256_set1_epi32(count - 1));
+}
+inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const __m256i one = _mm256_set1_epi32(1), width = _mm256_set1_epi32(s.width);
+    const __m256i column = _mm256_add_epi32(left.v, _mm256_set1_epi32(s.first_column));
+    const __m256i row = _mm256_add_epi32(top.v, _mm256_set1_epi32(s.first_row));
+    const __m256i x0 = clamped(column, s.width), x1 = clamped(_mm256_add_epi32(column, one), s.width);
+    const __m256i y0 = _mm256_mullo_epi32(clamped(row, s.height), width);
+    const __m256i y1 = _mm256_mullo_epi32(clamped(_mm256_add_epi32(row, one), s.height), width);
+    const auto pixel = [&](__m256i y, __m256i x) {
+        return Lanes(_mm256_i32gather_ps(s.picture, _mm256_add_epi32(y, x), 4));
+    };
+    return {pixel(y0, x0), pixel(y0, x1), pixel(y1, x0), pixel(y1, x1)};
+}
+
+}  // namespace
+
+#include "core/placing/kernel_body.h"
+
+namespace dapple {
+
+std::size_t place_square_avx2(const KernelSquare& square, const KernelOutput& output) {
+    return place_square(square, output);
+}
+
+}  // namespace dapple

@@ -1,0 +1,107 @@
+// Sixteen points at a time. Compiled for AVX-512F: called only after the processor was asked.
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include "core/placing/kernel.h"
+
+namespace {
+
+constexpr std::size_t kWidth = 16;
+
+struct Lanes {
+    __m512 v;
+    explicit Lanes(float f) : v(_mm512_set1_ps(f)) {}
+    explicit Lanes(__m512 w) : v(w) {}
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(_mm512_add_ps(a.v, b.v)); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(_mm512_sub_ps(a.v, b.v)); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(_mm512_mul_ps(a.v, b.v)); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(_mm512_div_ps(a.v, b.v)); }
+    friend __mmask16 operator>(Lanes a, Lanes b) { return _mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ); }
+};
+using Mask = __mmask16;
+
+struct Square4 {
+    Lanes v00, v10, v01, v11;
+};
+
+inline Lanes load(const float* p) {
+    return Lanes(_mm512_loadu_ps(p));
+}
+inline void store(float* p, Lanes a) {
+    _mm512_storeu_ps(p, a.v);
+}
+inline std::size_t pack(float* p, Lanes a, Mask keep) {
+    // To a register, then whole to memory: compressing straight to memory is very slow on some processors.
+    _mm512_storeu_ps(p, _mm512_maskz_compress_ps(keep, a.v));
+    return static_cast<std::size_t>(__builtin_popcount(keep));
+}
+struct Whole {
+    __m512i v;
+};
+inline Whole whole(Lanes a) {
+    return {_mm512_cvttps_epi32(a.v)};
+}
+inline Lanes lanes(Whole a) {
+    return Lanes(_mm512_cvtepi32_ps(a.v));
+}
+
+struct Block {
+    __m512 pixels;  // four rows of four
+};
+inline Block load_block(const float* pixels) {
+    return {_mm512_loadu_ps(pixels)};
+}
+inline Square4 from_block(const Block& block, Whole left, Whole top) {
+    const __m512i at = _mm512_add_epi32(_mm512_slli_epi32(top.v, 2), left.v);
+    const auto pixel = [&](int further) {
+        return Lanes(_mm512_permutexvar_ps(_mm512_add_epi32(at, _mm512_set1_epi32(further)), block.pixels));
+    };
+    return {pixel(0), pixel(1), pixel(4), pixel(5)};
+}
+
+struct Pairs {
+    Lanes left, right;
+};
+// Two neighbouring pixels at a time: half as many loads as one by one.
+inline Pairs gather_pairs(const float* row, __m512i at) {
+    const __m512 low = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_castsi512_si256(at), row, 4));
+    const __m512 high = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_extracti64x4_epi64(at, 1), row, 4));
+    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    const __m512i odd = _mm512_add_epi32(even, _mm512_set1_epi32(1));
+    return {Lanes(_mm512_permutex2var_ps(low, even, high)), Lanes(_mm512_permutex2var_ps(low, odd, high))};
+}
+inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const float* first = s.picture + static_cast<std::int64_t>(s.first_row) * s.width + s.first_column;
+    const __m512i at = _mm512_add_epi32(_mm512_mullo_epi32(top.v, _mm512_set1_epi32(s.width)), left.v);
+    const Pairs upper = gather_pairs(first, at), lower = gather_pairs(first + s.width, at);
+    return {upper.left, upper.right, lower.left, lower.right};
+}
+inline __m512i clamped(__m512i i, int count) {
+    return _mm512_min_epi32(_mm512_max_epi32(i, _mm512_setzero_si512()), _mm512_set1_epi32(count - 1));
+}
+inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const __m512i one = _mm512_set1_epi32(1), width = _mm512_set1_epi32(s.width);
+    const __m512i column = _mm512_add_epi32(left.v, _mm512_set1_epi32(s.first_column));
+    const __m512i row = _mm512_add_epi32(top.v, _mm512_set1_epi32(s.first_row));
+    const __m512i x0 = clamped(column, s.width), x1 = clamped(_mm512_add_epi32(column, one), s.width);
+    const __m512i y0 = _mm512_mullo_epi32(clamped(row, s.height), width);
+    const __m512i y1 = _mm512_mullo_epi32(clamped(_mm512_add_epi32(row, one), s.height), width);
+    const auto pixel = [&](__m512i y, __m512i x) {
+        return Lanes(_mm512_i32gather_ps(_mm512_add_epi32(y, x), s.picture, 4));
+    };
+    return {pixel(y0, x0), pixel(y0, x1), pixel(y1, x0), pixel(y1, x1)};
+}
+
+}  // namespace
+
+#include "core/placing/kernel_body.h"
+
+namespace dapple {
+
+std::size_t place_square_avx512(const KernelSquare& square, const KernelOutput& output) {
+    return place_square(square, output);
+}
+
+}  // namespace dapple

@@ -1,0 +1,84 @@
+// One point at a time: any processor.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/placing/kernel.h"
+
+namespace {
+
+constexpr std::size_t kWidth = 1;
+
+struct Lanes {
+    float v;
+    explicit Lanes(float f) : v(f) {}
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.v + b.v); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.v - b.v); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.v * b.v); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
+    friend bool operator>(Lanes a, Lanes b) { return a.v > b.v; }
+};
+using Mask = bool;
+
+struct Square4 {
+    Lanes v00, v10, v01, v11;
+};
+
+inline Lanes load(const float* p) {
+    return Lanes(*p);
+}
+inline void store(float* p, Lanes a) {
+    *p = a.v;
+}
+inline std::size_t pack(float* p, Lanes a, Mask keep) {
+    *p = a.v;
+    return keep ? 1 : 0;
+}
+using Whole = std::int32_t;
+inline Whole whole(Lanes a) {
+    return static_cast<std::int32_t>(a.v);
+}
+inline Lanes lanes(Whole a) {
+    return Lanes(static_cast<float>(a));
+}
+
+struct Block {
+    const float* pixels;
+};
+inline Block load_block(const float* pixels) {
+    return {pixels};
+}
+inline Square4 from_block(const Block& block, Whole left, Whole top) {
+    // A position rounded up to the last pixel has a neighbour beyond, of no weight.
+    const Whole at = top * 4 + left;
+    const auto pixel = [&](Whole i) { return Lanes(block.pixels[i & 15]); };
+    return {pixel(at), pixel(at + 1), pixel(at + 4), pixel(at + 5)};
+}
+inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const float* p =
+        s.picture + static_cast<std::int64_t>(s.first_row + top) * s.width + (s.first_column + left);
+    return {Lanes(p[0]), Lanes(p[1]), Lanes(p[s.width]), Lanes(p[s.width + 1])};
+}
+inline Whole clamped(Whole i, int count) {
+    return i < 0 ? 0 : i < count ? i : count - 1;
+}
+inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
+    const Whole x0 = clamped(s.first_column + left, s.width),
+                x1 = clamped(s.first_column + left + 1, s.width);
+    const float* row0 = s.picture + static_cast<std::int64_t>(clamped(s.first_row + top, s.height)) * s.width;
+    const float* row1 =
+        s.picture + static_cast<std::int64_t>(clamped(s.first_row + top + 1, s.height)) * s.width;
+    return {Lanes(row0[x0]), Lanes(row0[x1]), Lanes(row1[x0]), Lanes(row1[x1])};
+}
+
+}  // namespace
+
+#include "core/placing/kernel_body.h"
+
+namespace dapple {
+
+std::size_t place_square_baseline(const KernelSquare& square, const KernelOutput& output) {
+    return place_square(square, output);
+}
+
+}  // namespace dapple

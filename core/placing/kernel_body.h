@@ -1,0 +1,79 @@
+// The placer's inner loop over one square, included by a file for each vector width. Before it stand, in an
+// unnamed namespace, types `Lanes` of kWidth floats and `Whole` of as many integers with the operations used
+// below, and nothing else, so that no shared inline function is ever compiled for a processor that is not
+// there.
+
+#include "core/placing/kernel.h"
+
+namespace {
+
+using dapple::KernelOutput;
+using dapple::KernelSquare;
+using Source = KernelSquare::Source;
+
+inline Lanes density_in_patch(const KernelSquare& s, Lanes x, Lanes y) {
+    const Lanes X = x * Lanes(s.sign_x), Y = y * Lanes(s.sign_y);
+    return (Lanes(s.c0) + Lanes(s.cx) * X) + (Lanes(s.cy) + Lanes(s.cxy) * X) * Y;
+}
+
+template <Source kSource>
+inline Lanes density_from_pixels(const KernelSquare& s, const Block& block, Lanes x, Lanes y) {
+    const Lanes u = Lanes(s.pixel_centre_x) + Lanes(s.pixel_half_x) * x;
+    const Lanes v = Lanes(s.pixel_centre_y) + Lanes(s.pixel_half_y) * y;
+    const Whole left = whole(u), top = whole(v);  // positions are not negative: rounding down is cutting off
+    const Lanes fx = u - lanes(left), fy = v - lanes(top);
+    const Square4 t = kSource == Source::block     ? from_block(block, left, top)
+                      : kSource == Source::picture ? from_picture(s, left, top)
+                                                   : from_clamped(s, left, top);
+    const Lanes upper = t.v00 + (t.v10 - t.v00) * fx;
+    const Lanes lower = t.v01 + (t.v11 - t.v01) * fx;
+    return upper + (lower - upper) * fy;
+}
+
+template <Source kSource, bool kCritical>
+inline std::size_t place_points(const KernelSquare& s, const KernelOutput& out) {
+    const Block block = load_block(s.block);
+    std::size_t count = 0;
+    for (std::size_t i = 0; s.birth[i] < s.none_from; i += kWidth) {
+        const Lanes birth = load(s.birth + i), x = load(s.x + i), y = load(s.y + i);
+        const Lanes threshold = birth * Lanes(s.threshold_per_birth);
+        const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
+        const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
+        if (!kCritical && s.birth[i + kWidth - 1] < s.sure_below) {
+            store(out.x + count, page_x);
+            store(out.y + count, page_y);
+            store(out.threshold + count, threshold);
+            count += kWidth;
+            continue;
+        }
+        const Lanes density = kSource == Source::patch ? density_in_patch(s, x, y)
+                                                       : density_from_pixels<kSource>(s, block, x, y);
+        const Mask exists = density * Lanes(s.births_per_density) > birth;
+        pack(out.x + count, page_x, exists);
+        pack(out.y + count, page_y, exists);
+        if (kCritical) pack(out.critical + count, threshold / density, exists);
+        count += pack(out.threshold + count, threshold, exists);
+    }
+    return count;
+}
+
+template <bool kCritical>
+inline std::size_t place_square(const KernelSquare& s, const KernelOutput& out) {
+    switch (s.source) {
+        case Source::patch:
+            return place_points<Source::patch, kCritical>(s, out);
+        case Source::block:
+            return place_points<Source::block, kCritical>(s, out);
+        case Source::picture:
+            return place_points<Source::picture, kCritical>(s, out);
+        case Source::clamped:
+            return place_points<Source::clamped, kCritical>(s, out);
+    }
+    return 0;
+}
+
+inline std::size_t place_square(const KernelSquare& s, const KernelOutput& out) {
+    return out.critical ? place_square<true>(s, out) : place_square<false>(s, out);
+}
+
+}  // namespace

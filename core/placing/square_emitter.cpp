@@ -1,0 +1,190 @@
+#include "core/placing/square_emitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dapple {
+
+namespace {
+
+constexpr std::size_t kFirstCapacity = 1024;
+
+// Columns are used to their full capacity while dots are appended.
+void resize_all(Dots& dots, std::size_t count, bool critical) {
+    dots.x.resize(count);
+    dots.y.resize(count);
+    dots.threshold.resize(count);
+    dots.critical.resize(critical ? count : 0);
+}
+
+}  // namespace
+
+SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots)
+    : traversal_(traversal), dots_(dots), kernel_(best_kernel()) {
+    capacity_ = std::max(kFirstCapacity, dots.x.capacity());
+    resize_all(dots_, capacity_, traversal_.request().critical);
+}
+
+SquareEmitter::~SquareEmitter() {
+    resize_all(dots_, count_, traversal_.request().critical);
+}
+
+void SquareEmitter::emit(const Visit& visit) {
+    if (traversal_.level(visit) < 0) return;
+    const Cell& cell = traversal_.table().cells[visit.cell];
+    if (traversal_.level(visit) == 0) emit_points(visit, cell.own);
+    emit_points(visit, cell.newborn);
+}
+
+void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
+    const DepthScale& scale = traversal_.at_depth(visit.square.depth);
+    const Bounds& bounds = visit.density.bounds;
+    const double reached = scale.births_per_density * bounds.max;
+    if (!(points.birth.front() < reached)) return;
+
+    const SwapAndSigns steps = steps_of(visit.orientation);
+    const glm::dvec2 centre = traversal_.corner_in_window(visit.square) + scale.half;
+    KernelSquare square;
+    square.x = steps.swap ? points.y.data() : points.x.data();
+    square.y = steps.swap ? points.x.data() : points.y.data();
+    square.birth = points.birth.data();
+    square.sign_x = steps.negate_x ? -1.0f : 1.0f;
+    square.sign_y = steps.negate_y ? -1.0f : 1.0f;
+    square.centre_x = static_cast<float>(centre.x);
+    square.centre_y = static_cast<float>(centre.y);
+    square.half_x = square.sign_x * static_cast<float>(scale.half);
+    square.half_y = square.sign_y * static_cast<float>(scale.half);
+    square.births_per_density = static_cast<float>(scale.births_per_density);
+    square.none_from = static_cast<float>(reached);
+    square.sure_below = static_cast<float>(scale.births_per_density * bounds.min);
+    square.threshold_per_birth = scale.threshold_per_birth;
+    const bool placed_here = set_density(visit, square);
+
+    // Where the window or the picture ends within the square, only some of the points take part.
+    const Density& density = traversal_.density();
+    const bool in_picture = static_cast<double>(visit.square.x + 1) * scale.side_pixels <= density.width() &&
+                            static_cast<double>(visit.square.y + 1) * scale.side_pixels <= density.height();
+    std::size_t most = points.count;
+    if (!visit.in_window || !in_picture) {
+        const CellPoints& taken = filtered(visit, points, square);
+        most = taken.count;
+        square.x = taken.x.data();
+        square.y = taken.y.data();
+        square.birth = taken.birth.data();
+    }
+    const KernelOutput output = room_for(most + kKernelPadding);
+    count_ += placed_here ? emit_across_seam(square, output) : kernel_(square, output);
+}
+
+// Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
+// round.
+bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const {
+    if (visit.density.is_patch) {
+        square.source = KernelSquare::Source::patch;
+        square.c0 = static_cast<float>(visit.density.patch.c);
+        square.cx = static_cast<float>(visit.density.patch.x);
+        square.cy = static_cast<float>(visit.density.patch.y);
+        square.cxy = static_cast<float>(visit.density.patch.xy);
+        return false;
+    }
+    const Density& density = traversal_.density();
+    const bool small = visit.square.depth >= density.small_depth();
+    const PixelRange range = small ? visit.density.pixels : density.pixels_in(visit.square);
+    const double side = traversal_.at_depth(visit.square.depth).side_pixels;
+    const auto from_first = [&](std::int64_t corner, std::int64_t first) {
+        return static_cast<float>((static_cast<double>(corner) + 0.5) * side - 0.5 -
+                                  static_cast<double>(first));
+    };
+    square.pixel_half_x = square.sign_x * static_cast<float>(side / 2);
+    square.pixel_half_y = square.sign_y * static_cast<float>(side / 2);
+    square.pixel_centre_x = from_first(visit.square.x, range.first_column);
+    square.pixel_centre_y = from_first(visit.square.y, range.first_row);
+    square.picture = density.values().values.data();
+    square.width = density.width();
+    square.height = density.height();
+    square.first_column = static_cast<int>(range.first_column);
+    square.first_row = static_cast<int>(range.first_row);
+
+    // One pixel to spare: a rounded position may lie on the last column, whose right neighbour is then read.
+    const bool in_picture = range.first_column >= 0 && range.first_row >= 0 &&
+                            range.last_column + 1 < density.width() && range.last_row + 1 < density.height();
+    if (range.last_column - range.first_column < 4 && range.last_row - range.first_row < 4) {
+        square.source = KernelSquare::Source::block;
+        for (std::int64_t j = range.first_row; j <= range.last_row; ++j) {
+            float* const row = square.block + 4 * (j - range.first_row);
+            for (std::int64_t i = range.first_column; i <= range.last_column; ++i) {
+                row[i - range.first_column] =
+                    in_picture ? density.values().row(static_cast<int>(j))[i] : density.pixel(i, j);
+            }
+        }
+        return false;
+    }
+    square.source = in_picture ? KernelSquare::Source::picture : KernelSquare::Source::clamped;
+    return !in_picture && density.seam() == Seam::wrap;
+}
+
+// The points of a square that lie in the window and in the picture, decided on exact positions: the
+// neighbouring window decides the same, so that sheets join without a lost or doubled dot.
+const CellPoints& SquareEmitter::filtered(const Visit& visit, const CellPoints& points,
+                                          const KernelSquare& square) {
+    const Traversal::Box& box = traversal_.window();
+    const Density& density = traversal_.density();
+    const int shift = 61 - visit.square.depth;  // half the side is 2^shift units
+    const double half = std::ldexp(1.0, shift), pixels_per_unit = std::ldexp(density.longer_side(), -62);
+    const std::int64_t centre_x = (2 * visit.square.x + 1) << shift, centre_y = (2 * visit.square.y + 1)
+                                                                                << shift;
+
+    kept_.x.clear();
+    kept_.y.clear();
+    kept_.birth.clear();
+    for (std::size_t i = 0; i < points.count; ++i) {
+        const std::int64_t x = centre_x + std::llround(half * (square.sign_x * square.x[i]));
+        const std::int64_t y = centre_y + std::llround(half * (square.sign_y * square.y[i]));
+        if (x < box.low_x || y < box.low_y || x >= box.high_x || y >= box.high_y) continue;
+        if (static_cast<double>(x) * pixels_per_unit >= density.width()) continue;
+        if (static_cast<double>(y) * pixels_per_unit >= density.height()) continue;
+        kept_.x.push_back(square.x[i]);
+        kept_.y.push_back(square.y[i]);
+        kept_.birth.push_back(square.birth[i]);
+    }
+    kept_.count = kept_.birth.size();
+    pad(kept_);
+    return kept_;
+}
+
+// As the kernels do it, but the pixels beyond the left and right edges are those of the other side.
+std::size_t SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
+    const Density& density = traversal_.density();
+    std::size_t count = 0;
+    for (std::size_t i = 0; s.birth[i] < s.none_from; ++i) {
+        const float u = s.pixel_centre_x + s.pixel_half_x * s.x[i],
+                    v = s.pixel_centre_y + s.pixel_half_y * s.y[i];
+        const float left = std::floor(u), top = std::floor(v), fx = u - left, fy = v - top;
+        const std::int64_t column = s.first_column + static_cast<std::int64_t>(left);
+        const std::int64_t row = s.first_row + static_cast<std::int64_t>(top);
+        const float v00 = density.pixel(column, row), v10 = density.pixel(column + 1, row);
+        const float v01 = density.pixel(column, row + 1), v11 = density.pixel(column + 1, row + 1);
+        const float upper = v00 + (v10 - v00) * fx, lower = v01 + (v11 - v01) * fx;
+        const float d = upper + (lower - upper) * fy;
+        if (!(d * s.births_per_density > s.birth[i])) continue;
+        output.x[count] = s.centre_x + s.half_x * s.x[i];
+        output.y[count] = s.centre_y + s.half_y * s.y[i];
+        output.threshold[count] = s.birth[i] * s.threshold_per_birth;
+        if (output.critical) output.critical[count] = output.threshold[count] / d;
+        ++count;
+    }
+    return count;
+}
+
+KernelOutput SquareEmitter::room_for(std::size_t count) {
+    const bool critical = traversal_.request().critical;
+    if (count_ + count > capacity_) {
+        capacity_ = std::max(count_ + count, capacity_ + capacity_ / 2);
+        resize_all(dots_, capacity_, critical);
+    }
+    return {dots_.x.data() + count_, dots_.y.data() + count_, dots_.threshold.data() + count_,
+            critical ? dots_.critical.data() + count_ : nullptr};
+}
+
+}  // namespace dapple

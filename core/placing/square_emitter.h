@@ -1,0 +1,35 @@
+#pragma once
+// From a square of the recursion to its dots.
+
+#include "core/placing/dots.h"
+#include "core/placing/kernel.h"
+#include "core/placing/traversal.h"
+
+namespace dapple {
+
+/// Appends squares' dots to columns that it overwrites; they get their length when it is destroyed.
+class SquareEmitter {
+ public:
+    SquareEmitter(const Traversal& traversal, Dots& dots);
+    ~SquareEmitter();
+    SquareEmitter(const SquareEmitter&) = delete;
+    SquareEmitter& operator=(const SquareEmitter&) = delete;
+
+    /// The dots that the square itself brings: its newborn points, and in the root tile the tile's own.
+    void emit(const Visit& visit);
+
+ private:
+    void emit_points(const Visit& visit, const CellPoints& points);
+    const CellPoints& filtered(const Visit& visit, const CellPoints& points, const KernelSquare& square);
+    bool set_density(const Visit& visit, KernelSquare& square) const;
+    std::size_t emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
+    KernelOutput room_for(std::size_t count);
+
+    const Traversal& traversal_;
+    Dots& dots_;
+    Kernel kernel_;
+    std::size_t count_ = 0, capacity_ = 0;
+    CellPoints kept_;  // of the last square at an edge
+};
+
+}  // namespace dapple

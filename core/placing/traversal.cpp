@@ -1,0 +1,120 @@
+#include "core/placing/traversal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace dapple {
+
+namespace {
+
+constexpr double kUnitsPerPage = 0x1p62;
+constexpr int kUnitBits = 62;
+
+// A window may reach over the page's ends; integers may not.
+std::int64_t window_end(std::int64_t start, double length) {
+    const double end = static_cast<double>(start) + length * kUnitsPerPage;
+    if (end >= 2 * kUnitsPerPage) return std::numeric_limits<std::int64_t>::max();
+    return start + static_cast<std::int64_t>(std::llround(length * kUnitsPerPage));
+}
+
+}  // namespace
+
+bool Traversal::Box::touches(const QuadSquare& s) const {
+    const int shift = kUnitBits - s.depth;
+    return s.x << shift < high_x && s.y << shift < high_y && (s.x + 1) << shift > low_x &&
+           (s.y + 1) << shift > low_y;
+}
+
+bool Traversal::Box::contains(const QuadSquare& s) const {
+    const int shift = kUnitBits - s.depth;
+    return s.x << shift >= low_x && s.y << shift >= low_y && (s.x + 1) << shift <= high_x &&
+           (s.y + 1) << shift <= high_y;
+}
+
+Traversal::Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request)
+    : table_(table), density_(density), request_(request) {
+    if (!(request.scale >= 0) || !std::isfinite(request.scale)) {
+        throw std::runtime_error("the scale must be a number from 0 up");
+    }
+    const PageWindow& w = request.window;
+    window_ = {w.x, w.y, window_end(w.x, w.width), window_end(w.y, w.height)};
+
+    float first = std::numeric_limits<float>::infinity();
+    for (const Cell& cell : table.cells) first = std::min(first, cell.newborn.birth.front());
+    first_newborn_ = first;
+    for (int depth = 0; depth <= kMaxDepth; ++depth) {
+        const int level = depth - table.cell_depth;
+        depths_[depth] = {std::ldexp(0.5, -depth), std::ldexp(density.longer_side(), -depth),
+                          std::ldexp(16 * request.scale, -2 * level),
+                          static_cast<float>(std::ldexp(1.0, 2 * level - 4))};
+    }
+    for (const Orientation g : all_orientations()) {
+        for (const Orientation h : all_orientations()) compose_[g.index][h.index] = compose(g, h);
+        for (int q = 0; q < 4; ++q)
+            from_page_[g.index][apply_to_quadrant(g, q)] = static_cast<std::uint8_t>(q);
+    }
+}
+
+Visit Traversal::root() const {
+    Visit visit;
+    visit.in_window = window_.contains(visit.square);
+    visit.density = 0 < density_.small_depth() ? SmallSquare{density_.bounds(visit.square), false, {}, {}}
+                                               : density_.look(visit.square);
+    return visit;
+}
+
+bool Traversal::starts() const {
+    return request_.scale > 0 && density_.bounds({}).max > 0 && window_.touches({});
+}
+
+bool Traversal::divides(const Visit& visit) const {
+    const int depth = visit.square.depth;
+    if (depth < table_.cell_depth) return true;
+    return depths_[depth].births_per_density * visit.density.bounds.max > 4 * first_newborn_ &&
+           depth < kMaxDepth;
+}
+
+bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) const {
+    const int depth = parent.square.depth + 1;
+    child.square = {depth, 2 * parent.square.x + (page_quadrant & 1),
+                    2 * parent.square.y + (page_quadrant >> 1)};
+    if (depth < density_.small_depth()) {
+        child.density.is_patch = false;
+        child.density.bounds = density_.bounds(child.square);
+    } else if (parent.density.is_patch) {
+        child.density.is_patch = true;
+        child.density.patch = parent.density.patch.quadrant(page_quadrant);
+        child.density.bounds = child.density.patch.bounds();
+    } else {
+        child.density = density_.look(child.square);
+    }
+    // Cells of the root tile have the tile's own points as well, born from the first on.
+    const double needed = depth <= table_.cell_depth ? 0 : first_newborn_;
+    if (!(depths_[depth].births_per_density * child.density.bounds.max > needed)) return false;
+
+    child.in_window = parent.in_window;
+    if (!parent.in_window) {
+        if (!window_.touches(child.square)) return false;
+        child.in_window = window_.contains(child.square);
+    }
+    if (depth <= table_.cell_depth) {
+        child.cell = static_cast<std::uint16_t>(parent.cell * 4 + page_quadrant);
+        child.orientation = {};
+    } else {
+        const Cell& cell = table_.cells[parent.cell];
+        const int q = from_page_[parent.orientation.index][page_quadrant];
+        child.cell = cell.next_cell[q];
+        child.orientation = compose_[parent.orientation.index][cell.next_turn[q].index];
+    }
+    return true;
+}
+
+glm::dvec2 Traversal::corner_in_window(const QuadSquare& square) const {
+    const int shift = kUnitBits - square.depth;
+    return {static_cast<double>((square.x << shift) - request_.window.x) * (1 / kUnitsPerPage),
+            static_cast<double>((square.y << shift) - request_.window.y) * (1 / kUnitsPerPage)};
+}
+
+}  // namespace dapple

@@ -1,0 +1,86 @@
+#pragma once
+// The recursion over the squares of the page that the placer and the view of its tiles share.
+//
+//      visit(square): the square's own dots
+//                     visit(those of its quadrants in which scale * max density reaches a newborn point)
+//
+// Everything that decides about a dot depends on its square's address, the density and the scale alone, never
+// on the window or on threads: every window of a drawing shows the same dots.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/image/density.h"
+#include "core/placing/placer.h"
+#include "core/placing/placing_table.h"
+
+namespace dapple {
+
+/// Squares are not divided beyond this depth: their addresses are 62-bit integers.
+inline constexpr int kMaxDepth = 60;
+
+/// A square of the recursion.
+struct Visit {
+    QuadSquare square;
+    std::uint16_t cell = 0;   // which part of its tile; above the depth of the cells the digits so far
+    Orientation orientation;  // of its tile
+    bool in_window = false;   // wholly; else tested dot by dot
+    SmallSquare density;      // of a large square only the bounds
+};
+
+/// What depends on a square's depth alone.
+struct DepthScale {
+    double half = 0;                // half the side, page units
+    double side_pixels = 0;         // side, in pixels of the density
+    double births_per_density = 0;  // scale * 16 / 4^(level of the tile that the square is a cell of)
+    float threshold_per_birth = 0;  // 4^level / 16
+};
+
+class Traversal {
+ public:
+    Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request);
+
+    const PlacingTable& table() const { return table_; }
+    const Density& density() const { return density_; }
+    const PlacingRequest& request() const { return request_; }
+    const DepthScale& at_depth(int depth) const { return depths_[depth]; }
+
+    /// The root square; the recursion starts there if starts().
+    Visit root() const;
+    bool starts() const;
+
+    /// Whether the square's quadrants may hold dots.
+    bool divides(const Visit& visit) const;
+
+    /// Goes to a quadrant, numbered in the page's frame. False if no dot of its level or below can be there,
+    /// or it lies outside the window; `child` is then unspecified.
+    bool descend(const Visit& parent, int page_quadrant, Visit& child) const;
+
+    /// The level of the tile that the square is a cell of; negative above the root tile's cells.
+    int level(const Visit& visit) const { return visit.square.depth - table_.cell_depth; }
+
+    /// A square's corner from the window's origin, in page units.
+    glm::dvec2 corner_in_window(const QuadSquare& square) const;
+
+    /// A box in 2^-62 page units, from `low` to below `high`.
+    struct Box {
+        std::int64_t low_x, low_y, high_x, high_y;
+
+        bool touches(const QuadSquare& square) const;
+        bool contains(const QuadSquare& square) const;
+    };
+    const Box& window() const { return window_; }
+
+ private:
+    const PlacingTable& table_;
+    const Density& density_;
+    PlacingRequest request_;
+    Box window_;
+    double first_newborn_;  // the lowest birth of any newborn point
+    std::array<DepthScale, kMaxDepth + 1> depths_;
+    std::array<std::array<Orientation, 8>, 8> compose_;     // [second][first]
+    std::array<std::array<std::uint8_t, 4>, 8> from_page_;  // [orientation][page quadrant]
+};
+
+}  // namespace dapple

@@ -1,0 +1,71 @@
+#pragma once
+// The pipeline, density to dots, as the window, the commands, the tests and the benchmark all call it.
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/density.h"
+#include "core/placing/dots.h"
+#include "core/placing/figure8.h"
+#include "core/placing/placer.h"
+#include "core/tile/ranking.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+enum class PlacerKind {
+    exact,    // each dot once, no feature lost
+    figure8,  // the paper's, literal
+};
+/// "exact", "figure8".
+std::string_view name_of(PlacerKind kind);
+
+/// A tile with everything that placing needs of it, ready for use.
+class RankedTile {
+ public:
+    RankedTile(Tile tile, const Ranking& ranking);
+    RankedTile(Tile tile, RankingOrder order);
+
+    const Tile& tile() const { return tile_; }
+    const std::vector<int>& own_ranks() const { return own_ranks_; }  // for Figure 8; none if it can't be
+    Placer& placer() { return placer_; }
+
+ private:
+    Tile tile_;
+    std::vector<int> own_ranks_;
+    Placer placer_;
+};
+
+struct StippleRequest {
+    PlacerKind placer = PlacerKind::exact;
+    double scale = 2500;                 // ignored when a count is given
+    std::optional<std::uint64_t> count;  // exactly so many dots; the exact placer only
+    int threads = 1;                     // 0: all cores
+
+    bool operator==(const StippleRequest&) const = default;
+};
+
+struct Stippling {
+    Dots dots;                     // as emitted
+    double scale = 0;              // the one given, or the one that gives the count
+    std::uint64_t duplicates = 0;  // of them (Figure 8 only)
+    double place_ms = 0;           // wall time of the placing alone
+};
+
+/// Places into `result` (its memory is used again). Returns false if stopped. Throws std::runtime_error if a
+/// count is asked of Figure 8, the scale is negative or not finite, or what the placers throw.
+bool stipple(RankedTile& tile, const Density& density, const StippleRequest& request, Stippling& result,
+             std::stop_token stop = {});
+
+/// How large the page is, in millimetres; the picture fills it.
+struct PageSize {
+    double width_mm = 0, height_mm = 0;
+    double mm_per_page_unit = 0;  // the longer side
+};
+PageSize page_size(const Density& density, double width_mm);
+
+}  // namespace dapple

@@ -1,0 +1,89 @@
+#pragma once
+// Self-similar tiles (Lagae & Dutré 2006, section 4), with oriented children.
+//
+// A tile is a set of N points in the unit square such that the tile scaled by 1/2 onto any quadrant covers
+// the points of that quadrant. It is written as a rule h, one orientation for each child, and words over the
+// quadrants 0..3, a letter for each point:
+//
+//      point i = S_q( h_q( its successor ) ),   q = letter i,
+//
+// S_q being the half-scale map onto quadrant q and the successor the point of the next letter. A word of
+// digits alone is a cycle: its last point is followed by its first. A word that ends in '>' and a number is a
+// tail: its last point is followed by the point of that number, counting letters over all words from 0. Two
+// points may have the same successor if they lie in different quadrants.
+//
+//      "0301"       0 -> 3 -> 0 -> 1 -+        "0301", "22>1"      2 -> 2 -+
+//                   ^-----------------+                                    v
+//                                                             0 -> 3 -> 0 -> 1 -+   (1 is the point 3)
+//                                                             ^-----------------+
+//
+// With h = (identity x 4) and one cycle this is the paper's tile: the cycle of f(x) = 2x mod 1 through
+// (a, b) / (2^N - 1), letter = bit of a + 2 * bit of b, most significant first. Tails are ours: they leave
+// the children free to share points or not, so that each quadrant chooses the best of the tile's points for
+// itself.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/tile/orientation.h"
+
+namespace dapple {
+
+/// The orientation that the child in each quadrant has within its parent.
+struct Rule {
+    std::array<Orientation, 4> child;
+    bool operator==(const Rule&) const = default;
+};
+
+inline constexpr std::size_t kMaxTilePoints = 4096;
+
+struct Tile {
+    Rule rule;
+    std::vector<std::string> words;        // cycles and tails, together N letters
+    std::vector<BinaryPoint> points;       // N, word after word, in the order of the letters
+    std::vector<std::uint32_t> successor;  // N: the point that point i is the half-size image of
+
+    std::size_t size() const { return points.size(); }
+};
+
+/// The tile of a rule and words. Throws std::runtime_error if a letter is not 0..3, a word is empty, a tail
+/// leads to no point, N is not a multiple of 4 or over kMaxTilePoints, or two points coincide (a cycle that
+/// is a repetition of a shorter one, say).
+Tile make_tile(const Rule& rule, std::vector<std::string> words);
+
+/// How many letters a word has, the number at the end of a tail not counted. Throws as make_tile() does if it
+/// is no word.
+int count_letters(std::string_view word);
+
+/// The paper's tile: `count` points, 4..62 and a multiple of 4, the first at (a, b) / (2^count - 1). Ranges
+/// as above.
+Tile make_tile(std::uint64_t a, std::uint64_t b, int count);
+
+/// The words of a set of points that is self-similar under a rule: the way back, the same words whatever the
+/// points' order. Cycles come first, each the smallest of its rotations and in ascending order. Throws
+/// std::runtime_error if the set is not self-similar.
+std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const Rule& rule);
+
+/// The words of points given by their letters '0'..'3' and successors: cycles as above, then tails in the
+/// order of the points without predecessor.
+std::vector<std::string> words_along(std::span<const char> letters, std::span<const std::uint32_t> successor);
+
+/// "14217,2895/16", the paper's way to write a tile. Throws std::runtime_error saying what is wrong.
+Tile parse_tile_integers(std::string_view text);
+
+/// A child's point that its parent does not have.
+struct Newborn {
+    int quadrant = 0;         // the child's, in the parent's frame
+    std::uint32_t point = 0;  // the point's index in the child's own tile
+    BinaryPoint position;     // in the parent's frame
+};
+
+/// The 3 N points that the four children of a tile add to it, by quadrant, then by point. The other N points
+/// of the children coincide with the tile's own.
+std::vector<Newborn> newborns_of(const Tile& tile);
+
+}  // namespace dapple

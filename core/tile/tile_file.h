@@ -1,0 +1,59 @@
+#pragma once
+// Ranked tiles as short text, and back.
+//
+//      dapple tile 1
+//      # 16 points, balanced: 4 in each quadrant
+//      rule 0 0 0 0
+//      points 16
+//      words
+//      0012032123123313                  cycles and tails as make_tile() takes them, one a line
+//      ranking energy
+//      ranks
+//      0 12 6 ...                        of the points, in the order of the words' letters
+//      newborn ranks
+//      31 7 44 ...                       of the newborn points, in the order of newborns_of()
+//      end
+//
+// The ranking is "paper", "farthest", "energy" or "own", which is none of these. Ranks are permutations of
+// 0..N-1 and of 0..3N-1, over as many lines as it takes. With the ranking "paper"
+// a newborn point has the rank of its own tile, and the file has no "newborn ranks". Blank lines and lines
+// that start with # say nothing; everything else must be there, in this order.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/tile/ranking.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+/// A tile with its ranking and where that comes from.
+struct StoredTile {
+    Tile tile;
+    std::optional<RankingOrder> order;  // none: an order of its own
+    Ranking ranking;
+};
+
+/// "own" for none.
+std::string_view name_of(std::optional<RankingOrder> order);
+
+/// A tile ranked by one of the orders.
+StoredTile ranked(Tile tile, RankingOrder order);
+
+/// The text of a tile. `comments` are lines to stand below the first one, without their #.
+std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
+
+/// What write_tile() wrote: the same points and births to the bit. Throws std::runtime_error, "line 7: ...",
+/// if the text is anything else.
+StoredTile read_tile(std::string_view text);
+
+/// A tile that is not ranked yet: the four digits of the rule on the first line, words on the others, blank
+/// lines and comments as above. Throws as read_tile().
+Tile read_words(std::string_view text);
+
+/// Whether a text claims to be what write_tile() writes.
+bool is_tile_text(std::string_view text);
+
+}  // namespace dapple

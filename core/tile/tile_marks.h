@@ -1,0 +1,45 @@
+#pragma once
+// All criteria of a ranked tile in one value, and in words.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/tile/ranking.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+/// Each number is explained where its function is declared, in criteria.h.
+struct TileMarks {
+    std::array<int, 4> letters{};  // points in each quadrant
+    bool balanced = false;
+    double relative_radius = 0;
+    double worst_relative_radius = 0;
+    double coherent_share = 0;
+    double low_frequency_power = 0;
+    double lattice_share = 0;
+    double orientation_coincidence = 0;  // at the lag where it is highest
+    int coincidence_lag = 1;
+};
+
+TileMarks marks_of(const Tile& tile, const Ranking& ranking);
+
+/// A number with its name and a verdict: "relative radius", "0.653", "half the smallest distance ...".
+struct TileMark {
+    std::string name, value, meaning;
+};
+std::vector<TileMark> in_words(const TileMarks& marks);
+
+/// "3 7 6 0".
+std::string text_of(const Rule& rule);
+
+/// The paper's pair of integers, "14217,2895/16", if it can write the tile: identity rule, one cycle.
+std::optional<std::string> paper_notation(const Tile& tile);
+
+/// "16 points, rule 0 0 0 0, 1 word, 14217,2895/16 in the paper's notation".
+std::string headline(const Tile& tile);
+
+}  // namespace dapple
