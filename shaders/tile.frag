@@ -1,0 +1,4 @@
+#version 330 core
+flat in vec4 line_colour;
+out vec4 colour;
+void main() { colour = line_colour; }
