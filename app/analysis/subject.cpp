@@ -1,0 +1,151 @@
+#include "app/analysis/subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "app/files/sample.h"
+#include "app/files/text_file.h"
+#include "app/files/tile_library.h"
+#include "core/analysis/point_table.h"
+#include "core/output/raster.h"
+
+namespace dapple {
+namespace {
+
+constexpr std::array kBlursInSpacings{0.5, 1.0, 2.0, 4.0};
+
+struct Placed {
+    Stippling stippling;
+    std::size_t tile_size = 0;
+};
+
+Placed place(const Density& density, const DrawingSettings& settings) {
+    RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
+    StippleRequest request = settings.stipple;
+    if (request.placer == PlacerKind::figure8 && request.count) {
+        // It cannot count, but it can come near.
+        request.scale = double(*request.count) / (16 * density.mean());
+        request.count.reset();
+    }
+    if (!request.count && 16 * request.scale * density.mean() > double(kMostDots)) {
+        throw std::runtime_error(
+            fmt::format("--scale: {:g} would make more than {} dots", request.scale, kMostDots));
+    }
+    Placed placed{{}, tile.tile().size()};
+    stipple(tile, density, request, placed.stippling);
+    return placed;
+}
+
+PlacedBy described(const Stippling& stippling, const DrawingSettings& settings) {
+    return {.tile = tile_in_use(settings),
+            .ranking = settings.ranking,
+            .placer = settings.stipple.placer,
+            .scale = stippling.scale,
+            .emitted = stippling.dots.size(),
+            .duplicates = stippling.duplicates};
+}
+
+// Two dots at one place differ by a float's last bits: their positions were worked out along two paths.
+constexpr double kSamePlace = 0x1p-22;
+
+// Leaves one point at each place.
+void drop_duplicates(std::vector<glm::dvec2>& points) {
+    std::ranges::sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x; });
+    std::vector<glm::dvec2> kept;
+    for (const glm::dvec2 p : points) {
+        bool seen = false;
+        for (auto near = kept.rbegin(); near != kept.rend() && p.x - near->x <= kSamePlace && !seen; ++near)
+            seen = std::abs(p.y - near->y) <= kSamePlace;
+        if (!seen) kept.push_back(p);
+    }
+    points = std::move(kept);
+}
+
+// The distinct dots. Rounded to float, one can lie a hair beyond the far edge.
+std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& domain) {
+    const Dots& dots = stippling.dots;
+    std::vector<glm::dvec2> points(dots.size());
+    const glm::dvec2 corner{domain.width, domain.height};
+    for (std::size_t i = 0; i < dots.size(); ++i)
+        points[i] = glm::min(glm::dvec2(dots.x[i], dots.y[i]), corner);
+    if (stippling.duplicates > 0) drop_duplicates(points);
+    return points;
+}
+
+std::vector<ToneFromAfar> tone_from_afar(const Stippling& stippling, const Grid<float>& light,
+                                         const DrawingSettings& settings, const PageSize& page) {
+    const double mm_per_px = page.width_mm / light.width;
+    Grid<float> drawing = coverage_of(stippling.dots, page,
+                                      {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page),
+                                       .dpi = 25.4 / mm_per_px,
+                                       .threads = settings.stipple.threads});
+    for (float& value : drawing.values) value = 1 - value;
+    const double dots = double(stippling.dots.size() - stippling.duplicates);
+    const double spacing_px = std::sqrt(double(light.values.size()) / dots);
+    std::vector<ToneFromAfar> result;
+    for (const double sigma : kBlursInSpacings)
+        result.push_back({.sigma_spacings = sigma,
+                          .distance_mm = viewing_distance(sigma * spacing_px * mm_per_px),
+                          .fidelity = tone_fidelity(drawing, light, sigma * spacing_px)});
+    return result;
+}
+
+}  // namespace
+
+Subject points_of_table(const std::filesystem::path& file, const TableDomain& domain) {
+    const std::string name = file.string();
+    Subject subject{.name = name, .domain = {}, .points = parse_point_table(text_of_file(file), name)};
+    if (domain.width && domain.height) {
+        subject.domain = {*domain.width, *domain.height, domain.topology};
+        subject.points = points_inside(subject.points, subject.domain, name);
+    } else {
+        PlacedPoints placed = in_their_own_box(std::move(subject.points), domain.topology, name);
+        subject.domain = placed.domain;
+        subject.points = std::move(placed.points);
+    }
+    if (domain.period) subject.period = glm::dvec2(*domain.period);
+    return subject;
+}
+
+Subject dots_of_grey(double value, const DrawingSettings& settings, Topology topology) {
+    const Density density(Grid<float>(1, 1, static_cast<float>(value)));
+    const Placed placed = place(density, settings);
+    Subject subject{.name = fmt::format("a constant grey of density {:g}", value),
+                    .domain = {1, 1, topology}};
+    subject.points = points_of(placed.stippling, subject.domain);
+    subject.placed = described(placed.stippling, settings);
+    subject.placed->mean_density = density.mean();
+    const double tiles = double(subject.points.size()) / double(placed.tile_size);
+    const int level = tiles >= 1 ? static_cast<int>(std::log2(tiles) / 2 + 1e-9) : 0;
+    subject.period = glm::dvec2(std::exp2(-level));
+    return subject;
+}
+
+Subject dots_of_picture(const std::optional<std::filesystem::path>& image, const DrawingSettings& settings,
+                        Topology topology, PictureLimit limit) {
+    Subject subject{.name = image ? image->string() : "the sample", .domain = {}};
+    const Picture picture = image ? read_picture(*image, limit) : sample_picture();
+    const Density density(density_of(picture.light, settings.tone));
+    if (density.mean() == 0) {
+        throw std::runtime_error(subject.name + ": nothing to draw, all of it is as light as the paper");
+    }
+    const Placed placed = place(density, settings);
+    subject.domain = {double(density.width()) / density.longer_side(),
+                      double(density.height()) / density.longer_side(), topology};
+    subject.points = points_of(placed.stippling, subject.domain);
+    subject.placed = described(placed.stippling, settings);
+    subject.placed->mean_density = density.mean() / subject.domain.area();
+    if (!subject.points.empty()) {
+        subject.tone =
+            tone_from_afar(placed.stippling, picture.light, settings, page_size(density, settings.width_mm));
+    }
+    return subject;
+}
+
+}  // namespace dapple

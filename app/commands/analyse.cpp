@@ -1,0 +1,169 @@
+#include "app/commands/analyse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+#include "app/analysis/report_json.h"
+#include "app/analysis/report_page.h"
+#include "app/analysis/subject.h"
+#include "app/commands/options.h"
+#include "app/files/atomic_file.h"
+#include "core/analysis/report.h"
+#include "core/output/spectrum_picture.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending_of(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+bool is_table(const fs::path& path) {
+    const std::string ending = ending_of(path);
+    return ending == ".csv" || ending == ".tsv" || ending == ".txt";
+}
+
+enum class ReportFormat { json, html, png };
+
+ReportFormat report_format(const fs::path& path) {
+    const std::string ending = ending_of(path);
+    if (ending == ".json") return ReportFormat::json;
+    if (ending == ".html" || ending == ".xhtml") return ReportFormat::html;
+    if (ending == ".png") return ReportFormat::png;
+    throw std::runtime_error(fmt::format("{}: does not end in .json, .html or .png", path.string()));
+}
+
+Subject subject_of(const AnalyseOptions& options) {
+    const Topology cut_out = options.topology.value_or(Topology::window);
+    if (!options.input) {
+        return dots_of_grey(options.grey, options.drawing, options.topology.value_or(Topology::torus));
+    }
+    if (is_table(*options.input)) {
+        return points_of_table(*options.input, {.width = options.width,
+                                                .height = options.height,
+                                                .topology = cut_out,
+                                                .period = options.period});
+    }
+    DrawingSettings drawing = options.drawing;
+    if (options.width) drawing.width_mm = *options.width;
+    return dots_of_picture(options.input, drawing, cut_out, options.limit);
+}
+
+std::string report_text(ReportFormat format, const Subject& subject, const PointReport& report) {
+    switch (format) {
+        case ReportFormat::json:
+            return report_json(subject, report);
+        case ReportFormat::html:
+            return report_page(subject, report);
+        case ReportFormat::png:
+            return png_of(spectrum_picture(report.spectrum));
+    }
+    throw std::logic_error("no such format");
+}
+
+// Options that say nothing about what is analysed are refused, rather than left without effect.
+void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
+    const auto refuse = [&](std::initializer_list<const char*> names, const char* why) {
+        for (const char* const name : names)
+            if (command.count(name) > 0) throw CLI::ValidationError(name, why);
+    };
+    if (options.input && is_table(*options.input)) {
+        refuse({"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius"},
+               "says how to place dots, and a table has them already");
+        if (options.width.has_value() != options.height.has_value())
+            throw CLI::ValidationError(options.width ? "--width" : "--height",
+                                       "give both --width and --height, or neither");
+        return;
+    }
+    refuse({"--period"}, "is for tables; this program knows the period of its own tiles");
+    if (options.input) refuse({"--density"}, "is for a constant grey; a picture has its own");
+    if (options.input) refuse({"--height"}, "follows from the picture");
+    if (!options.input) refuse({"--width", "--height"}, "a constant grey fills a square of side 1");
+}
+
+}  // namespace
+
+void analyse(const AnalyseOptions& options) {
+    const ReportFormat format = report_format(options.output);
+    std::error_code error;
+    if (options.input && fs::equivalent(*options.input, options.output, error) && !error) {
+        throw std::runtime_error(
+            fmt::format("{}: is what is analysed; give the report another name", options.output.string()));
+    }
+    check_can_save(options.output);
+    const Subject subject = subject_of(options);
+    if (subject.points.empty()) {
+        throw std::runtime_error(subject.name + ": no dots come out; give a higher --scale");
+    }
+    const auto report =
+        analyse(subject.points, subject.domain, {.name = subject.name, .period = subject.period});
+    const std::string text = report_text(format, subject, *report);
+    save_atomically(options.output, [&](std::ostream& out) {
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    });
+}
+
+AnalyseCommand::AnalyseCommand(CLI::App& program) {
+    CLI::App* const command = program.add_subcommand(
+        "analyse", "Measure how even points are and whether they repeat, into a JSON, HTML or PNG file");
+    command
+        ->add_option(
+            "input", options_.input,
+            "Points (.csv, .tsv, .txt: columns x_mm and y_mm, x and y, or the first two) or a picture to "
+            "stipple; without it a constant grey is")
+        ->type_name("POINTS|IMAGE");
+    command
+        ->add_option("-o,--output", options_.output,
+                     "The report: .json the numbers, .html a page with pictures and plots, .png the spectrum")
+        ->type_name("OUT")
+        ->required();
+    add_number(*command, "--density", options_.grey,
+               {.least = 0, .most = 1, .at_least = NumberRange::Least::excluded}, "0..1",
+               "Ink of the constant grey: with --scale, 16 S times this many dots");
+    command
+        ->add_option_function<std::string>(
+            "--topology",
+            [this](const std::string& text) {
+                if (text != "torus" && text != "window")
+                    throw CLI::ValidationError("--topology", text + " is not known; there are torus, window");
+                options_.topology = text == "torus" ? Topology::torus : Topology::window;
+            },
+            "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
+            "constant "
+            "grey and window else")
+        ->type_name("NAME");
+    const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
+    add_number(
+        *command, "--width", options_.width, length, "LENGTH",
+        "What the points fill, from (0, 0), in their unit; without it, their own box. Of a picture the "
+        "page's width in mm, 200 without it");
+    add_number(*command, "--height", options_.height, length, "LENGTH", "The same downwards, for points");
+    add_number(*command, "--period", options_.period, length, "LENGTH",
+               "Of points: look for a repetition after multiples of this length");
+    command->add_flag_callback(
+        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+    add_dot_options(*command, options_.drawing);
+    command->footer(
+        "Examples:\n"
+        "  dapple analyse --tile paper16 --dots 40000 -o paper.html       a page to look at\n"
+        "  dapple analyse --placer figure8 --scale 2500 -o spectrum.png   the paper's own, its spectrum\n"
+        "  dapple analyse cat.jpg -o cat.json                             a drawing's tone and evenness\n"
+        "  dapple analyse points.csv --width 1 --height 1 --topology torus -o points.json");
+    command->callback([this, command] {
+        check_options(*command, options_.drawing);
+        check_that_fit(*command, options_);
+        analyse(options_);
+    });
+}
+
+}  // namespace dapple

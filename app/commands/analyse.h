@@ -1,0 +1,44 @@
+#pragma once
+// dapple analyse: how even a set of points is, and whether it repeats.
+
+#include <filesystem>
+#include <optional>
+
+#include "app/drawing_settings.h"
+#include "app/files/picture.h"
+#include "core/analysis/domain.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dapple {
+
+struct AnalyseOptions {
+    std::optional<std::filesystem::path>
+        input;                            // a table (.csv, .tsv, .txt) or a picture; none: a constant grey
+    std::filesystem::path output;         // .json, .html or .png
+    DrawingSettings drawing;              // of a picture or a grey
+    double grey = 1;                      // its density
+    std::optional<Topology> topology;     // none: window, but torus for a grey
+    std::optional<double> width, height;  // of a table's domain; the width in mm of a picture's page
+    std::optional<double> period;         // of a table, in its unit
+    PictureLimit limit = PictureLimit::usual;
+};
+
+/// Reads, analyses and saves. Throws std::runtime_error with one sentence; what was at the output's place
+/// stays then.
+void analyse(const AnalyseOptions& options);
+
+/// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
+class AnalyseCommand {
+ public:
+    explicit AnalyseCommand(CLI::App& program);
+    AnalyseCommand(const AnalyseCommand&) = delete;
+    AnalyseCommand& operator=(const AnalyseCommand&) = delete;
+
+ private:
+    AnalyseOptions options_;
+};
+
+}  // namespace dapple

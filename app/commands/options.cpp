@@ -1,0 +1,241 @@
+#include "app/commands/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <stdexcept>
+
+namespace dapple {
+namespace {
+
+using Read = std::function<void(const std::string& text)>;
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& unit,
+                      const std::string& help, const Read& read) {
+    return app.add_option_function<std::string>(name, read, help)->type_name(unit);
+}
+
+template <class T>
+std::optional<T> whole_text_as(const std::string& text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string in_words(const NumberRange& range) {
+    const bool above = range.at_least == NumberRange::Least::excluded;
+    if (range.most == std::numeric_limits<double>::max()) {
+        return fmt::format("{} {:g}", above ? "over" : "at least", range.least);
+    }
+    return fmt::format("{} {:g} and at most {:g}", above ? "over" : "at least", range.least, range.most);
+}
+
+double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
+    const std::optional<double> value = whole_text_as<double>(text);
+    if (!value || !std::isfinite(*value)) {
+        throw CLI::ValidationError(name, fmt::format("{} is not a number", text));
+    }
+    const bool excluded = range.at_least == NumberRange::Least::excluded && *value == range.least;
+    if (*value < range.least || *value > range.most || excluded) {
+        throw CLI::ValidationError(
+            name, fmt::format("{} is not possible; give a number {}", text, in_words(range)));
+    }
+    return *value;
+}
+
+template <class Value>
+Value one_of(const std::string& name, const std::string& text, std::initializer_list<Value> values) {
+    std::string names;
+    for (const Value value : values) {
+        if (name_of(value) == text) return value;
+        names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+    }
+    throw CLI::ValidationError(name, fmt::format("{} is not known; there are {}", text, names));
+}
+
+void add_colour(CLI::App& app, const std::string& name, glm::vec3& target, const std::string& help) {
+    const auto read = [name, &target](const std::string& text) {
+        try {
+            target = parse_colour(text);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError(name, error.what());
+        }
+    };
+    add_text(app, name, "#RRGGBB", help, read)->default_str(hex_of(target));
+}
+
+// Puts the options made while it lives under a heading of their own in the help.
+class Heading {
+ public:
+    Heading(CLI::App& app, const std::string& title)
+        : app_(app), before_(app.option_defaults()->get_group()) {
+        app.option_defaults()->group(title);
+    }
+    Heading(const Heading&) = delete;
+    Heading& operator=(const Heading&) = delete;
+    ~Heading() { app_.option_defaults()->group(before_); }
+
+ private:
+    CLI::App& app_;
+    std::string before_;
+};
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
+                        const std::string& unit, const std::string& help) {
+    const auto read = [=, &target](const std::string& text) { target = number_in(name, text, range); };
+    return add_text(app, name, unit, help, read)->default_str(fmt::format("{:g}", target));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
+                        const std::string& unit, const std::string& help) {
+    const auto read = [=, &target](const std::string& text) {
+        target = static_cast<float>(number_in(name, text, range));
+    };
+    return add_text(app, name, unit, help, read)->default_str(fmt::format("{:g}", target));
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        const NumberRange& range, const std::string& unit, const std::string& help) {
+    const auto read = [=, &target](const std::string& text) { target = number_in(name, text, range); };
+    return add_text(app, name, unit, help, read);
+}
+
+CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
+                              const std::string& help) {
+    const auto read = [=, &target](const std::string& text) {
+        const double value = number_in(name, text, range);
+        if (!whole_text_as<int>(text)) {
+            throw CLI::ValidationError(name, fmt::format("{} is not a whole number", text));
+        }
+        target = static_cast<int>(value);
+    };
+    return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
+}
+
+CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking) {
+    const auto read = [&ranking](const std::string& text) {
+        ranking =
+            one_of("--ranking", text, {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy});
+    };
+    return add_text(
+        app, "--ranking", "NAME",
+        "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept with the "
+        "tile",
+        read);
+}
+
+void add_dot_options(CLI::App& app, DrawingSettings& settings) {
+    const Heading heading(app, "Dots");
+    StippleRequest& stipple = settings.stipple;
+
+    const auto read_count = [&stipple](const std::string& text) {
+        const std::optional<std::uint64_t> count = whole_text_as<std::uint64_t>(text);
+        if (!count || *count < 1 || *count > kMostDots) {
+            throw CLI::ValidationError(
+                "--dots",
+                fmt::format("{} is not possible; give a whole number from 1 to {}", text, kMostDots));
+        }
+        stipple.count = *count;
+    };
+    add_text(app, "--dots", "N", "Exactly so many dots", read_count)
+        ->default_str(fmt::format("{}", kDefaultDots));
+
+    // A scale takes the place of the count, whichever comes first; both are refused once all is read.
+    const auto read_scale = [&stipple](const std::string& text) {
+        stipple.scale = number_in("--scale", text, {.least = 0});
+        stipple.count.reset();
+    };
+    add_text(app, "--scale", "S", "Instead: as many dots as the picture is dark, about 16 S if all is black",
+             read_scale);
+
+    const auto read_placer = [&stipple](const std::string& text) {
+        stipple.placer = one_of("--placer", text, {PlacerKind::exact, PlacerKind::figure8});
+    };
+    add_text(
+        app, "--placer", "NAME",
+        "exact: each dot once, no line lost; figure8: as the paper prints it, which emits about a quarter of "
+        "the dots twice",
+        read_placer)
+        ->default_str(std::string(name_of(stipple.placer)));
+
+    add_text(app, "--tile", "TILE",
+             "A tile's name (dapple tile list), its file, or its two integers as in 14217,2895/16",
+             [&settings](const std::string& text) { settings.tile = text; })
+        ->default_str(settings.tile);
+
+    add_ranking(app, settings.ranking);
+
+    add_number(app, "--dot-radius", settings.dot_radius_mm,
+               {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
+               "Radius of a dot; without it, the one that gives the photograph's tone");
+    add_whole_number(app, "--threads", stipple.threads, {.least = 0, .most = 1024},
+                     "Processor cores to use, 0 for all; the dots are the same");
+}
+
+void add_tone_options(CLI::App& app, Tone& tone) {
+    const Heading heading(app, "Tone");
+    add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
+               "Grey that is drawn black, with all below it");
+    add_number(app, "--white-point", tone.white_point, {.least = 0, .most = 1}, "0..1",
+               "Grey that is left bare, with all above it");
+    add_number(app, "--contrast", tone.contrast, {.least = -1, .most = 1}, "-1..1",
+               "Below 0 flatter, above 0 harder");
+    add_number(app, "--brightness", tone.brightness, {.least = -1, .most = 1}, "-1..1",
+               "Below 0 darker, above 0 lighter");
+    add_number(app, "--gamma", tone.gamma, {.least = 0.1, .most = 10}, "0.1..10",
+               "Over 1: lighter middle tones");
+    add_number(app, "--blur", tone.blur, {.least = 0, .most = 100}, "0..100",
+               "Softens, in thousandths of the longer side");
+    app.add_flag("--invert", tone.invert, "Dots where the picture is light, for white ink on black paper");
+}
+
+void add_page_options(CLI::App& app, DrawingSettings& settings) {
+    const Heading heading(app, "Page");
+    add_number(app, "--width", settings.width_mm,
+               {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
+               "Width of the page, which the picture fills");
+    add_colour(app, "--ink", settings.ink, "Colour of the dots");
+    add_colour(app, "--paper", settings.paper, "Colour of the page");
+}
+
+void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet) {
+    const Heading heading(app, "Page");
+    const auto read_order = [&order](const std::string& text) {
+        order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
+    };
+    add_text(
+        app, "--order", "NAME",
+        "Order of the dots in the file: recursion; priority, the first n being the drawing with n dots; or "
+        "space, each near the one before",
+        read_order)
+        ->default_str(std::string(name_of(order)));
+    const auto read_sheet = [&sheet](const std::string& text) {
+        try {
+            sheet = parse_sheet(text);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError("--sheet", error.what());
+        }
+    };
+    add_text(app, "--sheet", "C,R/CxR",
+             "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows", read_sheet);
+}
+
+void check_options(const CLI::App& command, const DrawingSettings& settings) {
+    if (command.count("--dots") > 0 && command.count("--scale") > 0) {
+        throw CLI::ValidationError("--dots", "cannot be given together with --scale");
+    }
+    if (settings.tone.black_point >= settings.tone.white_point) {
+        throw CLI::ValidationError("--black-point", "must be below --white-point");
+    }
+    if (settings.stipple.placer == PlacerKind::figure8 && command.count("--dots") > 0) {
+        throw CLI::ValidationError("--dots", "the figure8 placer makes no exact count; give --scale");
+    }
+}
+
+}  // namespace dapple

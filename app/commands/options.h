@@ -1,0 +1,75 @@
+#pragma once
+// Options that commands share, and the one way in which numbers and names are read from the command line.
+//
+// A value that cannot be is refused while parsing, with a sentence that begins with the option's name.
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/drawing_settings.h"
+#include "core/output/sheet.h"
+#include "core/placing/dot_order.h"
+
+namespace dapple {
+
+struct NumberRange {
+    double least = 0;
+    double most = std::numeric_limits<double>::max();
+    enum class Least { included, excluded } at_least = Least::included;
+};
+
+/// A finite number within a range. `unit` is what help shows: "MM".
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
+                        const std::string& unit, const std::string& help);
+CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
+                        const std::string& unit, const std::string& help);
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        const NumberRange& range, const std::string& unit, const std::string& help);
+
+/// A whole number.
+CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
+                              const std::string& help);
+
+/// One of several values, by the name that name_of() gives them.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target, std::vector<Value> values,
+                        const std::string& help) {
+    const auto read = [name, &target, values](const std::string& text) {
+        std::string names;
+        for (const Value value : values) {
+            if (name_of(value) == text) {
+                target = value;
+                return;
+            }
+            names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+        }
+        throw CLI::ValidationError(name, text + " is not known; there are " + names);
+    };
+    return app.add_option_function<std::string>(name, read, help)
+        ->type_name("NAME")
+        ->default_str(std::string(name_of(target)));
+}
+
+/// --ranking, none without it.
+CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking);
+
+/// --dots, --scale, --placer, --tile, --ranking, --dot-radius, --threads.
+void add_dot_options(CLI::App& app, DrawingSettings& settings);
+
+/// --black-point, --white-point, --contrast, --brightness, --gamma, --blur, --invert.
+void add_tone_options(CLI::App& app, Tone& tone);
+
+/// --width, --ink, --paper.
+void add_page_options(CLI::App& app, DrawingSettings& settings);
+
+/// --order, --sheet.
+void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet);
+
+/// What no single option can see: throws CLI::ValidationError if those of the command contradict each other.
+/// To be called after parsing.
+void check_options(const CLI::App& command, const DrawingSettings& settings);
+
+}  // namespace dapple

@@ -1,0 +1,206 @@
+#include "app/commands/tile.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "app/commands/options.h"
+#include "app/files/atomic_file.h"
+#include "app/files/text_file.h"
+#include "app/files/tile_library.h"
+#include "core/output/tile_figure.h"
+#include "core/tile/ranking_search.h"
+#include "core/tile/tile_marks.h"
+
+namespace dapple {
+namespace {
+
+// Any tile that has a name, or a file of words alone, which has no ranking.
+StoredTile load_perhaps_unranked(const std::string& name) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(name, error)) return load_tile(name);
+    const std::string text = text_of_file(name);
+    try {
+        if (is_tile_text(text)) return read_tile(text);
+        StoredTile stored;
+        stored.tile = read_words(text);
+        return stored;
+    } catch (const std::runtime_error& reason) {
+        throw std::runtime_error(
+            fmt::format("{}: neither a tile file nor a rule with words, {}", name, reason.what()));
+    }
+}
+
+StoredTile in_new_order(StoredTile stored, const std::string& name, NewOrder order) {
+    switch (order) {
+        case NewOrder::paper:
+            return ranked(std::move(stored.tile), RankingOrder::paper);
+        case NewOrder::farthest:
+            return ranked(std::move(stored.tile), RankingOrder::farthest);
+        case NewOrder::energy:
+            return ranked(std::move(stored.tile), RankingOrder::energy);
+        case NewOrder::searched:
+            stored.ranking = search_ranking(stored.tile);
+            stored.order.reset();
+            return stored;
+        case NewOrder::stored:
+            if (stored.ranking.tile.empty())
+                throw std::runtime_error(fmt::format("{}: has no ranks to keep; choose another order", name));
+            return stored;
+    }
+    return stored;
+}
+
+nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored, const TileMarks& marks) {
+    std::vector<int> rule;
+    for (const Orientation g : stored.tile.rule.child) rule.push_back(g.index);
+    nlohmann::ordered_json json{{"tile", name},
+                                {"points", stored.tile.size()},
+                                {"rule", rule},
+                                {"words", stored.tile.words},
+                                {"integers", nullptr},
+                                {"ranking", name_of(stored.order)},
+                                {"balanced", marks.balanced},
+                                {"letters", marks.letters},
+                                {"relative_radius", marks.relative_radius},
+                                {"worst_relative_radius", marks.worst_relative_radius},
+                                {"coherent_share", marks.coherent_share},
+                                {"low_frequency_power", marks.low_frequency_power},
+                                {"lattice_share", marks.lattice_share},
+                                {"orientation_coincidence", marks.orientation_coincidence},
+                                {"coincidence_lag", marks.coincidence_lag}};
+    if (const auto integers = paper_notation(stored.tile)) json["integers"] = *integers;
+    return json;
+}
+
+void list_tiles(std::ostream& out) {
+    out << fmt::format("{:<14} {:>6}  {:<8}  {}\n", "name", "points", "rule", "");
+    for (const BuiltInTile& built_in : built_in_tiles()) {
+        const Tile tile = load_tile(std::string(built_in.name)).tile;
+        out << fmt::format("{:<14} {:>6}  {:<8}  {}\n", built_in.name, tile.size(), text_of(tile.rule),
+                           built_in.about);
+    }
+}
+
+CLI::Option* add_output(CLI::App& command, std::filesystem::path& output, const std::string& help) {
+    return command.add_option("-o,--output", output, help)->type_name("FILE")->required();
+}
+
+void add_tile_name(CLI::App& command, std::string& name, const std::string& more = "") {
+    command
+        .add_option("tile", name,
+                    "A built-in tile's name, a tile file, or two integers as in 14217,2895/16" + more)
+        ->type_name("TILE")
+        ->required();
+}
+
+}  // namespace
+
+std::string_view name_of(NewOrder order) {
+    switch (order) {
+        case NewOrder::paper:
+            return "paper";
+        case NewOrder::farthest:
+            return "farthest";
+        case NewOrder::energy:
+            return "energy";
+        case NewOrder::searched:
+            return "searched";
+        case NewOrder::stored:
+            return "stored";
+    }
+    return "";
+}
+
+void check_tile(std::ostream& out, const std::string& name, CheckFormat format) {
+    const StoredTile stored = load_tile(name);
+    const TileMarks marks = marks_of(stored.tile, stored.ranking);
+    if (format == CheckFormat::json) {
+        out << json_of(name, stored, marks).dump(2) << '\n';
+        return;
+    }
+    out << fmt::format("{}: {}, ranking {}\n\n", name, headline(stored.tile), name_of(stored.order));
+    for (const TileMark& mark : in_words(marks))
+        out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
+    out << "\nwords\n";
+    for (const std::string& word : stored.tile.words) out << "  " << word << '\n';
+}
+
+TileCommand::TileCommand(CLI::App& program) {
+    CLI::App* const tile = program.add_subcommand("tile", "Tiles: list, show, search, rank, check");
+    tile->require_subcommand(1);
+    tile->footer(
+        "TILE is a built-in tile's name, a tile file, or the paper's two integers.\n"
+        "dapple tile COMMAND --help says more.\n\n"
+        "Examples:\n"
+        "  dapple tile show paper16 -o paper16.svg            its points, copies and ranks, as in the paper\n"
+        "  dapple tile search --points 20                     the best tiles of 20 points\n"
+        "  dapple tile search --points 256 --rule any --seconds 60 -o mine.tile\n"
+        "  dapple render cat.jpg -o cat.svg --tile mine.tile");
+    add_list(*tile);
+    add_show(*tile);
+    add_search(*tile);
+    add_rank(*tile);
+    add_check(*tile);
+}
+
+void TileCommand::add_list(CLI::App& parent) {
+    parent.add_subcommand("list", "The built-in tiles")->callback([] { list_tiles(std::cout); });
+}
+
+void TileCommand::add_show(CLI::App& parent) {
+    CLI::App* const command =
+        parent.add_subcommand("show", "Draw a tile's points, self-similarity and ranks");
+    add_tile_name(*command, name_);
+    add_output(*command, output_, "The drawing; its name ends in .svg");
+    add_ranking(*command, ranking_);
+    command->callback([this] {
+        if (output_.extension() != ".svg")
+            throw CLI::ValidationError("--output", output_.string() + " does not end in .svg");
+        check_can_save(output_);
+        StoredTile stored = load_tile(name_);
+        if (ranking_) stored = ranked(std::move(stored.tile), *ranking_);
+        save_atomically(output_, [&](std::ostream& out) { write_tile_figure(out, stored); });
+    });
+}
+
+void TileCommand::add_rank(CLI::App& parent) {
+    CLI::App* const command =
+        parent.add_subcommand("rank", "Order a tile's points anew and save it as a tile file");
+    add_tile_name(*command, name_, ", or a file with a rule such as 3760 on its first line and words below");
+    add_choice(*command, "--order", order_,
+               {NewOrder::paper, NewOrder::farthest, NewOrder::energy, NewOrder::searched, NewOrder::stored},
+               "paper: as printed; farthest: the widest gap next; energy: the evenest tone next; searched: "
+               "evener between levels, takes a minute for 4,096 points; stored: as they are");
+    add_output(*command, output_, "The tile file");
+    command->callback([this] {
+        check_can_save(output_);
+        const StoredTile stored = in_new_order(load_perhaps_unranked(name_), name_, order_);
+        save_tile(output_, stored);
+    });
+}
+
+void TileCommand::add_check(CLI::App& parent) {
+    CLI::App* const command = parent.add_subcommand("check", "Tell how good a tile is");
+    add_tile_name(*command, name_);
+    command->add_flag_callback(
+        "--json", [this] { format_ = CheckFormat::json; }, "As JSON, for programs");
+    command->callback([this] { check_tile(std::cout, name_, format_); });
+}
+
+void TileCommand::add_search(CLI::App& parent) {
+    CLI::App* const command = parent.add_subcommand("search", "Look for new tiles");
+    add_search_options(*command, search_);
+    command->callback([this, command] {
+        check_search_options(*command, search_);
+        search_tiles(search_, std::cout);
+    });
+}
+
+}  // namespace dapple

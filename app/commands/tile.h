@@ -1,0 +1,51 @@
+#pragma once
+// dapple tile: the tile workshop - list, show, search, rank, check.
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "app/commands/tile_search.h"
+#include "core/tile/ranking.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dapple {
+
+/// How `tile rank` orders points.
+enum class NewOrder { paper, farthest, energy, searched, stored };
+/// "paper", "farthest", "energy", "searched", "stored".
+std::string_view name_of(NewOrder order);
+
+enum class CheckFormat { text, json };
+
+/// Writes all criteria of a tile, with its words.
+void check_tile(std::ostream& out, const std::string& name, CheckFormat format);
+
+/// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
+class TileCommand {
+ public:
+    explicit TileCommand(CLI::App& program);
+    TileCommand(const TileCommand&) = delete;
+    TileCommand& operator=(const TileCommand&) = delete;
+
+ private:
+    void add_list(CLI::App& parent);
+    void add_show(CLI::App& parent);
+    void add_search(CLI::App& parent);
+    void add_rank(CLI::App& parent);
+    void add_check(CLI::App& parent);
+
+    std::string name_;  // TILE
+    std::filesystem::path output_;
+    NewOrder order_ = NewOrder::energy;
+    std::optional<RankingOrder> ranking_;  // none: the tile's own
+    CheckFormat format_ = CheckFormat::text;
+    TileSearchOptions search_;
+};
+
+}  // namespace dapple

@@ -1,0 +1,48 @@
+#pragma once
+// dapple tile search: looking for new tiles.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "core/tile/tile.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dapple {
+
+enum class SearchKind {
+    identity,  // all tiles of the paper's kind, by relative radius
+    any,       // tiles of a rule that does not repeat, by evenness
+};
+struct TileSearchOptions {
+    int points = 0;
+    SearchKind kind = SearchKind::identity;
+    std::optional<Rule> rule;            // of SearchKind::any; none: aperiodic_rule()
+    int top = 5;                         // identity: so many tiles
+    int runs = 1;                        // any: independent runs with the seeds seed, seed + 1, ...
+    std::optional<double> seconds;       // identity: stops then; any: as many moves as that allows
+    std::optional<std::uint64_t> moves;  // any: tried in each run
+    std::uint64_t seed = 1;
+    int threads = 0;                              // 0: all cores
+    std::optional<std::filesystem::path> resume;  // a stopped identity search to go on with
+    std::optional<std::filesystem::path> output;  // the best tile, ranked by energy
+};
+
+/// --points, --rule, --top, ...
+void add_search_options(CLI::App& command, TileSearchOptions& options);
+
+/// Throws CLI::ValidationError if options contradict each other. To be called after parsing.
+void check_search_options(const CLI::App& command, const TileSearchOptions& options);
+
+/// Searches, tells the outcome on `out` and the way there on the terminal, and saves. Ctrl+C stops the search
+/// and keeps what was found; a stopped identity search is saved to be gone on with. Throws std::runtime_error
+/// naming what is wrong.
+void search_tiles(const TileSearchOptions& options, std::ostream& out);
+
+}  // namespace dapple

@@ -1,0 +1,47 @@
+#pragma once
+// Everything that decides how a drawing looks. One value: the viewer's panels edit it, the command line fills
+// it, and the same settings give the same dots in both.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "core/image/tone.h"
+#include "core/output/colour.h"
+#include "core/stipple.h"
+#include "core/tile/ranking.h"
+
+namespace dapple {
+
+inline constexpr std::uint64_t kDefaultDots = 40'000;
+
+/// More dots than this lie closer than the float coordinates they are kept in can tell apart.
+inline constexpr std::uint64_t kMostDots = 1'000'000'000;
+
+/// The built-in tile whose pictures look best.
+inline constexpr const char* kDefaultTile = "aperiodic4096";
+
+struct DrawingSettings {
+    Tone tone;
+    std::string tile = kDefaultTile;      // a name for tile_named()
+    std::optional<RankingOrder> ranking;  // none: the tile's own
+    StippleRequest stipple{.count = kDefaultDots, .threads = 0};
+    std::optional<double> dot_radius_mm;  // none: the radius that gives the photograph's tone
+    double width_mm = 200;                // of the page; the picture fills it
+    glm::vec3 ink = kBlack;               // sRGB-encoded, 0..1
+    glm::vec3 paper = kWhite;
+    bool background = false;  // paint the paper under an SVG's dots
+    bool show_tiles = false;  // the boundaries of the tiles, coloured by level
+
+    bool operator==(const DrawingSettings&) const = default;
+};
+
+/// The tile drawn with: settings.tile, but the paper's own where the paper's placer, which knows no tiles
+/// that turn their children, meets the default one.
+std::string tile_in_use(const DrawingSettings& settings);
+
+/// The radius dots are drawn with on a page of that size, in millimetres.
+double dot_radius_mm(const DrawingSettings& settings, double scale, const PageSize& page);
+
+}  // namespace dapple

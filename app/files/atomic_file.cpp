@@ -1,0 +1,179 @@
+#include "app/files/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+#include <stdexcept>
+#include <streambuf>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/files/removed_on_signal.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    switch (error) {
+        case ENOSPC:
+        case EDQUOT:
+            return "the disk is full";
+        case EFBIG:
+            return "the file grows over the size that is allowed here";
+        default:
+            return std::generic_category().message(error);
+    }
+}
+
+[[noreturn]] void fail(const fs::path& target, std::string_view what) {
+    throw std::runtime_error(fmt::format("{}: {}", target.string(), what));
+}
+
+[[noreturn]] void fail_to_write(const fs::path& target, int error) {
+    fail(target, fmt::format("cannot be written: {}", reason(error)));
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+// A file descriptor as a stream. Exceptions leave it through the stream, which has them switched on.
+class DescriptorBuffer : public std::streambuf {
+ public:
+    DescriptorBuffer(int descriptor, const fs::path& target)
+        : descriptor_(descriptor), target_(target), buffer_(std::size_t{1} << 18) {
+        setp(buffer_.data(), buffer_.data() + buffer_.size());
+    }
+
+ private:
+    int_type overflow(int_type c) override {
+        write_out();
+        if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
+        return traits_type::not_eof(c);
+    }
+
+    int sync() override {
+        write_out();
+        return 0;
+    }
+
+    void write_out() {
+        const char* from = pbase();
+        while (from != pptr()) {
+            const ssize_t written = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) {
+                const int error = errno;
+                setp(buffer_.data(), buffer_.data() + buffer_.size());
+                fail_to_write(target_, error);
+            }
+            from += written;
+        }
+        setp(buffer_.data(), buffer_.data() + buffer_.size());
+    }
+
+    int descriptor_;
+    const fs::path& target_;
+    std::vector<char> buffer_;
+};
+
+class Descriptor {
+ public:
+    explicit Descriptor(int value) : value_(value) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    int get() const { return value_; }
+    int close() { return ::close(std::exchange(value_, -1)); }
+
+ private:
+    int value_;
+};
+
+void write_through(int descriptor, const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    DescriptorBuffer buffer(descriptor, target);
+    std::ostream out(&buffer);
+    out.exceptions(std::ios::badbit | std::ios::failbit);
+    write(out);
+    out.flush();
+}
+
+void write_directly(const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) fail_to_write(target, errno);
+    write_through(file.get(), target, write);
+    if (file.close() != 0) fail_to_write(target, errno);
+}
+
+void write_beside(const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    struct stat old {};
+    const bool replaces = ::stat(target.c_str(), &old) == 0;
+
+    const RemovedOnSignal temporary(unused_name_beside(target));
+    Descriptor file(::open(temporary.path(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0) fail_to_write(target, errno);
+    if (replaces) static_cast<void>(::fchmod(file.get(), old.st_mode & 07777));
+
+    write_through(file.get(), target, write);
+    if (::fsync(file.get()) != 0 || file.close() != 0) fail_to_write(target, errno);
+    if (::rename(temporary.path(), target.c_str()) != 0) fail_to_write(target, errno);
+
+    // The new name is safe only once the folder is on disk too; some file systems cannot do it, and need not.
+    const Descriptor folder(::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.get() >= 0) static_cast<void>(::fsync(folder.get()));
+}
+
+// The file that a name leads to, through links, there already or not.
+fs::path destination_of(const fs::path& target) {
+    std::error_code error;
+    const fs::path resolved = fs::weakly_canonical(target, error);
+    return error || !fs::is_symlink(fs::symlink_status(target, error)) ? target : resolved;
+}
+
+}  // namespace
+
+void check_can_save(const fs::path& target) {
+    std::error_code error;
+    const fs::path destination = destination_of(target);
+    const fs::file_status status = fs::status(destination, error);
+    if (fs::is_directory(status)) fail(target, "is a folder; name a file in it");
+    if (fs::exists(status)) {
+        if (::access(destination.c_str(), W_OK) != 0) fail(target, "is read-only; choose another name");
+        if (!fs::is_regular_file(status)) return;
+    }
+    const fs::path folder = folder_of(destination);
+    const fs::file_status folder_status = fs::status(folder, error);
+    if (!fs::exists(folder_status)) {
+        fail(target, fmt::format("the folder {} does not exist; make it first", folder.string()));
+    }
+    if (!fs::is_directory(folder_status))
+        fail(target, fmt::format("{} is a file, not a folder", folder.string()));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        fail(target, fmt::format("the folder {} is read-only; choose another", folder.string()));
+    }
+}
+
+void save_atomically(const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    check_can_save(target);
+    const fs::path destination = destination_of(target);
+    std::error_code error;
+    const fs::file_status status = fs::status(destination, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        write_directly(destination, write);
+    } else {
+        write_beside(destination, write);
+    }
+}
+
+}  // namespace dapple

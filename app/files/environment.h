@@ -1,0 +1,17 @@
+#pragma once
+// Environment maps from files.
+
+#include <filesystem>
+
+#include "core/image/environment.h"
+
+namespace dapple {
+
+/// Reads a latitude-longitude map in any format that OpenImageIO knows, .hdr and .exr above all. Float pixels
+/// are linear radiance, others sRGB-encoded; grey is taken as white light; transparency is ignored.
+///
+/// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
+/// damaged or over 400 megapixels, or what EnvironmentMap says, with the file's name before it.
+EnvironmentMap read_environment(const std::filesystem::path& path);
+
+}  // namespace dapple

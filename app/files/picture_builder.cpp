@@ -1,0 +1,86 @@
+#include "app/files/picture_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <utility>
+
+#include "core/image/tone.h"
+
+namespace dapple {
+namespace {
+
+constexpr glm::vec3 kRec709{0.2126f, 0.7152f, 0.0722f};
+
+// Where pixel (x, y) of a stored picture of the given size belongs when it is held upright.
+glm::ivec2 upright(ExifOrientation orientation, int x, int y, int width, int height) {
+    const int right = width - 1 - x, bottom = height - 1 - y;
+    switch (orientation.value) {
+        case 2:
+            return {right, y};
+        case 3:
+            return {right, bottom};
+        case 4:
+            return {x, bottom};
+        case 5:
+            return {y, x};
+        case 6:
+            return {bottom, x};
+        case 7:
+            return {bottom, right};
+        case 8:
+            return {y, right};
+        default:
+            return {x, y};
+    }
+}
+
+int preview_side(int side, int longer) {
+    if (longer <= kPreviewSide) return side;
+    return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * kPreviewSide / longer)));
+}
+
+std::uint8_t encode(float light) {
+    return static_cast<std::uint8_t>(std::lround(linear_to_srgb(std::clamp(light, 0.0f, 1.0f)) * 255.0f));
+}
+
+}  // namespace
+
+PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation)
+    : stored_width_(width), stored_height_(height), orientation_(orientation) {
+    if (orientation.swaps_sides()) std::swap(width, height);
+    light_ = Grid<float>(width, height);
+    const int longer = std::max(width, height);
+    preview_ = Grid<Sum>(preview_side(width, longer), preview_side(height, longer));
+}
+
+void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
+    for (int x = 0; x < stored_width_; ++x) {
+        const glm::vec3 colour = colours[x];
+        const glm::ivec2 to = upright(orientation_, x, y, stored_width_, stored_height_);
+        light_.at(to.x, to.y) = glm::dot(colour, kRec709);
+        const auto scaled = [](int place, int from, int onto) {
+            return static_cast<int>(static_cast<std::int64_t>(place) * onto / from);
+        };
+        Sum& sum = preview_.at(scaled(to.x, light_.width, preview_.width),
+                               scaled(to.y, light_.height, preview_.height));
+        sum.light += colour;
+        sum.count += 1;
+    }
+}
+
+Picture PictureBuilder::finish(std::string description) {
+    Picture picture;
+    picture.preview = Grid<glm::u8vec4>(preview_.width, preview_.height);
+    for (std::size_t i = 0; i < preview_.values.size(); ++i) {
+        const Sum& sum = preview_.values[i];
+        const glm::vec3 mean = sum.light / std::max(sum.count, 1.0f);
+        picture.preview.values[i] = {encode(mean.x), encode(mean.y), encode(mean.z), 255};
+    }
+    picture.light = std::move(light_);
+    picture.description = std::move(description);
+    return picture;
+}
+
+}  // namespace dapple

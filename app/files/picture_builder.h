@@ -1,0 +1,41 @@
+#pragma once
+// Turns rows of colour into a Picture as they are read, so that nothing larger than the light itself is kept.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "app/files/picture.h"
+
+namespace dapple {
+
+/// How a camera was held: the EXIF orientation, 1..8. 1 is upright; 5..8 swap width and height.
+struct ExifOrientation {
+    int value = 1;
+    bool swaps_sides() const { return value >= 5; }
+};
+
+class PictureBuilder {
+ public:
+    /// Width and height as stored, before turning.
+    PictureBuilder(int width, int height, ExifOrientation orientation = {});
+
+    /// Linear light over white paper, one stored row: `colours` has width values.
+    void add_row(int y, std::span<const glm::vec3> colours);
+
+    /// Once all rows are in.
+    Picture finish(std::string description);
+
+ private:
+    struct Sum {
+        glm::vec3 light{0};
+        float count = 0;
+    };
+
+    int stored_width_, stored_height_;
+    ExifOrientation orientation_;
+    Grid<float> light_;
+    Grid<Sum> preview_;
+};
+
+}  // namespace dapple

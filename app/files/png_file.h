@@ -1,0 +1,24 @@
+#pragma once
+// PNG into a stream, with the size on paper in it.
+
+#include <functional>
+#include <glm/gtc/type_precision.hpp>
+#include <ostream>
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+struct PngHeader {
+    int width = 0, height = 0;
+    double dpi = 300;
+};
+
+/// A stretch of rows, from the top down.
+using PixelSink = std::function<void(const Grid<glm::u8vec3>& band)>;
+
+/// Calls `draw` with a sink, to which it gives all rows in order. Throws std::runtime_error if the picture is
+/// too large for PNG; what `draw` or the stream throw passes through.
+void write_png(std::ostream& out, const PngHeader& header, const std::function<void(const PixelSink&)>& draw);
+
+}  // namespace dapple

@@ -1,0 +1,87 @@
+#include "app/files/save_drawing.h"
+
+#include <cctype>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "app/files/atomic_file.h"
+#include "app/files/png_file.h"
+#include "core/output/csv.h"
+#include "core/output/progress.h"
+#include "core/output/raster.h"
+#include "core/output/svg.h"
+
+namespace dapple {
+namespace {
+
+std::string ending_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+// Thrown from within a writer to leave it.
+struct Stopped {};
+
+void write_pixels(std::ostream& out, const DrawingSettings& settings, const DrawingToSave& drawing,
+                  double radius, const WritingProgress& progress) {
+    const RasterSize size = raster_size(drawing.page, drawing.dpi);
+    const RasterRequest request{
+        .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.stipple.threads};
+    write_png(out, {size.width, size.height, drawing.dpi}, [&](const PixelSink& pixels) {
+        rasterise(drawing.stippling.dots, drawing.page, request,
+                  [&](int first_row, const Grid<float>& coverage) {
+                      progress(static_cast<double>(first_row) / size.height);
+                      pixels(ink_on_paper(coverage, settings.ink, settings.paper));
+                  });
+    });
+}
+
+}  // namespace
+
+DrawingFormat drawing_format(const std::filesystem::path& path) {
+    const std::string ending = ending_of(path);
+    if (ending == ".svg") return DrawingFormat::svg;
+    if (ending == ".png") return DrawingFormat::png;
+    if (ending == ".csv") return DrawingFormat::csv;
+    throw std::runtime_error(path.string() + ": a drawing's name must end in .svg, .png or .csv");
+}
+
+bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch) {
+    const DrawingFormat format = drawing_format(path);
+    const Dots& dots = drawing.stippling.dots;
+    const double radius = dot_radius_mm(settings, drawing.stippling.scale, drawing.page);
+    const WritingProgress progress = [&](double share) {
+        if (watch.stop.stop_requested()) throw Stopped();
+        if (watch.progress) watch.progress(share);
+    };
+    const auto write = [&](std::ostream& out) {
+        switch (format) {
+            case DrawingFormat::svg: {
+                SvgStyle style{
+                    .dot_radius_mm = radius, .ink = settings.ink, .background = {}, .tiles = drawing.tiles};
+                if (settings.background) style.background = settings.paper;
+                write_svg(out, dots, drawing.page, style, progress);
+                break;
+            }
+            case DrawingFormat::csv:
+                write_csv(out, dots, drawing.page, {.dot_radius_mm = radius, .tile_size = drawing.tile_size},
+                          progress);
+                break;
+            case DrawingFormat::png:
+                write_pixels(out, settings, drawing, radius, progress);
+                break;
+        }
+        progress(1);
+    };
+    try {
+        save_atomically(path, write);
+    } catch (const Stopped&) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace dapple

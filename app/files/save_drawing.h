@@ -1,0 +1,39 @@
+#pragma once
+// A drawing into a file, for the window and the command line alike.
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <stop_token>
+
+#include "app/drawing_settings.h"
+#include "core/placing/placer.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+enum class DrawingFormat { svg, png, csv };
+
+/// What a name's ending says, in upper or lower case. Throws std::runtime_error if it is another.
+DrawingFormat drawing_format(const std::filesystem::path& path);
+
+struct DrawingToSave {
+    const Stippling& stippling;  // with Dots::critical if it goes into a table
+    PageSize page;
+    std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
+    std::size_t tile_size = 16;              // N
+    double dpi = 300;                        // of a PNG
+};
+
+/// For someone who waits.
+struct SavingWatch {
+    std::stop_token stop;                        // asks to give up
+    std::function<void(double share)> progress;  // told now and then how much is written, 0..1
+};
+
+/// Writes what the name's ending says. Returns false if stopped. Throws what drawing_format() and
+/// save_atomically() throw. In both cases an existing file stays as it was.
+bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch = {});
+
+}  // namespace dapple

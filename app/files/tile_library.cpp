@@ -1,0 +1,99 @@
+#include "app/files/tile_library.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "app/files/atomic_file.h"
+#include "app/files/text_file.h"
+#include "core/tile/tile_marks.h"
+#include "dapple_assets_embedded/tile_assets.h"
+
+namespace dapple {
+namespace {
+
+struct Entry {
+    BuiltInTile tile;
+    std::string_view (*text)();
+};
+
+const std::vector<Entry>& entries() {
+    static const std::vector<Entry> all{
+        {{"paper16", "the paper's tile, Appendix A"}, tile_assets::paper16_tile},
+        {{"paper20", "the paper's 20-point tile"}, tile_assets::paper20_tile},
+        {{"lattice24", "the best radius of 24 points, nearly a lattice"}, tile_assets::lattice24_tile},
+        {{"lattice28", "the best radius of 28 points, nearly a lattice"}, tile_assets::lattice28_tile},
+        {{"aperiodic16", "turned copies: no period, small"}, tile_assets::aperiodic16_tile},
+        {{"aperiodic64", "turned copies, 64 points"}, tile_assets::aperiodic64_tile},
+        {{"aperiodic256", "turned copies, 256 points"}, tile_assets::aperiodic256_tile},
+        {{"aperiodic1024", "turned copies, 1,024 points"}, tile_assets::aperiodic1024_tile},
+        {{"aperiodic4096", "turned copies, 4,096 points: the evenest"}, tile_assets::aperiodic4096_tile},
+    };
+    return all;
+}
+
+bool looks_like_integers(std::string_view name) {
+    return name.find(',') != std::string_view::npos && name.find('/') != std::string_view::npos &&
+           name.find_first_not_of("0123456789,/") == std::string_view::npos;
+}
+
+StoredTile read_tile_file(const std::string& name) {
+    const std::string text = text_of_file(name);
+    try {
+        return read_tile(text);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: not a tile file, {}", name, error.what()));
+    }
+}
+
+}  // namespace
+
+const std::vector<BuiltInTile>& built_in_tiles() {
+    static const std::vector<BuiltInTile> tiles = [] {
+        std::vector<BuiltInTile> list;
+        for (const Entry& entry : entries()) list.push_back(entry.tile);
+        return list;
+    }();
+    return tiles;
+}
+
+std::span<const char* const> built_in_tile_names() {
+    static const std::vector<const char*> names = [] {
+        std::vector<const char*> list;
+        for (const Entry& entry : entries()) list.push_back(entry.tile.name);
+        return list;
+    }();
+    return names;
+}
+
+StoredTile load_tile(const std::string& name) {
+    for (const Entry& entry : entries())
+        if (name == entry.tile.name) return read_tile(entry.text());
+    if (looks_like_integers(name)) return ranked(parse_tile_integers(name), RankingOrder::energy);
+    std::error_code error;
+    if (std::filesystem::exists(name, error)) return read_tile_file(name);
+    throw std::runtime_error(
+        fmt::format("{}: no such tile or tile file; there are {}, and integers such as 14217,2895/16", name,
+                    fmt::join(built_in_tile_names(), ", ")));
+}
+
+RankedTile tile_named(const std::string& name, std::optional<RankingOrder> order) {
+    StoredTile stored = load_tile(name);
+    if (order && *order != stored.order) return {std::move(stored.tile), *order};
+    return {std::move(stored.tile), stored.ranking};
+}
+
+void save_tile(const std::filesystem::path& file, const StoredTile& tile,
+               const std::vector<std::string>& more) {
+    std::vector<std::string> comments{headline(tile.tile)};
+    for (const TileMark& mark : in_words(marks_of(tile.tile, tile.ranking)))
+        comments.push_back(fmt::format("{}: {} ({})", mark.name, mark.value, mark.meaning));
+    comments.insert(comments.end(), more.begin(), more.end());
+    const std::string text = write_tile(tile, comments);
+    save_atomically(file, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace dapple

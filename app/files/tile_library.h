@@ -1,0 +1,42 @@
+#pragma once
+// Tiles by name.
+//
+// A tile is named by one of the built-in ones ("paper16"), by the paper's two integers ("14217,2895/16"), or
+// by a file (core/tile/tile_file.h).
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/stipple.h"
+#include "core/tile/tile_file.h"
+
+namespace dapple {
+
+struct BuiltInTile {
+    const char* name;
+    const char* about;  // one line
+};
+
+/// In the order in which a list shows them.
+const std::vector<BuiltInTile>& built_in_tiles();
+
+/// The names of built_in_tiles(), for lists to choose from.
+std::span<const char* const> built_in_tile_names();
+
+/// The tile of that name with the ranking it is stored with; integers are ranked by energy. Throws
+/// std::runtime_error if there is none, listing the names there are, or if its file is not a tile, with the
+/// line that is wrong.
+StoredTile load_tile(const std::string& name);
+
+/// The same, ready for placing. If the stored ranking is not of the order given here, the tile is ranked
+/// anew.
+RankedTile tile_named(const std::string& name, std::optional<RankingOrder> order = {});
+
+/// Saves a tile as a file with its criteria as comments, `more` last. Throws as save_atomically().
+void save_tile(const std::filesystem::path& file, const StoredTile& tile,
+               const std::vector<std::string>& more = {});
+
+}  // namespace dapple

@@ -1,0 +1,79 @@
+// dapple: stipples pictures, in a window and on the command line.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/commands/analyse.h"
+#include "app/commands/lights.h"
+#include "app/commands/render.h"
+#include "app/commands/reproduce.h"
+#include "app/commands/tile.h"
+#include "app/viewer/light_viewer.h"
+#include "app/viewer/viewer.h"
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+int report(const char* sentence, int code) {
+    std::fprintf(stderr, "dapple: %s\n", sentence);
+    return code;
+}
+
+int run(CLI::App& program, int argc, char** argv, const int& status) {
+    try {
+        program.parse(argc, argv);
+        return status;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+        return report(error.what(), kUsage);
+    } catch (const std::bad_alloc&) {
+        return report("there is not enough memory for this; try fewer dots or a smaller picture", kFailed);
+    } catch (const std::exception& error) {
+        return report(error.what(), kFailed);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program{"Stippling: pictures drawn with dots, live in a window or into files.", "dapple"};
+    program.set_version_flag("--version", "dapple " DAPPLE_VERSION, "Show the version");
+    program.footer(
+        "Without a command, a window opens with the picture (the built-in sample without one).\n"
+        "dapple COMMAND --help says more.\n\n"
+        "Examples:\n"
+        "  dapple cat.jpg                               look at it, move the sliders\n"
+        "  dapple render cat.jpg -o cat.svg             the same as a file\n"
+        "  dapple render cat.jpg -o cat.svg --dots 100000");
+    program.require_subcommand(0, 1);
+
+    int status = 0;
+    dapple::ViewerOptions viewer;
+    program.add_option("image", viewer.image, "The picture to look at")->type_name("IMAGE");
+    // For scripts that drive the window: nothing that help need tell.
+    program.add_flag("--log-status", viewer.log_status)->group("");
+    const dapple::RenderCommand render(program);
+    const dapple::ReproduceCommand reproduce(program);
+    const dapple::AnalyseCommand analyse(program);
+    const dapple::LightsCommand lights(program);
+    const dapple::TileCommand tile(program);
+
+    program.callback([&] {
+        if (const dapple::LightsOptions* map = lights.window()) {
+            dapple::LightsSettings settings;
+            settings.request = map->request;
+            settings.tile = map->tile;
+            settings.stops = map->exposure.value_or(0);
+            settings.turn_degrees = map->rotation_degrees;
+            status = dapple::run_light_viewer({map->map, settings});
+            return;
+        }
+        if (!program.get_subcommands().empty()) return;
+        status = dapple::run_viewer(viewer);
+    });
+    return run(program, argc, argv, status);
+}

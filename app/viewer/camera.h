@@ -1,0 +1,52 @@
+#pragma once
+// From the page to the canvas and back, as deep as one likes.
+//
+// Page frame: core/image/density.h. Canvas frame: pixels, x right, y down, (0, 0) the canvas's upper left
+// corner. Page points are integers, so that a page 2^50 pixels wide still moves by whole pixels: only
+// differences between points that are near each other become floating-point numbers.
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/placing/placer.h"
+
+namespace dapple {
+
+/// In 2^-62 of a page unit, as PageWindow has it; from -2 to below 2 page units.
+using PagePoint = glm::i64vec2;
+
+/// Rounded; what is out of range goes to its end.
+PagePoint page_point(glm::dvec2 page_units);
+glm::dvec2 in_page_units(PagePoint point);
+
+struct Camera {
+    glm::dvec2 canvas{1, 1};                 // size in pixels
+    PagePoint centre{1LL << 61, 1LL << 61};  // in the canvas's middle
+    double pixels_per_unit = 500;            // the picture's longer side is so many pixels
+
+    bool operator==(const Camera&) const = default;
+};
+
+inline constexpr double kSmallestZoom = 16;     // pixels per unit
+inline constexpr double kLargestZoom = 0x1p50;  // a pixel is still 4096 steps of a PagePoint
+
+glm::dvec2 to_canvas(const Camera& camera, PagePoint point);
+PagePoint point_at(const Camera& camera, glm::dvec2 canvas_point);
+
+/// The whole page in view with a margin of a twentieth around it.
+Camera fitted(glm::dvec2 canvas, glm::dvec2 page_size);
+
+/// Zoomed by a factor, the page point under canvas_point staying there.
+Camera zoomed_at(const Camera& camera, glm::dvec2 canvas_point, double factor);
+
+/// Moved as when the page is dragged by so many pixels.
+Camera dragged(const Camera& camera, glm::dvec2 pixels);
+
+/// The same view on a canvas of another size: what was in the middle stays there.
+Camera resized(const Camera& camera, glm::dvec2 canvas);
+
+/// What of the page's square is in view, with a margin of so many canvases on each side. Of width or height 0
+/// if nothing is.
+PageWindow window_in_view(const Camera& camera, double margin);
+
+}  // namespace dapple

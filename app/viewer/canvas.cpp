@@ -1,0 +1,85 @@
+#include "app/viewer/canvas.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace dapple {
+
+void Canvas::set_drawing(const PlacedDrawing& drawing) {
+    renderer_.set_dots(drawing.stippling.dots, drawing.window);
+    renderer_.set_tiles(drawing.outlines, drawing.window);
+    page_size_ = drawing.page_size;
+    drawn_camera_.reset();
+    ++drawings_;
+}
+
+void Canvas::set_dot_colours(std::span<const glm::u8vec4> colours) {
+    renderer_.set_dot_colours(colours);
+    drawn_camera_.reset();
+}
+
+void Canvas::set_picture(const Grid<glm::u8vec4>& picture) {
+    renderer_.set_picture(picture);
+    drawn_camera_.reset();
+}
+
+void Canvas::fit() {
+    fitted_ = true;
+}
+
+void Canvas::zoom_to(double pixels_per_unit) {
+    zoom(pixels_per_unit / camera_.pixels_per_unit);
+}
+
+void Canvas::zoom(double factor) {
+    camera_ = zoomed_at(camera_, camera_.canvas * 0.5, factor);
+    fitted_ = false;
+}
+
+double Canvas::enlargement() const {
+    return camera_.pixels_per_unit / fitted(camera_.canvas, page_size_).pixels_per_unit;
+}
+
+void Canvas::handle_mouse(const CanvasPlace& place) {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool pressed =
+        ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+    bool held = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    if (pressed && !io.WantCaptureMouse) dragging_ = true;
+    if (!held) dragging_ = false;
+    if (dragging_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+        camera_ = dragged(camera_, glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * place.pixels_per_point);
+        fitted_ = false;
+    }
+    if (io.MouseWheel != 0 && !io.WantCaptureMouse) {
+        glm::dvec2 at = glm::dvec2(glm::vec2(io.MousePos.x, io.MousePos.y) - place.corner);
+        camera_ = zoomed_at(camera_, at * place.pixels_per_point, std::pow(1.2, io.MouseWheel));
+        fitted_ = false;
+    }
+    if (dragging_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+}
+
+void Canvas::show(const CanvasPlace& place, CanvasLook look, Redraw redraw) {
+    timer_.ready(draw_ms_);
+    glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
+    camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
+    look.page_size = page_size_;
+    if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
+        picture_.resize(pixels);
+        picture_.bind();
+        timer_.begin();
+        renderer_.draw(camera_, look);
+        timer_.end();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        drawn_camera_ = camera_;
+        drawn_look_ = look;
+    }
+    auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.texture()));
+    glm::vec2 far = place.corner + place.size;
+    ImGui::GetBackgroundDrawList()->AddImage(texture, {place.corner.x, place.corner.y}, {far.x, far.y},
+                                             {0, 1}, {1, 0});
+}
+
+}  // namespace dapple

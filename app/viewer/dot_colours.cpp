@@ -1,0 +1,102 @@
+#include "app/viewer/dot_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "core/output/colour.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kDeepest = 62;  // a page coordinate's binary digits
+constexpr int kMostLevels = 64;
+
+glm::u8vec4 packed(glm::vec3 colour) {
+    return {glm::u8vec3(glm::round(glm::clamp(colour, 0.0f, 1.0f) * 255.0f)), 255};
+}
+
+double rank_share(const Birthplace& birth, std::size_t tile_size) {
+    const auto n = static_cast<double>(tile_size);
+    const double share = birth.level == 0 ? birth.rank / n : (birth.rank - n) / (3 * n);
+    return std::clamp(share, 0.0, 1.0);
+}
+
+/// Finds the orientation of the tile of a level that a page point lies in, by walking down to it.
+class TileWalk {
+ public:
+    explicit TileWalk(const Rule& rule) {
+        for (const Orientation tile : all_orientations())
+            for (int q = 0; q < 4; ++q)
+                next_[tile.index][apply_to_quadrant(tile, q)] = compose(tile, rule.child[q]);
+    }
+
+    Orientation at(std::int64_t x, std::int64_t y, int level) const {
+        Orientation tile;
+        for (int depth = 1; depth <= std::min(level, kDeepest); ++depth) {
+            const int quadrant = static_cast<int>((x >> (kDeepest - depth)) & 1) +
+                                 2 * static_cast<int>((y >> (kDeepest - depth)) & 1);
+            tile = next_[tile.index][quadrant];
+        }
+        return tile;
+    }
+
+ private:
+    std::array<std::array<Orientation, 4>, 8> next_;
+};
+
+}  // namespace
+
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
+                                               std::size_t tile_size, int deepest, glm::vec3 ink) {
+    if (deepest >= kDeepestStep) return colours;
+    if (colours.empty()) colours.assign(dots.size(), packed(ink));
+    for (std::size_t i = 0; i < dots.size(); ++i)
+        if (birthplace_of(dots.threshold[i], tile_size).level > deepest) colours[i].a = 0;
+    return colours;
+}
+
+glm::vec3 rank_colour(double share) {
+    constexpr std::array kRamp{glm::vec3(0.09f, 0.17f, 0.40f), glm::vec3(0.13f, 0.52f, 0.58f),
+                               glm::vec3(0.85f, 0.68f, 0.36f)};
+    const auto t = static_cast<float>(2 * std::clamp(share, 0.0, 1.0));
+    const int low = t < 1 ? 0 : 1;
+    return glm::mix(kRamp[low], kRamp[low + 1], t - static_cast<float>(low));
+}
+
+glm::vec3 orientation_colour(Orientation orientation) {
+    constexpr std::array kHues{glm::vec3(0.10f, 0.28f, 0.60f), glm::vec3(0.70f, 0.15f, 0.18f),
+                               glm::vec3(0.08f, 0.45f, 0.25f), glm::vec3(0.45f, 0.20f, 0.55f)};
+    const glm::vec3 hue = kHues[orientation.index & 3];
+    return orientation.index < 4 ? hue : glm::mix(hue, glm::vec3(1), 0.45f);
+}
+
+std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins, DotColouring colouring) {
+    std::vector<glm::u8vec4> colours;
+    if (colouring == DotColouring::ink) return colours;
+    colours.reserve(dots.size());
+    const TileWalk walk(origins.rule);
+    std::array<glm::u8vec4, kMostLevels> of_level;
+    for (int level = 0; level < kMostLevels; ++level) of_level[level] = packed(level_colour(level));
+    std::array<glm::u8vec4, 8> of_orientation;
+    for (const Orientation g : all_orientations()) of_orientation[g.index] = packed(orientation_colour(g));
+    const auto on_page = [](std::int64_t corner, float offset) {
+        return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
+    };
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        const Birthplace birth = birthplace_of(dots.threshold[i], origins.tile_size);
+        if (colouring == DotColouring::level) {
+            colours.push_back(of_level[std::min(birth.level, kMostLevels - 1)]);
+        } else if (colouring == DotColouring::rank) {
+            colours.push_back(packed(rank_colour(rank_share(birth, origins.tile_size))));
+        } else {
+            const Orientation tile = walk.at(on_page(origins.window.x, dots.x[i]),
+                                             on_page(origins.window.y, dots.y[i]), birth.level);
+            colours.push_back(of_orientation[tile.index]);
+        }
+    }
+    return colours;
+}
+
+}  // namespace dapple

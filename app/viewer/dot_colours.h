@@ -1,0 +1,44 @@
+#pragma once
+// Dots in colours that show where in the subdivision they come from.
+
+#include <cstddef>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/placing/dots.h"
+#include "core/placing/placer.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+enum class DotColouring { ink, level, rank, orientation };
+
+/// What the colours are looked up in: the tile that the dots were placed with, and their window.
+struct DotOrigins {
+    std::size_t tile_size = 16;  // points
+    Rule rule;                   // of a Figure 8 drawing the identity: it turns no tile
+    PageWindow window;
+};
+
+/// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of
+/// the orientation of the tile it was born in. Empty for ink: all alike. A dot within a float's rounding of
+/// its tile's edge may get the neighbour's orientation.
+std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins, DotColouring colouring);
+
+/// Where stepping through the levels ends: this is all of them.
+inline constexpr int kDeepestStep = 8;
+
+/// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become the
+/// ink's first. From kDeepestStep on nothing is hidden.
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
+                                               std::size_t tile_size, int deepest, glm::vec3 ink);
+
+/// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,
+/// so it reads without colours too.
+glm::vec3 rank_colour(double share);
+
+/// Eight hues; the four mirrored orientations are the paler ones.
+glm::vec3 orientation_colour(Orientation orientation);
+
+}  // namespace dapple

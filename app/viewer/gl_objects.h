@@ -1,0 +1,120 @@
+#pragma once
+// One small movable owner for each kind of OpenGL object. All need a current context, also to be destroyed.
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// Owns the name of an object; a moved-from one owns nothing.
+template <void (*Delete)(GLuint)>
+class GlName {
+ public:
+    GlName() = default;
+    explicit GlName(GLuint name) : name_(name) {}
+    GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~GlName() {
+        if (name_) Delete(name_);
+    }
+    GLuint get() const { return name_; }
+
+ private:
+    GLuint name_ = 0;
+};
+
+void delete_program(GLuint name);
+void delete_buffer(GLuint name);
+void delete_vertex_array(GLuint name);
+void delete_texture(GLuint name);
+void delete_framebuffer(GLuint name);
+void delete_query(GLuint name);
+
+/// Compiled and linked shaders. Throws std::runtime_error with the driver's words if they are wrong.
+class GlProgram {
+ public:
+    GlProgram(std::string_view vertex_source, std::string_view fragment_source);
+
+    void use() const { glUseProgram(name_.get()); }
+    GLint uniform(const char* name) const { return glGetUniformLocation(name_.get(), name); }
+
+ private:
+    GlName<delete_program> name_;
+};
+
+class GlVertexArray {
+ public:
+    GlVertexArray();
+    void bind() const { glBindVertexArray(name_.get()); }
+
+ private:
+    GlName<delete_vertex_array> name_;
+};
+
+/// A vertex buffer that is written anew as a whole: the old storage is orphaned, so that writing never waits
+/// for drawing.
+class GlStreamBuffer {
+ public:
+    GlStreamBuffer();
+    void bind() const { glBindBuffer(GL_ARRAY_BUFFER, name_.get()); }
+    void write(std::span<const std::byte> bytes);
+
+ private:
+    GlName<delete_buffer> name_;
+    std::size_t capacity_ = 0;
+};
+
+/// An sRGB-encoded picture with mipmaps.
+class GlTexture {
+ public:
+    GlTexture();
+    void bind() const { glBindTexture(GL_TEXTURE_2D, name_.get()); }
+    void write(const Grid<glm::u8vec4>& pixels);
+    GLuint get() const { return name_.get(); }
+
+ private:
+    GlName<delete_texture> name_;
+};
+
+/// A picture to draw into, without depth.
+class GlFramebuffer {
+ public:
+    GlFramebuffer();
+    void resize(glm::ivec2 size);
+    glm::ivec2 size() const { return size_; }
+    void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, name_.get()); }
+    GLuint texture() const { return colour_.get(); }
+
+ private:
+    GlName<delete_framebuffer> name_;
+    GlTexture colour_;
+    glm::ivec2 size_{0, 0};
+};
+
+/// Measures how long the graphics processor works; the answer comes a little later.
+class GlTimer {
+ public:
+    GlTimer();
+    void begin();
+    void end();
+    /// True once when a measurement begun before is ready, in milliseconds.
+    bool ready(double& milliseconds);
+    bool waiting() const { return waiting_; }
+
+ private:
+    GlName<delete_query> name_;
+    bool measuring_ = false, waiting_ = false;
+};
+
+}  // namespace dapple

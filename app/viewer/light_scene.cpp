@@ -1,0 +1,132 @@
+#include "app/viewer/light_scene.h"
+
+#include <imgui.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "app/files/tile_library.h"
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+#include "core/lights/direction.h"
+#include "core/lights/light_picture.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kPreviewWidth = 1024, kSphereSize = 256;
+
+Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
+    const int times = (map.width() + kPreviewWidth - 1) / kPreviewWidth;
+    Grid<glm::vec3> preview(std::max(map.width() / times, 1), std::max(map.height() / times, 1));
+    for (int y = 0; y < preview.height; ++y) {
+        for (int x = 0; x < preview.width; ++x) {
+            glm::vec3 sum{};
+            for (int k = 0; k < times * times; ++k)
+                sum += map.radiance().at(x * times + k % times, y * times + k / times);
+            preview.at(x, y) = sum / static_cast<float>(times * times);
+        }
+    }
+    return preview;
+}
+
+Grid<glm::u8vec4> tone_mapped_picture(const Grid<glm::vec3>& preview, double exposure) {
+    Grid<glm::u8vec4> pixels(preview.width, preview.height);
+    tbb::parallel_for(0, preview.height, [&](int y) {
+        for (int x = 0; x < preview.width; ++x)
+            pixels.at(x, y) = glm::u8vec4(tone_mapped(preview.at(x, y), exposure), 255);
+    });
+    return pixels;
+}
+
+ImTextureID id_of(const GlTexture& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.get()));
+}
+
+// 0..1, however often round.
+double wrapped(double u) {
+    return u - std::floor(u);
+}
+
+}  // namespace
+
+LitMap::LitMap(EnvironmentMap environment)
+    : map(std::move(environment)),
+      exact(texel_lights(map)),
+      natural_exposure(dapple::natural_exposure(map)),
+      preview(preview_of(map)) {}
+
+void LightScene::take_samples(const LitMap& lit, const LightsSettings& settings) {
+    RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
+    const LightSamples lights = light_samples(lit.map, tile, settings.request);
+    std::vector<DistantLight> distant;
+    glm::dvec3 sum{};
+    places_.clear();
+    for (const LightSample& sample : lights.samples) {
+        places_.push_back(sample.uv);
+        distant.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
+        sum += sample.weight;
+    }
+    found_.assign(1, IrradianceMap(distant));
+    facts_ = {lights.place_ms, lights.share_ms, difference(found_.front(), lit.exact),
+              std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+}
+
+void LightScene::update(const LitMap& lit, const LightsSettings& settings) {
+    const bool same_samples = sampled_ && shown_.request == settings.request && shown_.tile == settings.tile;
+    if (!same_samples) take_samples(lit, settings);
+    const double exposure = lit.natural_exposure * std::exp2(settings.stops);
+    const bool same_exposure = drawn_ && shown_.stops == settings.stops;
+    if (!same_exposure) map_texture_.write(tone_mapped_picture(lit.preview, exposure));
+    if (!same_samples || !same_exposure || shown_.turn_degrees != settings.turn_degrees) {
+        const SphereLook look{kSphereSize, settings.turn_degrees, exposure};
+        spheres_[0].write(sphere_picture(found_.front(), look));
+        spheres_[1].write(sphere_picture(lit.exact, look));
+    }
+    shown_ = settings;
+    sampled_ = drawn_ = true;
+}
+
+void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& settings) const {
+    if (!drawn_) return;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float unit = ImGui::GetFontSize() / 15, air = 16 * unit;
+    // The map above, twice as wide as high, the spheres in what is left below.
+    const float width = std::max(std::min(size.x - 2 * air, (size.y - 3 * air) * 1.35f), 1.0f);
+    const glm::vec2 map_size(width, width / 2), map_corner(corner.x + (size.x - width) / 2, corner.y + air);
+    const float turn = static_cast<float>(wrapped(settings.turn_degrees / 360));
+    const auto piece = [&](float from, float to, float at) {
+        list->AddImage(id_of(map_texture_), {map_corner.x + at * width, map_corner.y},
+                       {map_corner.x + (at + to - from) * width, map_corner.y + map_size.y}, {from, 0},
+                       {to, 1});
+    };
+    piece(turn, 1, 0);
+    if (turn > 0) piece(0, turn, 1 - turn);
+    if (settings.samples_shown) {
+        const float radius = 1.6f * unit;
+        const auto discs = [&](float r, ImU32 colour) {
+            for (const glm::dvec2 p : places_) {
+                const glm::dvec2 at(wrapped(p.x - settings.turn_degrees / 360), p.y);
+                const glm::vec2 place = map_corner + glm::vec2(at) * map_size;
+                list->AddCircleFilled({place.x, place.y}, r, colour, 8);
+            }
+        };
+        discs(radius + unit, IM_COL32(20, 20, 20, 255));
+        discs(radius, IM_COL32(255, 255, 255, 255));
+    }
+
+    const float top = map_corner.y + map_size.y + air;
+    const float side = std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f);
+    const std::array labels{"lit by the samples", "lit by the whole map"};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const float left = corner.x + size.x / 2 + (i == 0 ? -side - air : air);
+        list->AddImage(id_of(spheres_[i]), {left, top}, {left + side, top + side});
+        const float text = ImGui::CalcTextSize(labels[i]).x;
+        list->AddText({left + (side - text) / 2, top + side + air / 4}, colour_of(ThemeColour::quiet),
+                      labels[i]);
+    }
+}
+
+}  // namespace dapple

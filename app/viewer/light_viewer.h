@@ -1,0 +1,21 @@
+#pragma once
+// The window of an environment map: its samples over it, and how well they light a sphere.
+
+#include <filesystem>
+#include <optional>
+
+#include "app/viewer/panels/lights_panel.h"
+
+namespace dapple {
+
+struct LightViewerOptions {
+    std::optional<std::filesystem::path> map;  // none: a sky of our own
+    LightsSettings settings;
+};
+
+/// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
+/// map is on screen. A map dropped on the window takes the place of the one shown. Throws std::runtime_error
+/// if there is no display or if the first map cannot be read.
+int run_light_viewer(const LightViewerOptions& options);
+
+}  // namespace dapple

@@ -1,0 +1,40 @@
+#include "app/viewer/panels/banner.h"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+
+void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
+    if (banner.message.empty()) return;
+    float unit = ImGui::GetTextLineHeight() / 15;
+    float cross = ImGui::GetFrameHeight();
+    ImVec2 padding{16 * unit, 10 * unit};
+    float widest = std::max(100.0f, std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross);
+    ImVec2 text = ImGui::CalcTextSize(banner.message.c_str(), nullptr, false, widest);
+    float width = text.x + 2 * padding.x + cross + 8 * unit;
+    ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
+    ImGui::SetNextWindowSize({width, std::max(text.y, cross) + 2 * padding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, unit);
+    ThemeColour colour = banner.kind == BannerKind::error ? ThemeColour::warning : ThemeColour::accent;
+    ImGui::PushStyleColor(ImGuiCol_Border, colour_of(colour));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
+    ImGui::Begin("##banner", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
+    ImGui::PushTextWrapPos(padding.x + widest + unit);
+    ImGui::TextUnformatted(banner.message.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPos({width - padding.x - cross + 4 * unit, padding.y});
+    if (ImGui::Button("x", {cross, cross})) banner.message.clear();
+    note_place("Close message");
+    ImGui::End();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace dapple

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "app/drawing_settings.h"
+
+namespace dapple {
+
+/// What the drawing on screen came to: where sliders start from when the person switches between scale and
+/// count, or from the automatic radius to a fixed one.
+struct DrawnFacts {
+    std::uint64_t dots = 0;
+    double scale = 0;
+    double dot_radius_mm = 0;
+};
+
+/// Placer, tile, how many dots and how large. True while something changes.
+bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::span<const char* const> tiles);
+
+}  // namespace dapple

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace dapple {
+
+/// The list of keys over everything else, while `open`; a click outside or Escape closes it.
+void draw_help_panel(bool& open);
+
+}  // namespace dapple

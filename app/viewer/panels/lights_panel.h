@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/lights/light_samples.h"
+
+namespace dapple {
+
+/// All that the window of an environment map edits.
+struct LightsSettings {
+    LightRequest request{};
+    std::string tile = "paper16";
+    double stops = 0;         // exposure over the natural one
+    double turn_degrees = 0;  // of the map about the up axis, -180..180
+    bool samples_shown = true;
+
+    bool operator==(const LightsSettings&) const = default;
+};
+
+/// What the panel tells.
+struct LightsFacts {
+    double place_ms = 0, share_ms = 0;
+    double difference = 0;  // of irradiance from the full map's, mean over normals, relative
+    double flux_error = 0;  // of the weights' sum, relative
+};
+
+/// Sections "Samples" and "View", and the figures. True while something changes.
+bool draw_lights_panel(LightsSettings& settings, const LightsFacts& facts);
+
+}  // namespace dapple

@@ -1,0 +1,185 @@
+#include "app/viewer/panels/spectrum_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+namespace {
+
+constexpr double kHighestFrequency = 2;  // waves per mean spacing, at the edges of both plots
+constexpr double kHighestPower = 4;      // at the top of the curve; what is above is cut off
+constexpr float kLargestSide = 280;      // at 96 dpi
+
+float pixel() {
+    return ImGui::GetTextLineHeight() / 15;
+}
+
+void text_at(ImVec2 place, float align, const std::string& text) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({std::round(place.x - align * width), std::round(place.y)},
+                                        colour_of(ThemeColour::quiet), text.c_str());
+}
+
+/// A plot's area with room for labels to the left and below.
+struct PlotArea {
+    ImVec2 min, max;
+};
+
+PlotArea begin_plot(const char* name, float left, float height) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float labels = 2.2f * ImGui::GetTextLineHeight();
+    ImGui::Dummy({width, height + labels});
+    note_place(name);
+    return {{corner.x + left, corner.y + 4 * pixel()}, {corner.x + width - 4 * pixel(), corner.y + height}};
+}
+
+void frequency_labels(const PlotArea& area, double least) {
+    const float line = ImGui::GetTextLineHeight();
+    for (double f = least; f <= kHighestFrequency; ++f) {
+        const double t = (f - least) / (kHighestFrequency - least);
+        const float x = area.min.x + (area.max.x - area.min.x) * static_cast<float>(t);
+        ImGui::GetWindowDrawList()->AddLine({x, area.max.y}, {x, area.max.y + 3 * pixel()},
+                                            colour_of(ThemeColour::quiet), pixel());
+        text_at({x, area.max.y + 3 * pixel()},
+                t < 0.01   ? 0.3f
+                : t > 0.99 ? 0.9f
+                           : 0.5f,
+                fmt::format("{:.0f}", f));
+    }
+    text_at({(area.min.x + area.max.x) / 2, area.max.y + 3 * pixel() + line}, 0.5f,
+            "waves per mean distance of dots");
+}
+
+void draw_density(DensityChoice& density) {
+    int source = static_cast<int>(density.source);
+    if (segmented_row("Density", source, std::array{"photo", "grey", "ramp"}))
+        density.source = static_cast<DensitySource>(source);
+    if (density.source == DensitySource::grey)
+        slider_row("Grey", density.grey,
+                   {.min = 0.01, .max = 1, .neutral = 0.5, .hard_min = 0, .hard_max = 1});
+}
+
+void draw_picture(ImTextureID picture) {
+    const float available = ImGui::GetContentRegionAvail().x;
+    const float side = std::floor(std::min(available - 8 * pixel(), kLargestSide * pixel()));
+    PlotArea area = begin_plot("Spectrum picture", std::floor((available - side) / 2), side);
+    area.max = {area.min.x + side, area.min.y + side - 4 * pixel()};
+    area.min.x += 4 * pixel();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(area.min, area.max, IM_COL32_BLACK);
+    if (picture) list->AddImage(picture, area.min, area.max);
+    frequency_labels(area, -kHighestFrequency);
+}
+
+void draw_curve(const std::vector<Ring>& rings) {
+    PlotArea area = begin_plot("Radial power", 22 * pixel(), 130 * pixel());
+    area.min.y += ImGui::GetTextLineHeight();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const auto place = [&](double frequency, double power) {
+        const double x = frequency / kHighestFrequency, y = std::min(power / kHighestPower, 1.0);
+        return ImVec2{area.min.x + (area.max.x - area.min.x) * static_cast<float>(x),
+                      area.max.y - (area.max.y - area.min.y) * static_cast<float>(y)};
+    };
+    text_at({area.min.x - 22 * pixel(), area.min.y - 1.3f * ImGui::GetTextLineHeight()}, 0,
+            "power (1: dots thrown at random)");
+    for (int power = 0; power <= static_cast<int>(kHighestPower); ++power) {
+        const ImVec2 left = place(0, power), right = place(kHighestFrequency, power);
+        list->AddLine(left, right, colour_of(power == 1 ? ThemeColour::quiet : ThemeColour::line), pixel());
+        text_at({left.x - 6 * pixel(), left.y - ImGui::GetTextLineHeight() / 2}, 1, std::to_string(power));
+    }
+    std::vector<ImVec2> curve;
+    for (const Ring& ring : rings) {
+        if (ring.frequency <= kHighestFrequency) curve.push_back(place(ring.frequency, ring.power));
+    }
+    list->AddPolyline(curve.data(), static_cast<int>(curve.size()), colour_of(ThemeColour::accent), 0,
+                      1.5f * pixel());
+    frequency_labels(area, 0);
+}
+
+void draw_repetition(const ViewAnalysis& analysis) {
+    if (!analysis.periodicity) {
+        ImGui::TextUnformatted("Periodicity: too few tiles in view");
+        note_place("Periodicity");
+        hint("Zoom out or ask for more dots: two tiles side by side are needed to see one repeat.");
+        return;
+    }
+    const double value = std::clamp(analysis.periodicity->value, 0.0, 1.0);
+    ImGui::TextUnformatted(fmt::format("Periodicity {:.2f}: {}", value, repetition_in_words(value)).c_str());
+    note_place("Periodicity");
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = 5 * pixel();
+    ImGui::Dummy({width, height});
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner, {corner.x + width, corner.y + height}, colour_of(ThemeColour::track),
+                        height / 2);
+    const float filled = std::max(height, width * static_cast<float>(value));
+    list->AddRectFilled(corner, {corner.x + filled, corner.y + height},
+                        colour_of(value >= 0.5 ? ThemeColour::warning : ThemeColour::accent), height / 2);
+    hint(fmt::format("{:.0f} of 100 dots meet another dot when the drawing is moved by whole tiles; 0 is "
+                     "chance, 100 a wallpaper.",
+                     100 * value)
+             .c_str());
+}
+
+void draw_distances(const NearestSummary& nearest) {
+    ImGui::TextUnformatted(
+        fmt::format("To the nearest dot: least {:.2f}, mean {:.2f}", nearest.minimum, nearest.mean).c_str());
+    note_place("Nearest distances");
+    hint("1 is the honeycomb, the widest spacing there is; dots thrown at random have least 0, mean 0.47.");
+}
+
+}  // namespace
+
+const char* repetition_in_words(double periodicity) {
+    if (periodicity >= 0.9) return "repeats itself exactly";
+    if (periodicity >= 0.5) return "repeats strongly";
+    if (periodicity >= 0.2) return "repeats in part";
+    if (periodicity >= 0.05) return "hardly repeats";
+    return "no repetition";
+}
+
+bool draw_spectrum_panel(DensityChoice& density, const SpectrumFacts& facts) {
+    if (!section("Spectrum", false)) return false;
+    draw_density(density);
+    if (!facts.analysis) {
+        hint("Measuring the dots on screen...");
+        return true;
+    }
+    const ViewAnalysis& analysis = *facts.analysis;
+    if (!analysis.error.empty()) {
+        hint(analysis.error.c_str());
+        return true;
+    }
+    if (analysis.dots < 2) {
+        hint("There are no dots on screen to measure.");
+        return true;
+    }
+    hint(fmt::format("Of the {} dots {}.", grouped(analysis.dots),
+                     analysis.all ? "on screen" : "in the middle of the screen")
+             .c_str());
+    draw_repetition(analysis);
+    draw_picture(facts.picture);
+    hint(
+        "The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no clumps. "
+        "Orange spots are a pattern that repeats. A bright cross in the middle is the photograph: an even "
+        "grey has none.");
+    draw_curve(analysis.radial_power);
+    hint(fmt::format("The same, averaged round the middle. Below half a wave: {:.2f}; the nearer to 0, the "
+                     "smoother an even grey looks.",
+                     analysis.low_frequency_power)
+             .c_str());
+    hint(fmt::format("Strongest single wave: {:.0f} times random.", analysis.peaks.highest_bin).c_str());
+    draw_distances(analysis.nearest);
+    return true;
+}
+
+}  // namespace dapple

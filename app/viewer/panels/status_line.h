@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <string>
+
+namespace dapple {
+
+struct StatusFacts {
+    std::uint64_t dots = 0;
+    std::uint64_t duplicates = 0;  // among them
+    bool figure8 = false;          // duplicates are worth a word
+    double scale = 0;
+    double tone_ms = 0, place_ms = 0, draw_ms = 0;
+    double frames_per_second = 0;
+    double zoom = 1;         // screen pixels a picture pixel
+};
+
+/// "40,000 dots", with how many of them lie on another: for Figure 8 only.
+std::string dots_in_words(const StatusFacts& facts);
+
+/// A line over the whole width of a rectangle.
+void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts);
+
+}  // namespace dapple

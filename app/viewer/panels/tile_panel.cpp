@@ -1,0 +1,120 @@
+#include "app/viewer/panels/tile_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/viewer/dot_colours.h"
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+namespace {
+
+constexpr std::size_t kMostNumbered = 24;
+constexpr float kLargestSide = 300;  // at 96 dpi
+
+ImU32 colour_of_rank(std::size_t rank, std::size_t count) {
+    const double last = std::max(1.0, static_cast<double>(count) - 1);
+    const glm::vec3 c = rank_colour(static_cast<double>(rank) / last);
+    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+}
+
+struct Square {
+    ImVec2 corner;
+    float side;
+    ImVec2 at(glm::dvec2 p) const {
+        return {corner.x + side * static_cast<float>(p.x), corner.y + side * static_cast<float>(p.y)};
+    }
+};
+
+void draw_quadrants(const Square& square, const Rule& rule, float unit) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 line = colour_of(ThemeColour::line);
+    list->AddRectFilled(square.at({0, 0}), square.at({1, 1}), IM_COL32_WHITE);
+    for (int q = 0; q < 4; ++q) {
+        const glm::dvec2 centre(0.25 + 0.5 * (q & 1), 0.25 + 0.5 * (q >> 1));
+        for (const Stroke& stroke : letter_f(rule.child[q])) {
+            const ImVec2 from = square.at(centre + stroke[0] * 0.16),
+                         to = square.at(centre + stroke[1] * 0.16);
+            const float half = square.side * 0.014f;
+            list->AddRectFilled({std::min(from.x, to.x) - half, std::min(from.y, to.y) - half},
+                                {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half},
+                                colour_of(ThemeColour::track));
+        }
+    }
+    list->AddLine(square.at({0.5, 0}), square.at({0.5, 1}), line, unit);
+    list->AddLine(square.at({0, 0.5}), square.at({1, 0.5}), line, unit);
+    list->AddRect(square.at({0, 0}), square.at({1, 1}), colour_of(ThemeColour::quiet), 0, 0, unit);
+}
+
+void draw_number(std::size_t number, ImVec2 centre, float size) {
+    const std::string text = std::to_string(number);
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        ImGui::GetFont(), size, {std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)},
+        IM_COL32_WHITE, text.c_str());
+}
+
+void draw_points(const Square& square, const TileView& tile, std::size_t shown, float unit) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const std::size_t count = tile.points.size();
+    const bool numbered = count <= kMostNumbered;
+    const float spacing = square.side / std::sqrt(static_cast<float>(count));
+    const float radius = numbered ? 9 * unit : std::clamp(0.3f * spacing, 1.2f * unit, 6 * unit);
+    // Few corners where points are many and small: a draw list holds 65,536.
+    const int corners = count > 1000 ? 6 : 12;
+    // The first come last, so that they lie on top.
+    for (std::size_t i = shown; i-- > 0;) {
+        const ImVec2 centre = square.at(tile.points[i]);
+        if (numbered)
+            list->AddCircleFilled(centre, radius, colour_of_rank(i, count), 24);
+        else
+            list->AddNgonFilled(centre, radius, colour_of_rank(i, count), corners);
+        if (numbered) draw_number(i, centre, 12 * unit);
+    }
+}
+
+}  // namespace
+
+std::array<Stroke, 3> letter_f(Orientation orientation) {
+    std::array<Stroke, 3> strokes{Stroke{glm::dvec2(-0.55, -0.9), glm::dvec2(-0.55, 0.9)},
+                                  Stroke{glm::dvec2(-0.55, -0.9), glm::dvec2(0.6, -0.9)},
+                                  Stroke{glm::dvec2(-0.55, -0.1), glm::dvec2(0.35, -0.1)}};
+    for (Stroke& stroke : strokes)
+        for (glm::dvec2& end : stroke) end = apply(orientation, end);
+    return strokes;
+}
+
+void draw_tile_panel(const TileView& tile, TilePanelState& state) {
+    if (tile.points.empty() || !section("The tile")) return;
+    const std::size_t count = tile.points.size();
+    const float unit = ImGui::GetTextLineHeight() / 15;
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float side = std::floor(std::min(width, kLargestSide * unit));
+    const ImVec2 cursor = ImGui::GetCursorScreenPos();
+    const Square square{{cursor.x + std::floor((width - side) / 2), cursor.y}, side};
+    ImGui::SetCursorScreenPos(square.corner);
+    ImGui::Dummy({side, side});
+    note_place("Tile picture");
+    draw_quadrants(square, tile.rule, unit);
+    draw_points(square, tile, std::min(state.shown, count), unit);
+
+    auto shown = static_cast<double>(std::min(state.shown, count));
+    const auto all = static_cast<double>(count);
+    if (slider_row("Points shown", shown,
+                   {.min = 1, .max = all, .neutral = all, .format = "%.0f", .grouped = true}))
+        state.shown = shown >= all ? SIZE_MAX : static_cast<std::size_t>(std::llround(shown));
+    const bool turned =
+        std::ranges::any_of(tile.rule.child, [](Orientation g) { return g != Orientation{}; });
+    hint(fmt::format("{}: {} points, dark ones come first. Half as large, the tile lies on each quarter of "
+                     "itself{}.",
+                     tile.name, grouped(count),
+                     turned ? ", turned as the letter F there" : "; every F is upright, so it repeats")
+             .c_str());
+}
+
+}  // namespace dapple

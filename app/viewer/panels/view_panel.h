@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/viewer/viewer_settings.h"
+
+namespace dapple {
+
+/// What is shown and in which colours. True while something changes.
+bool draw_view_panel(ViewerSettings& settings);
+
+}  // namespace dapple

@@ -1,0 +1,39 @@
+#pragma once
+// The window's keys, in one table: what the help shows is what they do.
+
+#include <span>
+#include <vector>
+
+namespace dapple {
+
+enum class Action {
+    open,
+    save,
+    save_as,
+    undo,
+    redo,
+    fit,
+    one_to_one,
+    zoom_in,
+    zoom_out,
+    toggle_tiles,
+    toggle_panels,
+    full_screen,
+    help,
+    quit,
+};
+
+struct Shortcut {
+    Action action;
+    const char* keys;     // "Ctrl+O"
+    const char* meaning;  // "Open a picture"
+};
+std::span<const Shortcut> shortcuts();
+
+/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. Reads
+/// ImGui's input, in which keys are GLFW's codes.
+std::vector<Action> pressed_actions();
+
+bool escape_pressed();
+
+}  // namespace dapple

@@ -1,0 +1,27 @@
+#pragma once
+// All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
+
+#include "app/drawing_settings.h"
+#include "app/viewer/density_choice.h"
+#include "app/viewer/dot_colours.h"
+
+namespace dapple {
+
+enum class ZoomMode {
+    drawing,           // dots grow with the page
+    constant_density,  // dots keep their size on screen, and more of them appear
+};
+
+struct ViewerSettings {
+    DrawingSettings drawing;
+    DensityChoice density = {};
+    float picture_opacity = 0;  // of the photograph under the dots, 0..1
+    ZoomMode zoom_mode = ZoomMode::drawing;
+    DotColouring colouring = DotColouring::ink;
+    int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
+    bool every_frame = false;          // place anew and draw without rest, to see the honest cost
+
+    bool operator==(const ViewerSettings&) const = default;
+};
+
+}  // namespace dapple

@@ -1,0 +1,232 @@
+#include "app/viewer/worker.h"
+
+#include <exception>
+#include <new>
+
+namespace dapple {
+namespace {
+
+// A placing that has run for so long is stopped when another is ordered.
+constexpr std::chrono::milliseconds kLong(250);
+constexpr std::size_t kMostSpare = 2;
+
+std::string words_of_exception() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return "There is not enough memory for this.";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
+    return a.tile == b.tile && a.ranking == b.ranking && a.stipple.placer == b.stipple.placer;
+}
+
+}  // namespace
+
+Worker::Worker(std::function<void()> wake)
+    : wake_(std::move(wake)),
+      thread_([this](std::stop_token stop) { run(stop); }),
+      writer_([this](std::stop_token stop) { run_writes(stop); }) {}
+
+Worker::~Worker() {
+    thread_.request_stop();
+    writer_.request_stop();
+    std::scoped_lock lock(mutex_);
+    placing_stop_.request_stop();
+    saving_stop_.request_stop();
+}
+
+void Worker::open(std::string name, Open open) {
+    std::scoped_lock lock(mutex_);
+    tasks_.push_back(OpenTask{std::move(name), std::move(open)});
+    changed_.notify_all();
+}
+
+void Worker::place(PlaceOrder order) {
+    std::scoped_lock lock(mutex_);
+    last_order_ = order;
+    last_order_->close.reset();
+    next_order_ = std::move(order);
+    if (placing_since_ && std::chrono::steady_clock::now() - *placing_since_ > kLong)
+        placing_stop_.request_stop();
+    changed_.notify_all();
+}
+
+void Worker::save(std::filesystem::path path, Prepare prepare) {
+    std::scoped_lock lock(mutex_);
+    if (saves_++ == 0) {
+        saving_stop_ = {};
+        saving_ = {path, 0};
+    }
+    tasks_.push_back(SaveTask{std::move(path), std::move(prepare)});
+    changed_.notify_all();
+}
+
+void Worker::cancel_saving() {
+    std::scoped_lock lock(mutex_);
+    saving_stop_.request_stop();
+}
+
+std::optional<SavingFacts> Worker::saving() const {
+    std::scoped_lock lock(mutex_);
+    if (saves_ == 0) return std::nullopt;
+    return saving_;
+}
+
+std::vector<WorkerNews> Worker::news(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    if (patience.count() > 0)
+        changed_.wait_for(lock, patience,
+                          [&] { return !news_.empty() || (!next_order_ && !placing_since_); });
+    return std::exchange(news_, {});
+}
+
+void Worker::recycle(PlacedDrawing drawing) {
+    std::scoped_lock lock(mutex_);
+    if (spare_.size() < kMostSpare) spare_.push_back(std::move(drawing));
+}
+
+void Worker::publish(WorkerNews news) {
+    {
+        std::scoped_lock lock(mutex_);
+        news_.push_back(std::move(news));
+        changed_.notify_all();
+    }
+    wake_();
+}
+
+void Worker::run(std::stop_token stop) {
+    while (true) {
+        std::optional<Task> task;
+        PlaceOrder order;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, stop, [&] { return !tasks_.empty() || next_order_; });
+            if (stop.stop_requested()) return;
+            if (!tasks_.empty()) {
+                task = std::move(tasks_.front());
+                tasks_.pop_front();
+            } else {
+                order = *std::exchange(next_order_, std::nullopt);
+                placing_stop_ = {};
+                placing_since_ = std::chrono::steady_clock::now();
+            }
+        }
+        if (task)
+            std::visit([this](auto& t) { run_task(t); }, *task);
+        else if (workbench_.has_picture())
+            run_order(order);
+        std::scoped_lock lock(mutex_);
+        placing_since_.reset();
+        changed_.notify_all();
+    }
+}
+
+void Worker::run_task(OpenTask& task) {
+    try {
+        Picture picture = task.open();
+        int longer = std::max(picture.light.width, picture.light.height);
+        workbench_.set_picture(std::move(picture.light));
+        arrived_ = OpenedPicture{task.name, picture.description, longer, std::move(picture.preview)};
+        std::scoped_lock lock(mutex_);
+        if (!next_order_ || next_order_->close) next_order_ = last_order_;
+    } catch (...) {
+        publish(FailedNews{words_of_exception()});
+    }
+}
+
+void Worker::run_task(SaveTask& task) {
+    std::stop_token stop;
+    {
+        std::scoped_lock lock(mutex_);
+        stop = saving_stop_.get_token();
+    }
+    try {
+        Write write;
+        if (!stop.stop_requested()) write = task.prepare(workbench_, stop);
+        if (!write) return end_saving(CancelledNews{task.path});
+        std::scoped_lock lock(mutex_);
+        writes_.push_back({task.path, std::move(write)});
+        changed_.notify_all();
+    } catch (...) {
+        end_saving(FailedNews{words_of_exception()});
+    }
+}
+
+void Worker::run_writes(std::stop_token stop) {
+    while (true) {
+        WriteTask task;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, stop, [&] { return !writes_.empty(); });
+            if (stop.stop_requested()) return;
+            task = std::move(writes_.front());
+            writes_.pop_front();
+            saving_ = {task.path, 0};
+        }
+        run_write(task);
+    }
+}
+
+void Worker::run_write(const WriteTask& task) {
+    SavingWatch watch;
+    {
+        std::scoped_lock lock(mutex_);
+        watch.stop = saving_stop_.get_token();
+    }
+    watch.progress = [this](double share) {
+        {
+            std::scoped_lock lock(mutex_);
+            // The window draws a frame for each step.
+            if (share < 1 && share < saving_.share + 0.01) return;
+            saving_.share = share;
+        }
+        wake_();
+    };
+    try {
+        bool written = !watch.stop.stop_requested() && task.write(watch);
+        end_saving(written ? WorkerNews(SavedNews{task.path}) : WorkerNews(CancelledNews{task.path}));
+    } catch (...) {
+        end_saving(FailedNews{words_of_exception()});
+    }
+}
+
+void Worker::end_saving(WorkerNews outcome) {
+    {
+        std::scoped_lock lock(mutex_);
+        --saves_;
+    }
+    publish(std::move(outcome));
+}
+
+void Worker::run_order(const PlaceOrder& order) {
+    PlacedNews placed;
+    placed.order = order;
+    std::stop_token stop;
+    {
+        std::scoped_lock lock(mutex_);
+        stop = placing_stop_.get_token();
+        if (!spare_.empty()) {
+            placed.drawing = std::move(spare_.back());
+            spare_.pop_back();
+        }
+    }
+    try {
+        if (!workbench_.place(order, placed.drawing, stop)) return recycle(std::move(placed.drawing));
+    } catch (...) {
+        placed.error = words_of_exception();
+        placed.drawing.stippling = {};
+        placed.drawing.outlines.clear();
+    }
+    if (placed.error.empty() && !(tile_told_ && same_tile(*tile_told_, order))) {
+        placed.tile = view_of(order.tile, workbench_.tile(order.tile, order.ranking), order.stipple.placer);
+        tile_told_ = order;
+    }
+    placed.picture = std::exchange(arrived_, std::nullopt);
+    publish(std::move(placed));
+}
+
+}  // namespace dapple

@@ -1,0 +1,130 @@
+#pragma once
+// A thread that reads pictures and places dots, and one that writes files, so that the window never waits and
+// sliders go on while a large drawing is saved.
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "app/files/save_drawing.h"
+#include "app/viewer/tile_view.h"
+#include "app/viewer/workbench.h"
+
+namespace dapple {
+
+/// A picture that was opened; its light stays with the worker.
+struct OpenedPicture {
+    std::string name;         // for the title: "cat.png"
+    std::string description;  // "512 x 512 pixels, ..."
+    int longer_side = 1;      // pixels
+    Grid<glm::u8vec4> preview;
+};
+
+/// What the worker has to tell. A new picture comes together with its first dots.
+struct PlacedNews {
+    PlaceOrder order;
+    PlacedDrawing drawing;
+    std::optional<OpenedPicture> picture;
+    std::optional<TileView> tile;  // if it is another than the one told before
+    std::string error;             // why there are no dots
+};
+struct FailedNews {
+    std::string message;
+};
+struct SavedNews {
+    std::filesystem::path path;
+};
+struct CancelledNews {
+    std::filesystem::path path;
+};
+using WorkerNews = std::variant<PlacedNews, FailedNews, SavedNews, CancelledNews>;
+
+/// What is being saved.
+struct SavingFacts {
+    std::filesystem::path path;
+    double share = 0;  // written, 0..1
+};
+
+class Worker {
+ public:
+    /// `wake` is called from the worker's thread whenever there is news.
+    explicit Worker(std::function<void()> wake);
+    ~Worker();
+
+    using Open = std::function<Picture()>;
+    /// Writes a file; false if stopped.
+    using Write = std::function<bool(const SavingWatch&)>;
+    /// Places what is to be written. Empty if stopped.
+    using Prepare = std::function<Write(Workbench&, std::stop_token)>;
+
+    /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
+    void open(std::string name, Open open);
+
+    /// Places as ordered. An order that has not begun is replaced; one that has run for long is stopped, a
+    /// short one may finish so that something moves under a slider that never rests.
+    void place(PlaceOrder order);
+
+    /// Runs `prepare` after what is under way, then what it returns beside further placing.
+    void save(std::filesystem::path path, Prepare prepare);
+    void cancel_saving();
+    std::optional<SavingFacts> saving() const;
+
+    /// Everything since the last call. Waits up to `patience` for a placing that is under way.
+    std::vector<WorkerNews> news(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
+
+    /// Gives back a drawing that is no longer needed, for its memory.
+    void recycle(PlacedDrawing drawing);
+
+ private:
+    struct OpenTask {
+        std::string name;
+        Open open;
+    };
+    struct SaveTask {
+        std::filesystem::path path;
+        Prepare prepare;
+    };
+    struct WriteTask {
+        std::filesystem::path path;
+        Write write;
+    };
+    using Task = std::variant<OpenTask, SaveTask>;
+
+    void run(std::stop_token stop);
+    void run_writes(std::stop_token stop);
+    void end_saving(WorkerNews outcome);
+    void run_task(OpenTask& task);
+    void run_task(SaveTask& task);
+    void run_write(const WriteTask& task);
+    void run_order(const PlaceOrder& order);
+    void publish(WorkerNews news);
+
+    std::function<void()> wake_;
+    Workbench workbench_;                   // the thread's own
+    std::optional<OpenedPicture> arrived_;  // the thread's own: waits for its dots
+    std::optional<PlaceOrder> tile_told_;   // the thread's own: the order whose tile was told last
+
+    mutable std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::deque<Task> tasks_;
+    std::deque<WriteTask> writes_;
+    std::optional<PlaceOrder> next_order_, last_order_;
+    std::vector<WorkerNews> news_;
+    std::vector<PlacedDrawing> spare_;
+    std::stop_source placing_stop_, saving_stop_;
+    std::optional<std::chrono::steady_clock::time_point> placing_since_;
+    int saves_ = 0;
+    SavingFacts saving_;  // of use while saves_ > 0
+
+    std::jthread thread_, writer_;  // last: they use all of the above
+};
+
+}  // namespace dapple
