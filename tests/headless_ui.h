@@ -1,0 +1,97 @@
+#pragma once
+// Panels without a window: Dear ImGui with a mouse that tests move.
+
+#include <imgui.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+
+class HeadlessUi {
+ public:
+    /// `draw` draws the panel; it is called once a frame.
+    explicit HeadlessUi(std::function<void()> draw) : draw_(std::move(draw)) {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {400, 900};
+        io.UserData = &places_;
+        apply_theme(1);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+        frame();
+        frame();  // ImGui lays windows out over two frames
+    }
+    ~HeadlessUi() { ImGui::DestroyContext(); }
+    HeadlessUi(const HeadlessUi&) = delete;
+    HeadlessUi& operator=(const HeadlessUi&) = delete;
+
+    void frame(float seconds = 1.0f / 60) {
+        ImGui::GetIO().DeltaTime = seconds;
+        places_.clear();
+        ImGui::NewFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        draw_();
+        ImGui::End();
+        ImGui::Render();
+    }
+
+    /// Throws if no widget with that label was drawn.
+    WidgetPlace place(const std::string& label) const {
+        auto found = places_.find(label);
+        if (found == places_.end()) throw std::runtime_error("no widget called " + label);
+        return found->second;
+    }
+    bool has(const std::string& label) const { return places_.contains(label); }
+
+    void move_to(glm::vec2 p) {
+        ImGui::GetIO().MousePos = {p.x, p.y};
+        frame();
+    }
+    void press() { set_button(true); }
+    void release() { set_button(false); }
+    void click(const std::string& label) {
+        move_to(at(label, 0.5f));
+        press();
+        release();
+        rest();
+    }
+    /// Presses on a slider's track and lets go at another place; positions 0..1 along the track.
+    void drag(const std::string& label, float from, float to) {
+        move_to(at(label, from));
+        press();
+        move_to(at(label, (from + to) / 2));
+        move_to(at(label, to));
+        release();
+        rest();
+    }
+    void type(const char* text) {
+        ImGui::GetIO().AddInputCharactersUTF8(text);
+        frame();
+    }
+    glm::vec2 at(const std::string& label, float along) const {
+        WidgetPlace p = place(label);
+        return {p.min.x + 1 + (p.max.x - p.min.x - 2) * along, (p.min.y + p.max.y) / 2};
+    }
+
+ private:
+    // So that the next click is no double-click.
+    void rest() { frame(1); }
+    void set_button(bool down) {
+        ImGui::GetIO().MouseDown[0] = down;
+        frame();
+    }
+
+    std::function<void()> draw_;
+    WidgetPlaces places_;
+};
+
+}  // namespace dapple

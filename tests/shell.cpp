@@ -1,0 +1,32 @@
+#include "tests/shell.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/file_text.h"
+#include "tests/temporary_folder.h"
+
+namespace dapple {
+
+int Outcome::sentences() const {
+    return static_cast<int>(std::ranges::count(err, '\n'));
+}
+
+Outcome run_in_shell(const std::string& command) {
+    const TemporaryFolder folder;
+    put_text(folder / "command", command);
+    const std::string at = folder.path().string();
+    const int status =
+        std::system(("/bin/sh " + at + "/command >" + at + "/out 2>" + at + "/err </dev/null").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(folder / "out"),
+            text_of(folder / "err")};
+}
+
+Outcome run_dapple(const std::string& arguments) {
+    // Leaks of other libraries are reported where their callers can be told: in the tests of the parts.
+    return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec " DAPPLE_PROGRAM " " + arguments);
+}
+
+}  // namespace dapple

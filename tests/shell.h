@@ -1,0 +1,22 @@
+#pragma once
+// Commands run as a person runs them, in a shell.
+
+#include <string>
+
+namespace dapple {
+
+struct Outcome {
+    int status = -1;  // of the shell: 128 + n if signal n ended it
+    std::string out, err;
+
+    /// Lines on standard error.
+    int sentences() const;
+};
+
+/// Runs `command` with /bin/sh.
+Outcome run_in_shell(const std::string& command);
+
+/// Runs the program that was built beside the tests: `dapple ` + arguments.
+Outcome run_dapple(const std::string& arguments);
+
+}  // namespace dapple

@@ -1,0 +1,148 @@
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "app/files/atomic_file.h"
+#include "tests/file_text.h"
+#include "tests/temporary_folder.h"
+
+using namespace dapple;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string sentence_of(const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    try {
+        save_atomically(target, write);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void write_new(std::ostream& out) {
+    out << "new";
+}
+
+// More than any buffer holds back.
+void write_much(std::ostream& out) {
+    const std::string line(1000, 'x');
+    for (int i = 0; i < 2000; ++i) out << line << '\n';
+}
+
+}  // namespace
+
+TEST_CASE("a file is saved, and saved anew") {
+    const TemporaryFolder folder;
+    save_atomically(folder / "a.txt", write_new);
+    CHECK(text_of(folder / "a.txt") == "new");
+    save_atomically(folder / "a.txt", [](std::ostream& out) { out << "newer"; });
+    CHECK(text_of(folder / "a.txt") == "newer");
+    save_atomically(folder / "much.txt", write_much);
+    CHECK(fs::file_size(folder / "much.txt") == 2000 * 1001);
+    CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("until all is written, the old file is there") {
+    const TemporaryFolder folder;
+    put_text(folder / "a.txt", "old");
+    save_atomically(folder / "a.txt", [&](std::ostream& out) {
+        out << "new" << std::flush;
+        CHECK(text_of(folder / "a.txt") == "old");
+    });
+    CHECK(text_of(folder / "a.txt") == "new");
+}
+
+TEST_CASE("what goes wrong while writing leaves the old file and no litter") {
+    const TemporaryFolder folder;
+    put_text(folder / "a.txt", "old");
+    CHECK_THROWS_WITH(save_atomically(folder / "a.txt",
+                                      [](std::ostream& out) {
+                                          write_much(out);
+                                          throw std::runtime_error("my own trouble");
+                                      }),
+                      "my own trouble");
+    CHECK(text_of(folder / "a.txt") == "old");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a full disk is said in words, the old file stays, and there is no litter") {
+    const TemporaryFolder folder;
+    put_text(folder / "a.txt", "old");
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 100'000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string limited = sentence_of(folder / "a.txt", write_much);
+    setrlimit(RLIMIT_FSIZE, &before);
+    CHECK(limited == (folder / "a.txt").string() +
+                         ": cannot be written: the file grows over the size that is allowed here");
+    CHECK(text_of(folder / "a.txt") == "old");
+    CHECK(folder.entries() == 1);
+
+    fs::create_symlink("/dev/full", folder / "full.txt");
+    const std::string full = sentence_of(folder / "full.txt", write_new);
+    CAPTURE(full);
+    CHECK(full.find("the disk is full") != full.npos);
+    CHECK(fs::is_symlink(folder / "full.txt"));
+}
+
+TEST_CASE("a signal that ends the program leaves the old file and no litter") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder;
+        put_text(folder / "a.txt", "old");
+        const pid_t child = fork();
+        if (child == 0) {
+            std::signal(signal, SIG_DFL);  // doctest has a handler of its own
+            save_atomically(folder / "a.txt", [signal](std::ostream& out) {
+                write_much(out);
+                raise(signal);
+            });
+            _exit(0);
+        }
+        int status = 0;
+        REQUIRE(waitpid(child, &status, 0) == child);
+        REQUIRE(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == signal);
+        CHECK(text_of(folder / "a.txt") == "old");
+        CHECK(folder.entries() == 1);
+    }
+}
+
+TEST_CASE("targets that cannot be are refused before anything is written") {
+    const TemporaryFolder folder;
+    put_text(folder / "file", "");
+    const auto check = [&](const fs::path& target, const char* words) {
+        bool written = false;
+        const std::string sentence = sentence_of(target, [&](std::ostream&) { written = true; });
+        CAPTURE(sentence);
+        CHECK(!written);
+        CHECK(sentence.starts_with(target.string() + ": "));
+        CHECK(sentence.find(words) != sentence.npos);
+    };
+    check(folder.path(), "is a folder");
+    check(folder / "missing" / "a.svg", "does not exist");
+    check(folder / "file" / "a.svg", "is a file, not a folder");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a link is followed, and permissions stay") {
+    const TemporaryFolder folder;
+    put_text(folder / "real.txt", "old");
+    chmod((folder / "real.txt").c_str(), 0640);
+    fs::create_symlink("real.txt", folder / "link.txt");
+    save_atomically(folder / "link.txt", write_new);
+    CHECK(fs::is_symlink(folder / "link.txt"));
+    CHECK(text_of(folder / "real.txt") == "new");
+    CHECK((fs::status(folder / "real.txt").permissions() & fs::perms::mask) == static_cast<fs::perms>(0640));
+}

@@ -1,0 +1,125 @@
+// The colours that tell where in the subdivision a dot comes from.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "app/files/tile_library.h"
+#include "app/viewer/dot_colours.h"
+#include "core/output/colour.h"
+
+namespace dapple {
+namespace {
+
+// A drawing on grey by a tile whose children are turned, and the tiles it went through.
+struct Turned {
+    Turned() {
+        Rule rule;
+        for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
+        RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingOrder::farthest);
+        const Density grey(Grid<float>(1, 1, 0.5f));
+        const PlacingRequest request{.scale = 300};
+        tile.placer().place(grey, request, dots);
+        // A tile is listed once it has children: the dots' own tiles are those of a scale one level finer.
+        tiles = placed_tiles(tile.placer().table(), grey, {.scale = 4 * request.scale});
+        origins = {.tile_size = tile.tile().size(), .rule = rule, .window = {}};
+    }
+    Dots dots;
+    std::vector<PlacedTile> tiles;
+    DotOrigins origins;
+};
+
+glm::u8vec3 rgb8(glm::vec3 colour) {
+    return glm::u8vec3(glm::round(colour * 255.0f));
+}
+
+}  // namespace
+
+TEST_CASE("ink needs no colours") {
+    CHECK(dot_colours(Turned().dots, {}, DotColouring::ink).empty());
+}
+
+TEST_CASE("a dot has the colour of the orientation of the tile around it at its level") {
+    const Turned drawing;
+    const auto colours = dot_colours(drawing.dots, drawing.origins, DotColouring::orientation);
+    REQUIRE(colours.size() == drawing.dots.size());
+    int wrong = 0, found = 0;
+    std::set<int> seen;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const double x = drawing.dots.x[i], y = drawing.dots.y[i];
+        const int level = birthplace_of(drawing.dots.threshold[i], drawing.origins.tile_size).level;
+        for (const PlacedTile& tile : drawing.tiles) {
+            if (tile.level != level || x < tile.x || y < tile.y || x >= tile.x + tile.side ||
+                y >= tile.y + tile.side)
+                continue;
+            ++found;
+            seen.insert(tile.orientation.index);
+            wrong += rgb8(orientation_colour(tile.orientation)) != glm::u8vec3(colours[i]);
+        }
+    }
+    CHECK(found == static_cast<int>(colours.size()));
+    CHECK(wrong == 0);
+    CHECK(seen.size() >= 6);
+}
+
+TEST_CASE("a dot has its level's colour, and the first of its level is darker than the last") {
+    const Turned drawing;
+    const auto levels = dot_colours(drawing.dots, drawing.origins, DotColouring::level);
+    const auto ranks = dot_colours(drawing.dots, drawing.origins, DotColouring::rank);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const auto birth = birthplace_of(drawing.dots.threshold[i], drawing.origins.tile_size);
+        CHECK(glm::u8vec3(levels[i]) == rgb8(level_colour(birth.level)));
+        if (birth.level == 0 && birth.rank == 0) CHECK(glm::u8vec3(ranks[i]) == rgb8(rank_colour(0)));
+    }
+    const auto lightness = [](glm::vec3 c) { return c.r + c.g + c.b; };
+    for (double share = 0; share < 1; share += 0.125)
+        CHECK(lightness(rank_colour(share)) < lightness(rank_colour(share + 0.125)));
+}
+
+TEST_CASE("a dot of a window deep in the page has the colour it has on the page") {
+    const Turned drawing;
+    const std::int64_t quarter = std::int64_t{1} << 60;
+    Dots moved = drawing.dots;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved.x[i] -= 0.25f;
+        moved.y[i] -= 0.25f;
+    }
+    DotOrigins origins = drawing.origins;
+    origins.window = {.x = quarter, .y = quarter, .width = 0.75, .height = 0.75};
+    const auto here = dot_colours(drawing.dots, drawing.origins, DotColouring::orientation);
+    const auto there = dot_colours(moved, origins, DotColouring::orientation);
+    CHECK(here == there);
+}
+
+TEST_CASE("up to a level just the dots born until then are shown") {
+    const Turned drawing;
+    const std::size_t n = drawing.origins.tile_size;
+    std::size_t before = 0;
+    for (int deepest = 0; deepest < 4; ++deepest) {
+        const auto colours = without_deeper_levels({}, drawing.dots, n, deepest, {1, 0, 0});
+        REQUIRE(colours.size() == drawing.dots.size());
+        std::size_t shown = 0;
+        for (const glm::u8vec4 colour : colours) {
+            CHECK(glm::u8vec3(colour) == glm::u8vec3(255, 0, 0));
+            shown += colour.a == 255;
+        }
+        // On a grey this dark the first levels are complete: N dots, and four times as many with each more.
+        CHECK(shown == n << (2 * deepest));
+        CHECK(shown > before);
+        before = shown;
+    }
+    CHECK(without_deeper_levels({}, drawing.dots, n, kDeepestStep, {}).empty());
+}
+
+TEST_CASE("the eight orientations have eight colours") {
+    std::set<std::tuple<float, float, float>> colours;
+    for (const Orientation g : all_orientations()) {
+        const glm::vec3 c = orientation_colour(g);
+        colours.insert({c.r, c.g, c.b});
+    }
+    CHECK(colours.size() == 8);
+}
+
+}  // namespace dapple

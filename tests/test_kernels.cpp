@@ -1,0 +1,90 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "core/placing/kernel.h"
+
+using namespace dapple;
+
+namespace {
+
+struct Placed {
+    std::vector<float> x, y, threshold, critical;
+    bool operator==(const Placed&) const = default;
+};
+
+Placed run(Kernel kernel, const KernelSquare& square, bool critical) {
+    Placed placed{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256),
+                  std::vector<float>(256)};
+    const std::size_t count = kernel(square, {placed.x.data(), placed.y.data(), placed.threshold.data(),
+                                              critical ? placed.critical.data() : nullptr});
+    for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold, &placed.critical}) {
+        column->resize(count);
+    }
+    if (!critical) placed.critical.clear();
+    return placed;
+}
+
+}  // namespace
+
+TEST_CASE("every kernel that this processor runs places the same dots, to the bit") {
+    std::mt19937 random(12);
+    const auto unit = [&random] { return static_cast<float>(random()) * 0x1p-32f; };
+    std::vector<float> picture(37 * 29);
+    for (float& v : picture) v = 0.2f + unit();
+
+    std::vector<Kernel> kernels;
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx2")) kernels.push_back(place_square_avx2);
+    if (__builtin_cpu_supports("avx512f")) kernels.push_back(place_square_avx512);
+
+    std::size_t dots = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const std::size_t count = random() % 70;
+        std::vector<float> x(96), y(96), birth(96, std::numeric_limits<float>::infinity());
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = 2 * unit() - 1;
+            y[i] = 2 * unit() - 1;
+            birth[i] = 16 + static_cast<float>(i);
+        }
+        KernelSquare square;
+        square.x = x.data();
+        square.y = y.data();
+        square.birth = birth.data();
+        square.centre_x = unit();
+        square.centre_y = unit();
+        square.half_x = square.half_y = 0.01f * unit();
+        square.births_per_density = 120 * unit();
+        square.none_from = 2 * square.births_per_density;
+        square.sure_below =
+            random() % 2 ? 0 : 0.19f * square.births_per_density;  // as densities are from 0.2
+        square.threshold_per_birth = 4;
+        square.source = static_cast<KernelSquare::Source>(random() % 4);
+        for (float* c : {&square.c0, &square.cx, &square.cy, &square.cxy}) *c = unit() / 16;
+        square.c0 += 0.4f;
+        square.sign_x = random() % 2 ? 1.0f : -1.0f;
+        for (float& v : square.block) v = 0.2f + unit();
+        const bool block = square.source == KernelSquare::Source::block;
+        square.pixel_centre_x = square.pixel_centre_y = block ? 1.5f : 8;
+        square.pixel_half_x = block ? 1.5f : -8 * unit();
+        square.pixel_half_y = block ? -1.5f * unit() : 8 * unit();
+        square.picture = picture.data();
+        square.width = 37;
+        square.height = 29;
+        const bool clamped = square.source == KernelSquare::Source::clamped;
+        square.first_column =
+            clamped ? static_cast<int>(random() % 60) - 12 : static_cast<int>(random() % 19);
+        square.first_row = clamped ? static_cast<int>(random() % 50) - 12 : static_cast<int>(random() % 11);
+        for (const bool critical : {false, true}) {
+            const Placed expected = run(place_square_baseline, square, critical);
+            dots += expected.x.size();
+            for (const Kernel kernel : kernels) {
+                if (run(kernel, square, critical) != expected) FAIL("trial ", trial);
+            }
+        }
+    }
+    CHECK(dots > 10000);
+}

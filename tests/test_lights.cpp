@@ -1,0 +1,349 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/image/sky.h"
+#include "core/lights/direction.h"
+#include "core/lights/irradiance.h"
+#include "core/lights/light_samples.h"
+#include "core/lights/regions.h"
+
+using namespace dapple;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+RankedTile paper_tile() {
+    return {make_tile(14217, 2895, 16), RankingOrder::energy};
+}
+
+EnvironmentMap even_map(int height, glm::vec3 light) {
+    return EnvironmentMap(Grid<glm::vec3>(2 * height, height, light));
+}
+
+EnvironmentMap small_sky() {
+    return sky_map({.height = 64, .sun_radius = 2, .sun_radiance = 2000});
+}
+
+glm::dvec3 sum_of_weights(const LightSamples& lights) {
+    glm::dvec3 sum{};
+    for (const LightSample& sample : lights.samples) sum += sample.weight;
+    return sum;
+}
+
+std::vector<DistantLight> distant(const LightSamples& lights) {
+    std::vector<DistantLight> result;
+    for (const LightSample& sample : lights.samples)
+        result.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
+    return result;
+}
+
+// Mean relative error of luminance over normals.
+double irradiance_error(const EnvironmentMap& map, const LightSamples& lights) {
+    const auto normals = fibonacci_normals(200);
+    const auto exact = irradiance(texel_lights(map), normals);
+    const auto found = irradiance(distant(lights), normals);
+    double sum = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        sum += std::abs(luminance(found[i]) / luminance(exact[i]) - 1);
+    return sum / static_cast<double>(normals.size());
+}
+
+void check_flux(const EnvironmentMap& map, const LightSamples& lights) {
+    const glm::dvec3 sum = sum_of_weights(lights), exact = map.total_flux();
+    for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(exact[c]).epsilon(1e-9));
+}
+
+double least_distance(const std::vector<glm::dvec2>& dots, auto&& chosen) {
+    double least = 1;
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!chosen(dots[i], dots[j])) continue;
+            double x = std::abs(dots[i].x - dots[j].x);
+            x = std::min(x, 1 - x);
+            least = std::min(least, std::hypot(x, (dots[i].y - dots[j].y) / 2));
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("there are exactly as many samples as asked for and their weights sum to the flux") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    for (const std::uint64_t count : {1u, 2u, 17u, 1000u, 20'000u}) {
+        for (const PlacerKind placer : {PlacerKind::exact, PlacerKind::figure8}) {
+            const LightSamples lights = light_samples(map, tile, {.count = count, .placer = placer});
+            CHECK(lights.samples.size() == count);
+            check_flux(map, lights);
+        }
+    }
+}
+
+TEST_CASE("position, radiance, compensation and seed leave the sum of the weights alone") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    using enum SamplePosition;
+    for (const SamplePosition position : {centroid, dot, random}) {
+        LightRequest request{.count = 300, .position = position, .seed = 5};
+        check_flux(map, light_samples(map, tile, request));
+        request.importance = LightImportance::compensated;
+        check_flux(map, light_samples(map, tile, request));
+        request.radiance = SampleRadiance::point;
+        check_flux(map, light_samples(map, tile, request));
+    }
+}
+
+TEST_CASE("a sample's weight is its mean radiance over n times its pdf, and the regions fill the sphere") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(map, tile, {.count = 500});
+    double sphere = 0;
+    for (const LightSample& sample : lights.samples) {
+        CHECK(glm::distance(sample.radiance / (500 * sample.pdf), sample.weight) < 1e-9);
+        sphere += 1 / (500 * sample.pdf);
+    }
+    CHECK(sphere == doctest::Approx(4 * kPi).epsilon(1e-9));
+}
+
+TEST_CASE("the pdf of an even map is 1 / (4 pi) on average and near it everywhere") {
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(even_map(128, glm::vec3(1)), tile, {.count = 500});
+    for (const LightSample& sample : lights.samples) {
+        CHECK(sample.pdf * 4 * kPi > 0.3);
+        CHECK(sample.pdf * 4 * kPi < 3);
+    }
+}
+
+TEST_CASE("point radiance is the map's where the sample is") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(map, tile, {.count = 100, .radiance = SampleRadiance::point});
+    for (const LightSample& sample : lights.samples)
+        CHECK(glm::distance(sample.radiance, map.at(sample.uv)) == 0);
+}
+
+TEST_CASE("a sun of one texel gets its share of the samples and all of its light is kept") {
+    Grid<glm::vec3> grid(256, 128, glm::vec3(0.5f));
+    grid.at(40, 50) = glm::vec3(1e5f);
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    const double sun = 1e5 * map.solid_angle(50);
+    const double share = sun / map.total_flux().x;
+    for (const std::uint64_t count : {64u, 1000u, 30'000u}) {
+        const LightSamples lights = light_samples(map, tile, {.count = count});
+        double in_sun = 0, light = 0;
+        for (const LightSample& sample : lights.samples) {
+            // The density is bilinear, so the sun's dots lie up to a texel beside it.
+            const bool near =
+                std::abs(sample.uv.x * 256 - 40.5) < 1.01 && std::abs(sample.uv.y * 128 - 50.5) < 1.01;
+            in_sun += near;
+            if (near) light += sample.weight.x;
+        }
+        CHECK(in_sun / static_cast<double>(count) == doctest::Approx(share).epsilon(0.05));
+        // Few samples: some that stand for the sun have a piece of the sky too, and lie between.
+        CHECK(light == doctest::Approx(sun).epsilon(count < 100 ? 0.1 : 0.01));
+    }
+}
+
+TEST_CASE("a map that is black but for one texel is sampled without end or loss") {
+    Grid<glm::vec3> grid(64, 32, glm::vec3(0));
+    grid.at(0, 0) = {1e5f, 1, 1e-3f};
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    for (const std::uint64_t count : {1u, 5000u}) {
+        const LightSamples lights = light_samples(map, tile, {.count = count});
+        CHECK(lights.samples.size() == count);
+        check_flux(map, lights);
+        const glm::dvec3 lit = direction_of({0.5 / 64, 0.5 / 32}, SphereConvention::openexr);
+        const glm::dvec3 found = irradiance(distant(lights), std::vector{lit}).front();
+        CHECK(found.x == doctest::Approx(map.total_flux().x).epsilon(0.01));
+    }
+}
+
+TEST_CASE("no two samples are at the same place, however dense they are") {
+    Grid<glm::vec3> grid(64, 32, glm::vec3(0.01f));
+    grid.at(20, 9) = glm::vec3(1e5f);
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(EnvironmentMap(grid), tile, {.count = 10'000});
+    std::set<std::pair<double, double>> places;
+    for (const LightSample& sample : lights.samples) places.insert({sample.uv.x, sample.uv.y});
+    CHECK(places.size() == 10'000);
+}
+
+TEST_CASE("dots keep their distance where the map's sides meet, and none is missing there") {
+    RankedTile tile = paper_tile();
+    CHECK(meets_itself(tile.tile()));
+    const EnvironmentMap map = even_map(64, glm::vec3(1));
+    const auto dots = light_dots(map, tile, {.count = 2000});
+    const auto across = [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x - b.x) > 0.5; };
+    const auto within = [](glm::dvec2 a, glm::dvec2 b) { return std::abs(a.x - b.x) <= 0.5; };
+    CHECK(least_distance(dots, across) >= 0.999 * least_distance(dots, within));
+
+    // As many dots in a strip about the seam as in strips elsewhere.
+    const auto in_strip = [&](double middle) {
+        double count = 0;
+        for (const glm::dvec2 p : dots) {
+            const double away = std::abs(p.x - middle);
+            if (std::min(away, 1 - away) < 1.0 / 16) ++count;
+        }
+        return count;
+    };
+    for (int i = 0; i < 8; ++i) CHECK(in_strip(0) == doctest::Approx(in_strip(i / 8.0)).epsilon(0.06));
+}
+
+TEST_CASE("a map turned halfway round is lit as well as before: the seam is a place like any other") {
+    const EnvironmentMap map = small_sky();
+    Grid<glm::vec3> turned(map.width(), map.height());
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x)
+            turned.at(x, y) = map.radiance().at((x + map.width() / 2 - 41) % map.width(), y);
+    }
+    RankedTile tile = paper_tile();
+    const double before = irradiance_error(map, light_samples(map, tile, {.count = 512}));
+    const EnvironmentMap other(turned);
+    const double after = irradiance_error(other, light_samples(other, tile, {.count = 512}));
+    CHECK(after < 2 * before);
+    CHECK(before < 2 * after);
+}
+
+TEST_CASE("a sun at the pole is found from every side") {
+    Grid<glm::vec3> grid(128, 64, glm::vec3(1));
+    for (int x = 0; x < 128; ++x) grid.at(x, 0) = glm::vec3(1e4f);
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(map, tile, {.count = 256});
+    check_flux(map, lights);
+    glm::dvec3 mean{};
+    for (const LightSample& sample : lights.samples)
+        mean += sample.weight.x * direction_of(sample.uv, SphereConvention::openexr);
+    mean = glm::normalize(mean);
+    CHECK(mean.y > 0.9999);
+    CHECK(irradiance_error(map, lights) < 0.01);
+}
+
+TEST_CASE("an even map lights every surface with pi L through its samples too") {
+    RankedTile tile = paper_tile();
+    const LightSamples lights = light_samples(even_map(128, {1, 2, 3}), tile, {.count = 1024});
+    for (const glm::dvec3& e : irradiance(distant(lights), fibonacci_normals(100)))
+        CHECK(e.z == doctest::Approx(3 * kPi).epsilon(0.005));
+}
+
+TEST_CASE("1,024 samples light surfaces within half a per cent, at random places within one") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const auto error = [&](SamplePosition position) {
+        return irradiance_error(map, light_samples(map, tile, {.count = 1024, .position = position}));
+    };
+    CHECK(error(SamplePosition::centroid) < 0.005);
+    CHECK(error(SamplePosition::dot) < 0.005);
+    CHECK(error(SamplePosition::random) < 0.01);
+    CHECK(error(SamplePosition::centroid) < error(SamplePosition::dot));
+}
+
+TEST_CASE("random positions have the exact irradiance as their mean over seeds") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const auto normals = fibonacci_normals(20);
+    const auto exact = irradiance(texel_lights(map), normals);
+    constexpr int kSeeds = 60;
+    std::vector<double> sum(normals.size()), squares(normals.size());
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        LightRequest request{.count = 24, .position = SamplePosition::random};
+        request.seed = static_cast<std::uint64_t>(seed);
+        const auto found = irradiance(distant(light_samples(map, tile, request)), normals);
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            const double error = luminance(found[i]) / luminance(exact[i]) - 1;
+            sum[i] += error;
+            squares[i] += error * error;
+        }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double mean = sum[i] / kSeeds;
+        const double deviation = std::sqrt((squares[i] / kSeeds - mean * mean) / (kSeeds - 1));
+        CHECK(std::abs(mean) < 4.5 * deviation);
+    }
+}
+
+TEST_CASE("the weights within a fixed piece of the map have its flux as their mean over seeds") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const auto inside = [](glm::dvec2 uv) {
+        return uv.x > 0.21 && uv.x < 0.43 && uv.y > 0.12 && uv.y < 0.49;
+    };
+    double exact = 0;
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            if (inside({(x + 0.5) / map.width(), (y + 0.5) / map.height()}))
+                exact += luminance(map.radiance().at(x, y)) * map.solid_angle(y);
+        }
+    }
+    constexpr int kSeeds = 100;
+    double sum = 0, squares = 0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        LightRequest request{.count = 100, .position = SamplePosition::random};
+        request.seed = static_cast<std::uint64_t>(seed);
+        double found = 0;
+        for (const LightSample& sample : light_samples(map, tile, request).samples)
+            if (inside(sample.uv)) found += luminance(sample.weight);
+        sum += found;
+        squares += found * found;
+    }
+    const double mean = sum / kSeeds;
+    const double deviation = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+    CHECK(std::abs(mean - exact) < 4.5 * deviation);
+    CHECK(deviation < 0.02 * exact);
+}
+
+TEST_CASE("the same request gives the same samples, another seed others") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    LightRequest request{.count = 200, .seed = 3};
+    const LightSamples once = light_samples(map, tile, request);
+    request.threads = 2;
+    const LightSamples again = light_samples(map, tile, request);
+    request.seed = 4;
+    const LightSamples other = light_samples(map, tile, request);
+    int moved = 0;
+    for (std::size_t i = 0; i < 200; ++i) {
+        CHECK(once.samples[i].uv == again.samples[i].uv);
+        CHECK(once.samples[i].weight == again.samples[i].weight);
+        moved += once.samples[i].uv != other.samples[i].uv;
+    }
+    CHECK(moved > 190);
+}
+
+TEST_CASE("a region's light is that of the texels nearer to its dot than to any other") {
+    const EnvironmentMap map = small_sky();
+    // Far apart, so that the borders, where a patch is given to one side whole, are short.
+    const std::vector<glm::dvec2> dots{{0.1, 0.5},  {0.35, 0.5}, {0.6, 0.5},
+                                       {0.85, 0.5}, {0.2, 0.02}, {0.7, 0.98}};
+    std::vector<double> nearest(dots.size());
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            const auto here =
+                direction_of({(x + 0.5) / map.width(), (y + 0.5) / map.height()}, SphereConvention::openexr);
+            const auto owner = std::ranges::min_element(dots, {}, [&](glm::dvec2 uv) {
+                return glm::distance(direction_of(uv, SphereConvention::openexr), here);
+            });
+            nearest[static_cast<std::size_t>(owner - dots.begin())] += map.solid_angle(y);
+        }
+    }
+    const std::vector<Region> regions = share_light(map, dots, 0);
+    for (std::size_t i = 0; i < dots.size(); ++i)
+        CHECK(regions[i].solid_angle == doctest::Approx(nearest[i]).epsilon(0.02));
+}
+
+TEST_CASE("counts that are not possible are refused") {
+    const EnvironmentMap map = even_map(4, glm::vec3(1));
+    RankedTile tile = paper_tile();
+    CHECK_THROWS_WITH(light_samples(map, tile, {.count = 0}), doctest::Contains("ask for 1 to 10000000"));
+    CHECK_THROWS_WITH(light_samples(map, tile, {.count = 10'000'001}), doctest::Contains("not possible"));
+}

@@ -1,0 +1,199 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/files/environment.h"
+#include "core/lights/comparison.h"
+#include "core/lights/direction.h"
+#include "core/lights/light_samples.h"
+#include "tests/file_text.h"
+#include "tests/picture_files.h"
+#include "tests/shell.h"
+#include "tests/temporary_folder.h"
+
+using namespace dapple;
+using nlohmann::json;
+
+namespace {
+
+// A dim sky with a bright patch; one value of the first pixel may be spoilt.
+PictureFile test_map(float spoilt = 0.5f) {
+    PictureFile map{.width = 64, .height = 32, .channels = 3, .type = "float"};
+    for (int i = 0; i < 64 * 32; ++i) {
+        const float light = i > 600 && i < 620 ? 100.0f : 0.5f;
+        for (const float colour : {1.0f, 0.8f, 0.6f}) map.values.push_back(light * colour);
+    }
+    map.values[0] = spoilt;
+    return map;
+}
+
+std::string quoted(const std::filesystem::path& path) {
+    return "'" + path.string() + "'";
+}
+
+void check_refused(const Outcome& outcome, const std::string& word) {
+    CAPTURE(outcome.err);
+    CHECK(outcome.status != 0);
+    CHECK(outcome.status < 128);
+    CHECK(outcome.sentences() == 1);
+    CHECK(outcome.err.find(word) != outcome.err.npos);
+}
+
+}  // namespace
+
+TEST_CASE("dapple lights writes exactly so many samples, whose weights sum to the total flux") {
+    const TemporaryFolder folder;
+    write_picture(folder / "map.exr", test_map());
+    const Outcome outcome =
+        run_dapple("lights " + quoted(folder / "map.exr") + " -n 257 -o " + quoted(folder / "samples.json"));
+    CHECK_MESSAGE(outcome.status == 0, outcome.err);
+    const json file = json::parse(text_of(folder / "samples.json"));
+    CHECK(file["convention"] == "openexr");
+    CHECK(file["source"] == "map.exr");
+    REQUIRE(file["samples"].size() == 257);
+    const EnvironmentMap map = read_environment(folder / "map.exr");
+    for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (const json& sample : file["samples"])
+            sum += sample["weight"][static_cast<std::size_t>(c)].get<double>();
+        CHECK(sum ==
+              doctest::Approx(file["total_flux"][static_cast<std::size_t>(c)].get<double>()).epsilon(1e-9));
+        CHECK(sum == doctest::Approx(map.total_flux()[c]).epsilon(1e-9));
+    }
+    for (const json& sample : file["samples"]) {
+        double length = 0;
+        for (const json& x : sample["direction"]) length += x.get<double>() * x.get<double>();
+        CHECK(length == doctest::Approx(1));
+        CHECK(sample["pdf"].get<double>() > 0);
+        CHECK(sample["radiance"].size() == 3);
+        const double v = sample["v"].get<double>();
+        CHECK(sample["direction"][1].get<double>() == doctest::Approx(std::cos(std::acos(-1.0) * v)));
+    }
+}
+
+TEST_CASE("dapple lights writes CSV, pbrt, Mitsuba and a picture, and takes all of its options") {
+    const TemporaryFolder folder;
+    write_picture(folder / "map.hdr", test_map());
+    const auto run = [&](const std::string& output, const std::string& options) {
+        const Outcome outcome = run_dapple("lights " + quoted(folder / "map.hdr") + " -n 20 " + options +
+                                           " -o " + quoted(folder / output));
+        CHECK_MESSAGE(outcome.status == 0, outcome.err);
+        return text_of(folder / output);
+    };
+    const std::string csv = run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7");
+    CHECK(std::ranges::count(csv, '\n') == 21);
+    CHECK(csv.starts_with("x,y,z,u,v,"));
+    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7") == csv);
+    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 8") != csv);
+    const std::string pbrt = run("s.pbrt", "--placer figure8");
+    CHECK(pbrt.find("LightSource \"distant\"") != pbrt.npos);
+    CHECK(pbrt.find("convention pbrt") != pbrt.npos);
+    pugi::xml_document document;
+    REQUIRE(document.load_string(run("s.xml", "--position random --tile 14217,2895/16").c_str()));
+    int emitters = 0;
+    for ([[maybe_unused]] const auto& emitter : document.child("scene").children("emitter")) ++emitters;
+    CHECK(emitters == 20);
+    CHECK(run("s.csv", "--mis-compensation") != run("s.csv", ""));
+    CHECK(run("s.png", "--exposure -1").starts_with("\x89PNG"));
+}
+
+TEST_CASE("light that the paper's placer loses is an error, not fewer samples") {
+    const TemporaryFolder folder;
+    PictureFile map{.width = 64,
+                    .height = 32,
+                    .channels = 3,
+                    .values = std::vector<float>(64 * 32 * 3, 0.0f),
+                    .type = "float"};
+    map.values[3000] = 1000;
+    write_picture(folder / "map.exr", map);
+    const std::string command =
+        "lights " + quoted(folder / "map.exr") + " -n 20 -o " + quoted(folder / "s.json");
+    check_refused(run_dapple(command + " --placer figure8"), "figure8");
+    CHECK(run_dapple(command).status == 0);
+}
+
+TEST_CASE("without a map there is a sky") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_dapple("lights -n 5 -o " + quoted(folder / "sky.json"));
+    CHECK_MESSAGE(outcome.status == 0, outcome.err);
+    CHECK(json::parse(text_of(folder / "sky.json"))["samples"].size() == 5);
+}
+
+TEST_CASE("maps that cannot be sampled are refused in one sentence and the old file stays") {
+    const TemporaryFolder folder;
+    put_text(folder / "old.json", "old");
+    const auto run = [&](const std::string& map) {
+        return run_dapple("lights " + quoted(folder / map) + " -n 5 -o " + quoted(folder / "old.json"));
+    };
+    check_refused(run("missing.hdr"), "no such file");
+    check_refused(run("."), "is a folder");
+    put_text(folder / "empty.hdr", "");
+    check_refused(run("empty.hdr"), "empty");
+    put_text(folder / "text.hdr", "not a map");
+    check_refused(run("text.hdr"), "not a picture");
+    write_picture(
+        folder / "square.exr",
+        {.width = 8, .height = 8, .channels = 3, .values = std::vector<float>(192, 1.0f), .type = "float"});
+    check_refused(run("square.exr"), "twice as wide");
+    write_picture(
+        folder / "black.exr",
+        {.width = 8, .height = 4, .channels = 3, .values = std::vector<float>(96, 0.0f), .type = "float"});
+    check_refused(run("black.exr"), "black");
+    write_picture(folder / "nan.exr", test_map(std::numeric_limits<float>::quiet_NaN()));
+    check_refused(run("nan.exr"), "NaN");
+    write_picture(folder / "infinite.exr", test_map(std::numeric_limits<float>::infinity()));
+    check_refused(run("infinite.exr"), "infinite");
+    write_picture(folder / "negative.exr", test_map(-1));
+    check_refused(run("negative.exr"), "negative");
+    CHECK(text_of(folder / "old.json") == "old");
+}
+
+TEST_CASE("options of dapple lights that cannot be are refused in one sentence") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& options) {
+        return run_dapple("lights -o " + quoted(folder / "x.json") + " " + options);
+    };
+    check_refused(run("-n 0"), "--samples");
+    check_refused(run("-n -3"), "--samples");
+    check_refused(run("-n 1.5"), "--samples");
+    check_refused(run("-n 10000001"), "--samples");
+    check_refused(run("--convention maya"), "maya");
+    check_refused(run("--rotate nan"), "--rotate");
+    check_refused(run("--radiance most"), "--radiance");
+    check_refused(run("--position here"), "--position");
+    check_refused(run("--placer best"), "--placer");
+    check_refused(run("--tile nothing"), "nothing");
+    check_refused(run("--seed -1"), "--seed");
+    check_refused(run("--exposure 1"), ".png");
+    check_refused(run("--compare"), ".html");
+    check_refused(run_dapple("lights -o " + quoted(folder / "x.txt")), ".json");
+    check_refused(run_dapple("lights -o " + quoted(folder / "none" / "x.json")), "none");
+    CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("real maps keep their flux and light surfaces within half a per cent") {
+    const char* const data = std::getenv("DAPPLE_TEST_DATA");
+    const std::filesystem::path hall = data ? std::filesystem::path(data) / "hdr" / "hall.hdr" : "";
+    if (!std::filesystem::exists(hall)) return;
+    const EnvironmentMap map = read_environment(hall);
+    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    const LightSamples samples = light_samples(map, tile, {.count = 1024});
+    std::vector<DistantLight> lights;
+    glm::dvec3 sum{};
+    for (const LightSample& sample : samples.samples) {
+        lights.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
+        sum += sample.weight;
+    }
+    CHECK(sum.y == doctest::Approx(map.total_flux().y).epsilon(1e-9));
+    const auto normals = fibonacci_normals(100);
+    CHECK(irradiance_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)) < 0.005);
+}

@@ -1,0 +1,328 @@
+// The panels, clicked and dragged without a window.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/glm.hpp>
+
+#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/panels/status_line.h"
+#include "app/viewer/panels/tile_panel.h"
+#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/view_panel.h"
+#include "core/tile/tile.h"
+#include "tests/headless_ui.h"
+
+namespace dapple {
+namespace {
+
+constexpr std::array kTiles{"paper16", "wild64"};
+
+struct DotsUi {
+    DrawingSettings settings;
+    DrawnFacts drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
+    HeadlessUi ui{[this] { draw_dots_panel(settings, drawn, kTiles); }};
+};
+
+}  // namespace
+
+TEST_CASE("a panel that nobody touches changes nothing") {
+    Tone tone{.contrast = 0.3f, .blur = 50};
+    bool changed = false;
+    HeadlessUi ui([&] { changed |= draw_tone_panel(tone); });
+    ui.move_to({200, 120});
+    for (int i = 0; i < 5; ++i) ui.frame();
+    CHECK_FALSE(changed);
+    CHECK(tone == Tone{.contrast = 0.3f, .blur = 50});
+}
+
+TEST_CASE("dragging a tone slider to its ends gives its range") {
+    Tone tone;
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    ui.drag("Contrast", 0.5f, 1.0f);
+    CHECK(tone.contrast == 1);
+    ui.drag("Contrast", 1.0f, 0.0f);
+    CHECK(tone.contrast == -1);
+    ui.drag("Gamma", 0.5f, 1.0f);
+    CHECK(tone.gamma == 4);
+    ui.drag("Blur", 0.0f, 0.5f);
+    CHECK(tone.blur == doctest::Approx(10).epsilon(0.02));
+    CHECK(tone.brightness == 0);
+}
+
+TEST_CASE("a slider goes on following a mouse that leaves its row") {
+    Tone tone;
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    ui.move_to(ui.at("Brightness", 0.5f));
+    ui.press();
+    ui.move_to(ui.at("Brightness", 0.9f) + glm::vec2(0, 300));
+    CHECK(tone.brightness > 0.7f);
+    ui.release();
+    ui.move_to(ui.at("Brightness", 0.1f));
+    CHECK(tone.brightness > 0.7f);
+}
+
+TEST_CASE("black and white point push each other and never meet") {
+    Tone tone;
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    ui.drag("Black point", 0.0f, 1.0f);
+    CHECK(tone.black_point < tone.white_point);
+    ui.drag("White point", 1.0f, 0.0f);
+    CHECK(tone.black_point < tone.white_point);
+    CHECK(tone.black_point >= 0);
+    CHECK(tone.white_point < 0.1f);
+}
+
+TEST_CASE("a double-click on a slider's name brings the neutral value back") {
+    Tone tone{.gamma = 3};
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    glm::vec2 name{ui.place("Gamma").min.x - 40, ui.at("Gamma", 0).y};
+    ui.move_to(name);
+    for (int i = 0; i < 2; ++i) {
+        ui.press();
+        ui.release();
+    }
+    CHECK(tone.gamma == 1);
+}
+
+TEST_CASE("Ctrl+click on a slider takes a typed number, beyond the track where that is allowed") {
+    Tone tone;
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyMap[ImGuiKey_Enter] = 257;
+    io.KeyCtrl = true;
+    io.KeyMods = ImGuiKeyModFlags_Ctrl;
+    ui.move_to(ui.at("Blur", 0.3f));
+    ui.press();
+    ui.release();
+    io.KeyCtrl = false;
+    io.KeyMods = 0;
+    ui.frame();
+    ui.frame();
+    REQUIRE(io.WantTextInput);
+    CHECK(tone.blur == 0);
+    ui.type("250");
+    io.KeysDown[257] = true;
+    ui.frame();
+    io.KeysDown[257] = false;
+    ui.frame();
+    CHECK(tone.blur == 100);
+}
+
+TEST_CASE("the invert switch toggles") {
+    Tone tone;
+    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    ui.click("Invert");
+    CHECK(tone.invert);
+    ui.click("Invert");
+    CHECK_FALSE(tone.invert);
+}
+
+TEST_CASE("going from count to scale and back keeps the drawing") {
+    DotsUi f;
+    REQUIRE(f.settings.stipple.count == kDefaultDots);
+    f.ui.click("scale");
+    CHECK_FALSE(f.settings.stipple.count);
+    CHECK(f.settings.stipple.scale == 777);
+    f.ui.click("count");
+    CHECK(f.settings.stipple.count == 12'345);
+}
+
+TEST_CASE("the scale slider is logarithmic") {
+    DotsUi f;
+    f.ui.click("scale");
+    f.ui.drag("Scale", 0.3f, 0.5f);
+    CHECK(f.settings.stipple.scale == doctest::Approx(1000).epsilon(0.05));
+    f.ui.drag("Scale", 0.5f, 1.0f);
+    CHECK(f.settings.stipple.scale == 100'000);
+}
+
+TEST_CASE("the count slider gives whole numbers") {
+    DotsUi f;
+    f.ui.drag("Dots", 0.2f, 1.0f);
+    CHECK(f.settings.stipple.count == 2'000'000);
+    f.ui.drag("Dots", 0.9f, 0.0f);
+    CHECK(f.settings.stipple.count == 100);
+}
+
+TEST_CASE("Figure 8 takes a scale, so choosing it leaves the count") {
+    DotsUi f;
+    f.ui.click("Figure 8");
+    CHECK(f.settings.stipple.placer == PlacerKind::figure8);
+    CHECK_FALSE(f.settings.stipple.count);
+    CHECK(f.settings.stipple.scale == 777);
+    CHECK_FALSE(f.ui.has("count"));
+    CHECK_FALSE(f.ui.has("Order"));
+    f.ui.click("exact");
+    CHECK(f.settings.stipple.placer == PlacerKind::exact);
+}
+
+TEST_CASE("a fixed dot size begins at the one on screen") {
+    DotsUi f;
+    CHECK_FALSE(f.ui.has("Radius, mm"));
+    f.ui.click("fixed");
+    CHECK(f.settings.dot_radius_mm == 0.25);
+    f.ui.drag("Radius, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_radius_mm == 5);
+    f.ui.click("by tone");
+    CHECK_FALSE(f.settings.dot_radius_mm);
+}
+
+TEST_CASE("another tile and order can be chosen from their lists") {
+    DotsUi f;
+    f.ui.click("Tile");
+    f.ui.click("wild64");
+    CHECK(f.settings.tile == "wild64");
+    f.ui.click("Order");
+    f.ui.click("farthest point");
+    CHECK(f.settings.ranking == RankingOrder::farthest);
+}
+
+TEST_CASE("the tile's view has the paper's points in the order of Appendix A") {
+    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::paper);
+    for (PlacerKind placer : {PlacerKind::exact, PlacerKind::figure8}) {
+        TileView view = view_of("paper16", tile, placer);
+        REQUIRE(view.points.size() == 16);
+        CHECK(view.points[0].x == doctest::Approx(14217.0 / 65535).epsilon(1e-6));
+        CHECK(view.points[0].y == doctest::Approx(2895.0 / 65535).epsilon(1e-6));
+        // A quadrant's points, blown up, are points again.
+        for (glm::vec2 p : view.points) {
+            glm::vec2 blown = glm::fract(p * 2.0f);
+            float nearest = 1;
+            for (glm::vec2 other : view.points) nearest = std::min(nearest, glm::distance(blown, other));
+            CHECK(nearest < 1e-5f);
+        }
+    }
+}
+
+TEST_CASE("the points of a tile of many cells lie where the tile says, first born first") {
+    // Two letters to a cell: 64 points in four cells.
+    Rule rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}};
+    Tile made = make_tile(rule, {"0301213303211022", "0012", "0013", "0021", "0023", "0031", "0032", "0102",
+                                 "0103", "0112", "0113", "0122", "0123"});
+    RankedTile tile(made, RankingOrder::farthest);
+    TileView view = view_of("many", tile, PlacerKind::exact);
+    REQUIRE(view.points.size() == made.size());
+    CHECK(view.rule == rule);
+    for (BinaryPoint point : made.points) {
+        auto is_it = [&](glm::vec2 p) { return glm::distance(p, glm::vec2(to_unit_square(point))) < 1e-5f; };
+        CHECK(std::ranges::count_if(view.points, is_it) == 1);
+    }
+}
+
+TEST_CASE("the tile panel takes points away, and a double-click brings them back") {
+    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    TileView view = view_of("paper16", tile, PlacerKind::exact);
+    TilePanelState state;
+    auto vertices = [] { return ImGui::GetDrawData()->TotalVtxCount; };
+    HeadlessUi ui([&] { draw_tile_panel(view, state); });
+    int all = vertices();
+    ui.drag("Points shown", 1.0f, 0.0f);
+    CHECK(state.shown == 1);
+    ui.move_to({1, 899});
+    CHECK(vertices() < all - 15 * 24);
+    ui.drag("Points shown", 0.0f, 0.5f);
+    CHECK(state.shown == doctest::Approx(8).epsilon(0.2));
+    ui.drag("Points shown", 0.5f, 1.0f);
+    ui.move_to({1, 899});
+    CHECK(vertices() == all);
+}
+
+TEST_CASE("the letter F is never the same in two orientations") {
+    for (Orientation a : all_orientations())
+        for (Orientation b : all_orientations()) CHECK((letter_f(a) == letter_f(b)) == (a == b));
+}
+
+TEST_CASE("the largest tile fits the panel's draw list") {
+    TileView view{"large", {}, {}};
+    for (int i = 0; i < 4096; ++i) view.points.push_back((glm::vec2(i % 64, i / 64) + 0.5f) / 64.0f);
+    TilePanelState state;
+    HeadlessUi ui([&] { draw_tile_panel(view, state); });
+    CHECK(ImGui::GetDrawData()->TotalVtxCount > 4096 * 6);
+    CHECK(ImGui::GetDrawData()->TotalVtxCount < 65'536);
+}
+
+TEST_CASE("the view panel shows tiles, fades the photograph in and picks colours") {
+    ViewerSettings settings;
+    HeadlessUi ui([&] { draw_view_panel(settings); });
+    ui.click("Tile boundaries");
+    CHECK(settings.drawing.show_tiles);
+    ui.drag("Photograph", 0.0f, 1.0f);
+    CHECK(settings.picture_opacity == 1);
+    ui.click("Every frame");
+    CHECK(settings.every_frame);
+    ui.click("more dots");
+    CHECK(settings.zoom_mode == ZoomMode::constant_density);
+    glm::vec3 before = settings.drawing.ink;
+    ui.click("Ink");
+    // The picker opens beside the pointer; its square of shades is under it, a bit to the right and down.
+    ui.frame();
+    CHECK(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+    CHECK(settings.drawing.ink == before);
+}
+
+TEST_CASE("the banner stays until its cross is clicked") {
+    Banner banner{BannerKind::error, "cat.png: not a picture"};
+    HeadlessUi ui([&] { draw_banner(banner, {0, 0}, {400, 300}); });
+    for (int i = 0; i < 10; ++i) ui.frame();
+    CHECK(banner.message == "cat.png: not a picture");
+    ui.click("Close message");
+    CHECK(banner.message.empty());
+}
+
+TEST_CASE("saving can be cancelled by its button, and by nothing else") {
+    int cancelled = 0;
+    HeadlessUi ui([&] {
+        cancelled += draw_saving_banner("a long name of a file.svg", 0.4, {0, 0}, {400, 300});
+    });
+    ui.move_to({100, 270});
+    ui.press();
+    ui.release();
+    CHECK(cancelled == 0);
+    ui.click("Cancel saving");
+    CHECK(cancelled == 1);
+}
+
+TEST_CASE("the status line says dots as people write them, and Figure 8's duplicates") {
+    CHECK(dots_in_words({.dots = 1'234'567}) == "1,234,567 dots");
+    CHECK(dots_in_words({.dots = 1}) == "1 dot");
+    CHECK(dots_in_words({.dots = 54'608, .duplicates = 13'648, .figure8 = true}) ==
+          "54,608 dots, 13,648 of them duplicates (25 %)");
+    CHECK(dots_in_words({.figure8 = true}) == "0 dots, 0 of them duplicates (0 %)");
+}
+
+TEST_CASE("every panel fits its column without cutting a label") {
+    ViewerSettings settings;
+    HeadlessUi ui([&] {
+        draw_tone_panel(settings.drawing.tone);
+        draw_dots_panel(settings.drawing, {}, kTiles);
+        draw_view_panel(settings);
+    });
+    ImGui::GetIO().DisplaySize.x = 340;
+    ui.frame();
+    ui.frame();
+    for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
+                              "Page, mm", "Photograph"}) {
+        CAPTURE(label);
+        float start = ImGui::GetStyle().WindowPadding.x;
+        CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
+        CHECK(ui.place(label).max.x < 340);
+    }
+}
+
+TEST_CASE("dots are coloured and levels left out in the view's section") {
+    ViewerSettings settings;
+    HeadlessUi ui([&] { draw_view_panel(settings); });
+    ui.click("Dots coloured");
+    ui.click("by rank");
+    CHECK(settings.colouring == DotColouring::rank);
+    ui.drag("Levels up to", 1.0f, 0.0f);
+    CHECK(settings.deepest_level == 0);
+    ui.drag("Levels up to", 0.0f, 1.0f);
+    CHECK(settings.deepest_level == kDeepestStep);
+}
+
+}  // namespace dapple

@@ -1,0 +1,271 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/files/picture.h"
+#include "app/files/sample.h"
+#include "tests/file_text.h"
+#include "tests/picture_files.h"
+#include "tests/temporary_folder.h"
+
+using namespace dapple;
+
+namespace {
+
+// IEC 61966-2-1.
+double decoded(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+std::vector<float> ramp(int count) {
+    std::vector<float> values(count);
+    for (int i = 0; i < count; ++i) values[i] = static_cast<float>(i) / static_cast<float>(count - 1);
+    return values;
+}
+
+std::string sentence_of(const std::filesystem::path& path) {
+    try {
+        read_picture(path);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void run(const std::string& command) {
+    REQUIRE_MESSAGE(std::system(command.c_str()) == 0, command);
+}
+
+}  // namespace
+
+TEST_CASE("integer pixels are decoded from sRGB, float ones are light already") {
+    const TemporaryFolder folder;
+    for (const char* type : {"uint8", "uint16"}) {
+        for (const char* name : {"ramp.png", "ramp.tif"}) {
+            CAPTURE(std::string(type));
+            CAPTURE(std::string(name));
+            write_picture(folder / name, {.width = 256, .values = ramp(256), .type = type});
+            const Picture picture = read_picture(folder / name);
+            REQUIRE(picture.light.width == 256);
+            for (int i = 0; i < 256; ++i) {
+                CHECK(picture.light.at(i, 0) == doctest::Approx(decoded(i / 255.0)).epsilon(1e-3));
+            }
+        }
+    }
+    write_picture(folder / "ramp.exr", {.width = 256, .values = ramp(256), .type = "float"});
+    const Picture floats = read_picture(folder / "ramp.exr");
+    for (int i = 0; i < 256; ++i) CHECK(floats.light.at(i, 0) == doctest::Approx(i / 255.0).epsilon(1e-5));
+}
+
+TEST_CASE("a file that says its pixels are linear is believed") {
+    const TemporaryFolder folder;
+    write_picture(folder / "linear.png",
+                  {.width = 3, .values = {0, 0.5f, 1}, .type = "uint16", .colour_space = "linear"});
+    CHECK(read_picture(folder / "linear.png").light.at(1, 0) == doctest::Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("luminance has the weights of Rec. 709") {
+    const TemporaryFolder folder;
+    write_picture(folder / "rgb.png", {.width = 3, .channels = 3, .values = {1, 0, 0, 0, 1, 0, 0, 0, 1}});
+    const Picture picture = read_picture(folder / "rgb.png");
+    CHECK(picture.light.at(0, 0) == doctest::Approx(0.2126));
+    CHECK(picture.light.at(1, 0) == doctest::Approx(0.7152));
+    CHECK(picture.light.at(2, 0) == doctest::Approx(0.0722));
+    CHECK(picture.preview.at(0, 0) == glm::u8vec4(255, 0, 0, 255));
+}
+
+TEST_CASE("transparent parts show white paper") {
+    const TemporaryFolder folder;
+    // Black at alpha 0, 0.2, 1; the colour under alpha 0 is not seen.
+    write_picture(folder / "rgba.png",
+                  {.width = 3, .channels = 4, .values = {0, 0, 0, 0, 0, 0, 0, 0.2f, 0, 0, 0, 1}});
+    write_picture(folder / "ya.png", {.width = 3, .channels = 2, .values = {0, 0, 0, 0.2f, 0, 1}});
+    write_picture(folder / "rgba.tif",
+                  {.width = 3, .channels = 4, .values = {0, 0, 0, 0, 0, 0, 0, 0.2f, 0, 0, 0, 1}});
+    for (const char* name : {"rgba.png", "ya.png", "rgba.tif"}) {
+        CAPTURE(std::string(name));
+        const Picture picture = read_picture(folder / name);
+        CHECK(picture.light.at(0, 0) == 1);
+        CHECK(picture.light.at(1, 0) == doctest::Approx(0.8));
+        CHECK(picture.light.at(2, 0) == 0);
+    }
+    // Grey 0.5 behind glass of alpha 0.4: 0.4 * light(0.5) + 0.6, the colour kept whole in 8 bits.
+    write_picture(folder / "glass.png", {.width = 1, .channels = 2, .values = {0.5f, 0.4f}});
+    CHECK(read_picture(folder / "glass.png").light.at(0, 0) ==
+          doctest::Approx(0.4 * decoded(128 / 255.0) + 0.6).epsilon(1e-4));
+    // EXR holds colours multiplied by alpha: light 0.1 of a surface that lets half through.
+    write_picture(folder / "glass.exr",
+                  {.width = 1, .channels = 4, .values = {0.1f, 0.1f, 0.1f, 0.5f}, .type = "float"});
+    CHECK(read_picture(folder / "glass.exr").light.at(0, 0) == doctest::Approx(0.6));
+}
+
+TEST_CASE("a camera held in any of the eight ways gives an upright picture") {
+    // Where EXIF says that the stored first pixel and its right-hand neighbour belong, in a 3 x 2 picture.
+    struct Expected {
+        int orientation, width, height, x0, y0, x1, y1;
+    };
+    const Expected all[] = {{1, 3, 2, 0, 0, 1, 0}, {2, 3, 2, 2, 0, 1, 0}, {3, 3, 2, 2, 1, 1, 1},
+                            {4, 3, 2, 0, 1, 1, 1}, {5, 2, 3, 0, 0, 0, 1}, {6, 2, 3, 1, 0, 1, 1},
+                            {7, 2, 3, 1, 2, 1, 1}, {8, 2, 3, 0, 2, 0, 1}};
+    const TemporaryFolder folder;
+    for (const Expected& e : all) {
+        CAPTURE(e.orientation);
+        write_picture(
+            folder / "turned.tif",
+            {.width = 3, .height = 2, .values = {0, 0.5f, 1, 1, 1, 1}, .orientation = e.orientation});
+        const Picture picture = read_picture(folder / "turned.tif");
+        REQUIRE(picture.light.width == e.width);
+        REQUIRE(picture.light.height == e.height);
+        CHECK(picture.light.at(e.x0, e.y0) == 0);
+        CHECK(picture.light.at(e.x1, e.y1) == doctest::Approx(decoded(128 / 255.0)).epsilon(1e-4));
+        CHECK(picture.preview.at(e.x0, e.y0) == glm::u8vec4(0, 0, 0, 255));
+    }
+}
+
+TEST_CASE("palette, bilevel, CMYK and interlaced pictures are what they look like") {
+    const TemporaryFolder folder;
+    write_picture(folder / "half.png",
+                  {.width = 40, .height = 40, .channels = 3, .values = std::vector<float>(4800, 1.0f)});
+    const std::string from = (folder / "half.png").string(), to = folder.path().string();
+    // The left half red: luminance 0.2126, and 0.2126 still after a print's inks and a JPEG, roughly.
+    const std::string red = "convert " + from + " -fill '#ff0000' -draw 'rectangle 0,0 19,39' ";
+    run(red + "-type Palette PNG8:" + to + "/palette.png");
+    run(red + "-interlace PNG " + to + "/interlaced.png");
+    run(red + to + "/animated.gif");
+    run(red + "-colorspace CMYK -quality 100 " + to + "/cmyk.jpg");
+    run(red + "-alpha off -colorspace CMYK " + to + "/cmyk.tif");
+    for (const char* name : {"palette.png", "interlaced.png", "animated.gif", "cmyk.jpg", "cmyk.tif"}) {
+        CAPTURE(std::string(name));
+        const Picture picture = read_picture(folder / name);
+        CHECK(picture.light.at(5, 20) == doctest::Approx(0.2126).epsilon(0.05));
+        CHECK(picture.light.at(34, 20) == doctest::Approx(1).epsilon(0.02));
+    }
+    run(red + "-alpha set -colorspace CMYK " + to + "/inks.tif");
+    CHECK(sentence_of(folder / "inks.tif").find("inks") != std::string::npos);
+    run("convert " + from + " -fill black -draw 'rectangle 0,0 19,39' -type Bilevel -depth 1 " + to +
+        "/bilevel.png");
+    const Picture bilevel = read_picture(folder / "bilevel.png");
+    CHECK(bilevel.light.at(5, 20) == 0);
+    CHECK(bilevel.light.at(34, 20) == 1);
+}
+
+TEST_CASE("of several pictures in a file the first is read") {
+    const TemporaryFolder folder;
+    write_picture(folder / "pages.tif", {.width = 2, .values = {0, 1}});
+    write_picture(folder / "pages.tif", {.width = 3, .values = {1, 1, 1}, .append = true});
+    const Picture picture = read_picture(folder / "pages.tif");
+    CHECK(picture.light.width == 2);
+    CHECK(picture.light.at(0, 0) == 0);
+}
+
+TEST_CASE("a picture stored in tiles is the one stored in lines") {
+    const TemporaryFolder folder;
+    const std::vector<float> values = ramp(100 * 75 * 3);
+    write_picture(folder / "lines.tif", {.width = 100, .height = 75, .channels = 3, .values = values});
+    write_picture(folder / "tiles.tif",
+                  {.width = 100, .height = 75, .channels = 3, .values = values, .tile = 32});
+    write_picture(folder / "tiles.exr",
+                  {.width = 100, .height = 75, .channels = 3, .values = values, .type = "float", .tile = 32});
+    CHECK(read_picture(folder / "tiles.tif").light.values == read_picture(folder / "lines.tif").light.values);
+    const Picture exr = read_picture(folder / "tiles.exr");
+    CHECK(exr.light.at(99, 74) == doctest::Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("the preview is at most 2048 pixels a side and as light as the picture") {
+    const TemporaryFolder folder;
+    constexpr int width = 5000, height = 301;
+    std::vector<float> values(width * height);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = (i % width) / 10 % 2 == 0 ? 0.0f : 1.0f;
+    write_picture(folder / "stripes.png", {.width = width, .height = height, .values = values});
+    const Picture picture = read_picture(folder / "stripes.png");
+    CHECK(picture.light.width == width);
+    CHECK(picture.preview.width == 2048);
+    CHECK(picture.preview.height == 123);
+    double sum = 0;
+    for (const glm::u8vec4& pixel : picture.preview.values) sum += decoded(pixel.x / 255.0);
+    CHECK(sum / static_cast<double>(picture.preview.values.size()) == doctest::Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("what cannot be read is refused in one sentence that begins with its name") {
+    const TemporaryFolder folder;
+    const std::string path = folder.path().string();
+    put_text(folder / "empty.png", "");
+    put_text(folder / "text.jpg", "This is no picture.\n");
+    write_picture(folder / "whole.jpg", {.width = 100, .height = 100, .values = ramp(10'000)});
+    write_picture(folder / "whole.png", {.width = 100, .height = 100, .values = ramp(10'000)});
+    const std::string jpeg = text_of(folder / "whole.jpg"), png = text_of(folder / "whole.png");
+    put_text(folder / "half.jpg", jpeg.substr(0, jpeg.size() / 2));
+    put_text(folder / "half.png", png.substr(0, png.size() / 2));
+    put_text(folder / "head.jpg", jpeg.substr(0, 100));
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
+                    infinity = std::numeric_limits<float>::infinity();
+    write_picture(folder / "nan.exr",
+                  {.width = 3, .height = 2, .values = {0, 0, 0, 0, 0, nan}, .type = "float"});
+    write_picture(folder / "infinite.exr",
+                  {.width = 2, .channels = 3, .values = {0, 0, 0, 0, -infinity, 0}, .type = "half"});
+
+    struct Expected {
+        const char* name;
+        const char* words;
+    };
+    for (const Expected& e :
+         {Expected{"none.png", "no such file"}, Expected{"", "is a folder"},
+          Expected{"empty.png", "is empty"}, Expected{"text.jpg", "not a picture"},
+          Expected{"half.jpg", "damaged"}, Expected{"half.png", "damaged"},
+          Expected{"head.jpg", "not a picture"}, Expected{"nan.exr", "pixel 2, 1 is not a number (NaN)"},
+          Expected{"infinite.exr", "pixel 1, 0 is infinite"}}) {
+        const std::string sentence = sentence_of(folder / e.name);
+        CAPTURE(sentence);
+        CHECK(sentence.starts_with((folder / e.name).string() + ": "));
+        CHECK(sentence.find(e.words) != sentence.npos);
+        CHECK(sentence.find('\n') == sentence.npos);
+        // The name once, not again in what the codec said.
+        CHECK(sentence.find(path, 1) == sentence.npos);
+    }
+}
+
+TEST_CASE("over 400 megapixels a picture is refused with its size, before its pixels are read") {
+    const TemporaryFolder folder;
+    // All header, no pixels.
+    put_text(folder / "large.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 40000\n");
+    const std::string sentence = sentence_of(folder / "large.hdr");
+    CAPTURE(sentence);
+    CHECK(sentence.find("40,000 x 30,000 pixels") != sentence.npos);
+    CHECK(sentence.find("--huge") != sentence.npos);
+}
+
+TEST_CASE("the sample is inside the program, and reads as it does from a file") {
+    const Picture sample = sample_picture();
+    CHECK(sample.light.width == 1024);
+    CHECK(sample.light.height == 1024);
+    CHECK_THROWS_AS(decode_png("not a PNG"), std::runtime_error);
+
+    const TemporaryFolder folder;
+    write_picture(folder / "rgba.png", {.width = 16, .height = 16, .channels = 4, .values = ramp(1024)});
+    const Picture file = read_picture(folder / "rgba.png"), memory = decode_png(text_of(folder / "rgba.png"));
+    REQUIRE(memory.light.values.size() == file.light.values.size());
+    for (std::size_t i = 0; i < file.light.values.size(); ++i) {
+        CHECK(memory.light.values[i] == doctest::Approx(file.light.values[i]).epsilon(1e-5));
+    }
+    CHECK(memory.preview.values == file.preview.values);
+}
+
+TEST_CASE("each picture in the folder of test data is read, or refused in one sentence") {
+    const char* const data = std::getenv("DAPPLE_TEST_DATA");
+    if (!data) return;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(data)) {
+        const std::string ending = entry.path().extension().string();
+        if (!entry.is_regular_file() || ending == ".txt" || ending == ".md") continue;
+        const std::string sentence = sentence_of(entry.path());
+        CAPTURE(entry.path());
+        CHECK(sentence.find('\n') == sentence.npos);
+        const bool must_fail = entry.path().filename() == "truncated.jpg";
+        CHECK(sentence.empty() != must_fail);
+    }
+}

@@ -1,0 +1,244 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "core/placing/placer.h"
+#include "core/tile/ranking.h"
+
+using namespace dapple;
+
+namespace {
+
+const Rule kTurning{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}};
+
+Tile random_tile(const Rule& rule, int points, unsigned seed) {
+    std::mt19937 random(seed);
+    while (true) {
+        std::string word;
+        for (int i = 0; i < points; ++i) word += static_cast<char>('0' + i % 4);
+        std::shuffle(word.begin(), word.end(), random);
+        try {
+            return make_tile(rule, {word});
+        } catch (const std::runtime_error&) {  // the word repeats itself: another one
+        }
+    }
+}
+
+Grid<float> blotches(int width, int height, unsigned seed) {
+    std::mt19937 random(seed);
+    Grid<float> grid(width, height);
+    for (float& v : grid.values) v = random() % 3 == 0 ? static_cast<float>(random() % 1000) / 999.0f : 0.0f;
+    grid.at(0, 0) = 0.8f;
+    return grid;
+}
+
+struct Expected {
+    double x, y, margin;  // margin: scale * density / threshold - 1
+};
+
+// Every newborn point of every tile of every level, tested one by one: no pyramid, no early end.
+void test_every_point(const Density& density, double scale, const Tile& tile, const Ranking& ranking,
+                      int levels, std::vector<Expected>& found) {
+    struct Placed {
+        glm::dvec2 corner;
+        Orientation orientation;
+    };
+    const auto consider = [&](glm::dvec2 p, double threshold) {
+        const double margin = scale * density.at(p) / threshold - 1;
+        if (margin > -1e-4) found.push_back({p.x, p.y, margin});
+    };
+    for (std::size_t i = 0; i < tile.size(); ++i)
+        consider(to_unit_square(tile.points[i]), ranking.tile[i] / 16);
+    const auto newborns = newborns_of(tile);
+    std::vector<Placed> tiles{{{0, 0}, {}}};
+    for (int level = 0; level < levels; ++level) {
+        const double side = std::ldexp(1.0, -level);
+        std::vector<Placed> next;
+        for (const Placed& placed : tiles) {
+            for (std::size_t i = 0; i < newborns.size(); ++i) {
+                const glm::dvec2 p =
+                    apply(placed.orientation, to_unit_square(newborns[i].position) - 0.5) + 0.5;
+                consider(placed.corner + side * p, std::ldexp(ranking.newborn[i] / 16.0, 2 * level));
+            }
+            for (int q = 0; q < 4; ++q) {
+                const int at = apply_to_quadrant(placed.orientation, q);
+                next.push_back({placed.corner + side / 2 * glm::dvec2(at & 1, at >> 1),
+                                compose(placed.orientation, tile.rule.child[q])});
+            }
+        }
+        tiles = std::move(next);
+    }
+}
+
+// The placed dots are the expected ones, but for those so near their threshold that rounding decides.
+void check_same(const Dots& dots, std::vector<Expected> expected) {
+    std::vector<std::pair<double, double>> placed;
+    for (std::size_t i = 0; i < dots.size(); ++i) placed.emplace_back(dots.x[i], dots.y[i]);
+    std::sort(placed.begin(), placed.end());
+    std::size_t matched = 0;
+    for (const Expected& e : expected) {
+        auto at = std::lower_bound(placed.begin(), placed.end(), std::pair{e.x - 2e-7, -1.0});
+        bool here = false;
+        for (; at != placed.end() && at->first <= e.x + 2e-7; ++at)
+            here = here || std::abs(at->second - e.y) < 2e-7;
+        if (!here && e.margin > 1e-4) FAIL("no dot at ", e.x, ",", e.y, " margin ", e.margin);
+        matched += here;
+    }
+    CHECK(matched == placed.size());
+}
+
+Dots placed(const PlacingTable& table, const Density& density, const PlacingRequest& request) {
+    Placer placer(table);
+    Dots dots;
+    CHECK(placer.place(density, request, dots));
+    return dots;
+}
+
+}  // namespace
+
+TEST_CASE("the placer's dots are those that testing every point of every level finds") {
+    for (const auto& [rule, size] :
+         {std::pair{Rule{}, 16}, {kTurning, 16}, {kTurning, 20}, {kTurning, 64}, {kTurning, 300}}) {
+        const Tile tile = random_tile(rule, size, 5 + size);
+        const Ranking ranking = rank(tile, size > 100 ? RankingOrder::paper : RankingOrder::energy);
+        const PlacingTable table = make_placing_table(tile, ranking);
+        for (const auto& [width, height] : {std::pair{24, 24}, {31, 7}, {1, 1}, {3, 40}}) {
+            const Density density(blotches(width, height, size + width));
+            const double scale = 350;
+            std::vector<Expected> expected;
+            test_every_point(density, scale, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
+            const Dots dots = placed(table, density, {scale});
+            CHECK(dots.size() > 20);
+            check_same(dots, expected);
+        }
+    }
+}
+
+TEST_CASE("white paper gets no dots") {
+    const PlacingTable table = make_placing_table(make_tile(14217, 2895, 16),
+                                                  rank(make_tile(14217, 2895, 16), RankingOrder::energy));
+    CHECK(placed(table, Density(Grid<float>(20, 20)), {1e6}).size() == 0);
+}
+
+TEST_CASE("the number of dots is 16 * scale * mean density, and grows one dot at a time") {
+    const Tile tile = make_tile(14217, 2895, 16);
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const Density grey(Grid<float>(8, 8, 1.0f));
+    for (const double scale : {0.5, 1.0, 3.0, 100.0, 1000.0, 2500.0}) {
+        const double expected = 16 * scale;
+        CHECK(std::abs(static_cast<double>(placed(table, grey, {scale}).size()) - expected) <=
+              1 + expected * 0.011);
+    }
+    CHECK(placed(table, grey, {1024.001}).size() == 16384);
+}
+
+TEST_CASE("dots are the same, in the same order, on any number of threads") {
+    const Tile tile = random_tile(kTurning, 64, 11);
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const Density density(blotches(90, 60, 3));
+    const Dots one = placed(table, density, {20000, {}, true, 1});
+    CHECK(one.size() > 30000);
+    for (const int threads : {2, 3, 0}) {
+        const Dots many = placed(table, density, {20000, {}, true, threads});
+        CHECK(many.x == one.x);
+        CHECK(many.y == one.y);
+        CHECK(many.threshold == one.threshold);
+        CHECK(many.critical == one.critical);
+    }
+}
+
+TEST_CASE("a dot exists at scales above its critical scale and not below") {
+    const Tile tile = random_tile(kTurning, 16, 2);
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const Density density(blotches(16, 16, 9));
+    const Dots dense = placed(table, density, {3000, {}, true});
+    for (const double scale : {17.0, 400.0, 1234.5}) {
+        std::multiset<std::pair<float, float>> expected;
+        for (std::size_t i = 0; i < dense.size(); ++i) {
+            if (dense.critical[i] < scale) expected.emplace(dense.x[i], dense.y[i]);
+        }
+        const Dots dots = placed(table, density, {scale});
+        CHECK(dots.size() == expected.size());
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            if (!expected.contains({dots.x[i], dots.y[i]})) FAIL("dot ", i, " at scale ", scale);
+        }
+    }
+}
+
+TEST_CASE("windows that tile the page share its dots out without a lost or doubled one") {
+    const Tile tile = random_tile(kTurning, 64, 4);
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const Density density(blotches(50, 40, 1));
+    const double scale = 2000;
+    const Dots whole = placed(table, density, {scale});
+    std::multiset<std::pair<long, long>> expected, found;
+    const auto key = [](double x, double y) { return std::pair{std::lround(x * 1e6), std::lround(y * 1e6)}; };
+    for (std::size_t i = 0; i < whole.size(); ++i) expected.insert(key(whole.x[i], whole.y[i]));
+    const std::int64_t third = (std::int64_t{1} << 62) / 3;
+    std::size_t total = 0;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            PageWindow window{column * third, row * third, static_cast<double>(third) * 0x1p-62,
+                              static_cast<double>(third) * 0x1p-62};
+            const Dots part = placed(table, density, {scale, window});
+            total += part.size();
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                CHECK(part.x[i] >= 0);
+                CHECK(part.x[i] <= 1.0f / 3);
+                found.insert(key(part.x[i] + column / 3.0, part.y[i] + row / 3.0));
+            }
+        }
+    }
+    CHECK(total == whole.size());
+    std::size_t same = 0;
+    for (const auto& [x, y] : found) {
+        // Rounding may put a dot on the next millionth.
+        bool here = false;
+        for (long dx = -1; dx <= 1; ++dx) {
+            for (long dy = -1; dy <= 1; ++dy) here = here || expected.contains({x + dx, y + dy});
+        }
+        same += here;
+    }
+    CHECK(same == total);
+}
+
+TEST_CASE("birthplaces can be read off thresholds") {
+    for (const std::size_t n : {16u, 64u, 4096u}) {
+        CHECK(birthplace_of(0.5f / 16, n).level == 0);
+        CHECK(birthplace_of(static_cast<float>(double(n) - 0.5) / 16, n).rank == static_cast<int>(n) - 1);
+        for (int level = 1; level < 20; ++level) {
+            for (const double rank : {double(n), 2 * double(n), 4 * double(n) - 1}) {
+                const Birthplace born =
+                    birthplace_of(static_cast<float>(std::ldexp((rank + 0.5) / 16, 2 * level - 2)), n);
+                CHECK(born.level == level);
+                CHECK(born.rank == static_cast<int>(rank));
+            }
+        }
+    }
+}
+
+TEST_CASE("an exact count is exact, and each lighter drawing is part of the darker one") {
+    const Tile tile = make_tile(14217, 2895, 16);
+    Placer placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    const Density density(blotches(40, 30, 8));
+    std::set<std::pair<float, float>> darker;
+    for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
+        Dots dots;
+        const auto scale = place_exactly(placer, density, {count}, dots);
+        REQUIRE(scale);
+        CHECK(dots.size() == count);
+        CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
+        std::set<std::pair<float, float>> lighter;
+        for (std::size_t i = 0; i < dots.size(); ++i) lighter.emplace(dots.x[i], dots.y[i]);
+        CHECK(lighter.size() == count);
+        if (!darker.empty())
+            CHECK(std::includes(darker.begin(), darker.end(), lighter.begin(), lighter.end()));
+        darker = lighter;
+    }
+    Dots none;
+    CHECK_THROWS(place_exactly(placer, Density(Grid<float>(4, 4)), {100}, none));
+}

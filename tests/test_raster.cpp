@@ -1,0 +1,153 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "core/output/colour.h"
+#include "core/output/raster.h"
+
+using namespace dapple;
+
+namespace {
+
+// A page of that many pixels whose page units, millimetres and pixels are one and the same.
+PageSize pixel_page(int width, int height) {
+    return {.width_mm = static_cast<double>(width),
+            .height_mm = static_cast<double>(height),
+            .mm_per_page_unit = 1};
+}
+constexpr double kOnePixelPerMm = 25.4;
+
+Dots dots_at(const std::vector<std::pair<float, float>>& places) {
+    Dots dots;
+    for (const auto& [x, y] : places) {
+        dots.x.push_back(x);
+        dots.y.push_back(y);
+    }
+    return dots;
+}
+
+Grid<float> draw(const Dots& dots, int width, int height, double radius, int threads = 1) {
+    return coverage_of(dots, pixel_page(width, height),
+                       {.dot_radius_mm = radius, .dpi = kOnePixelPerMm, .threads = threads});
+}
+
+double area(const Grid<float>& coverage) {
+    return std::accumulate(coverage.values.begin(), coverage.values.end(), 0.0);
+}
+
+double disc_area(double radius) {
+    return std::numbers::pi * radius * radius;
+}
+
+// Of two discs of equal radius whose centres are so far apart.
+double overlap(double radius, double distance) {
+    return 2 * radius * radius * std::acos(distance / (2 * radius)) -
+           distance / 2 * std::sqrt(4 * radius * radius - distance * distance);
+}
+
+}  // namespace
+
+TEST_CASE("a disc covers pi r^2 pixels, wherever it lies in its pixel") {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> place(10, 11);
+    for (const double radius : {0.5, 1.0, 2.7, 8.0}) {
+        double sum = 0;
+        constexpr int trials = 50;
+        for (int i = 0; i < trials; ++i) {
+            const double one = area(draw(dots_at({{place(random), place(random)}}), 21, 21, radius));
+            CHECK(one == doctest::Approx(disc_area(radius)).epsilon(0.05 / radius));
+            sum += one;
+        }
+        CHECK(sum / trials == doctest::Approx(disc_area(radius)).epsilon(0.004));
+    }
+}
+
+TEST_CASE("a pixel's coverage is the share of it inside the disc") {
+    // A quarter disc of radius 1 in each of the four pixels around its centre.
+    const Grid<float> four = draw(dots_at({{1, 1}}), 2, 2, 1);
+    for (const float share : four.values)
+        CHECK(share == doctest::Approx(std::numbers::pi / 4).epsilon(0.005));
+    // A disc so large that its edge is a straight line: x < 1.3.
+    const Grid<float> edge = draw(dots_at({{1.3f - 20000, 0.5f}}), 4, 1, 20000);
+    CHECK(edge.at(0, 0) == 1);
+    CHECK(edge.at(1, 0) == doctest::Approx(0.3).epsilon(0.05));
+    CHECK(edge.at(2, 0) == 0);
+}
+
+TEST_CASE("discs that overlap unite: the area is that of inclusion and exclusion") {
+    constexpr double radius = 6;
+    for (const double distance : {0.0, 1.0, 5.0, 11.0}) {
+        const float x = static_cast<float>(distance);
+        const double united = area(draw(dots_at({{10.2f, 10.7f}, {10.2f + x, 10.7f}}), 40, 22, radius));
+        CHECK(united == doctest::Approx(2 * disc_area(radius) - overlap(radius, distance)).epsilon(0.003));
+    }
+}
+
+TEST_CASE("a disc is cut at the page's edges") {
+    const double quarter = area(draw(dots_at({{0, 0}}), 9, 9, 5));
+    CHECK(quarter == doctest::Approx(disc_area(5) / 4).epsilon(0.005));
+    CHECK(area(draw(dots_at({{-20, 3}, {40, 3}, {3, -20}, {3, 40}}), 9, 9, 5)) == 0);
+    CHECK(area(draw(dots_at({{4, 4}}), 9, 9, 50)) == 81);
+}
+
+TEST_CASE("bands and threads leave no trace in the picture") {
+    // Wide and high enough for several bands.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> x(0, 700), y(0, 900);
+    std::vector<std::pair<float, float>> places;
+    for (int i = 0; i < 3000; ++i) places.emplace_back(x(random), y(random));
+    const Grid<float> one = draw(dots_at(places), 700, 900, 3.3, 1);
+    CHECK(draw(dots_at(places), 700, 900, 3.3, 4).values == one.values);
+
+    // The same dots 37 pixels further down: the bands fall elsewhere.
+    for (auto& place : places) place.second += 37;
+    const Grid<float> shifted = draw(dots_at(places), 700, 937, 3.3, 1);
+    std::size_t differing = 0;
+    for (int row = 0; row < 900; ++row) {
+        for (int column = 0; column < 700; ++column) {
+            // A dot's y is a float, so the shift moves it by a rounding.
+            if (std::abs(shifted.at(column, row + 37) - one.at(column, row)) > 0.02f) ++differing;
+        }
+    }
+    CHECK(differing == 0);
+}
+
+TEST_CASE("bands come from the top down without gaps") {
+    int next = 0;
+    rasterise(dots_at({{5, 5}}), pixel_page(3000, 1500),
+              {.dot_radius_mm = 1, .dpi = kOnePixelPerMm, .threads = 3},
+              [&](int first_row, const Grid<float>& band) {
+                  CHECK(first_row == next);
+                  CHECK(band.width == 3000);
+                  next += band.height;
+              });
+    CHECK(next == 1500);
+}
+
+TEST_CASE("ink and paper mix as light does") {
+    Grid<float> coverage(3, 1);
+    coverage.values = {0, 0.5f, 1};
+    const Grid<glm::u8vec3> pixels = ink_on_paper(coverage, kBlack, kWhite);
+    CHECK(pixels.at(0, 0) == glm::u8vec3(255));
+    // Half the light is 188 of 255 when encoded: 1.055 * 0.5^(1/2.4) - 0.055 = 0.7354.
+    CHECK(pixels.at(1, 0) == glm::u8vec3(188));
+    CHECK(pixels.at(2, 0) == glm::u8vec3(0));
+    const Grid<glm::u8vec3> coloured =
+        ink_on_paper(coverage, parse_colour("#1d3557"), parse_colour("#f1faee"));
+    CHECK(coloured.at(0, 0) == glm::u8vec3(0xf1, 0xfa, 0xee));
+    CHECK(coloured.at(2, 0) == glm::u8vec3(0x1d, 0x35, 0x57));
+}
+
+TEST_CASE("a page of more pixels than PNG can have is refused in words") {
+    const PageSize page{.width_mm = 25'400, .height_mm = 10, .mm_per_page_unit = 25'400};
+    CHECK(raster_size(page, 300).width == 300'000);
+    CHECK_THROWS_WITH_AS(raster_size(page, 3000), doctest::Contains("3000000 x 1181 pixels"),
+                         std::runtime_error);
+    CHECK(raster_size({.width_mm = 1e-5, .height_mm = 1e-5, .mm_per_page_unit = 1e-5}, 1).height == 1);
+}

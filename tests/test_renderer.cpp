@@ -1,0 +1,251 @@
+// What the renderer paints, read back pixel by pixel.
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/viewer/renderer.h"
+#include "core/output/colour.h"
+#include "tests/offscreen_gl.h"
+
+namespace dapple {
+namespace {
+
+constexpr glm::ivec2 kSize{200, 160};
+constexpr double kPixelsPerUnit = 100;
+
+class Picture200 {
+ public:
+    Picture200() {
+        framebuffer.resize(kSize);
+        look.page_size = {2, 1.6};  // the page fills the canvas
+        look.paper = {1, 1, 1};
+        look.ink = {0, 0, 0};
+        camera = {glm::dvec2(kSize), page_point({1, 0.8}), kPixelsPerUnit};
+    }
+    /// A dot at a pixel position, not yet drawn.
+    void add(double x, double y) {
+        dots.x.push_back(static_cast<float>(x / kPixelsPerUnit));
+        dots.y.push_back(static_cast<float>(y / kPixelsPerUnit));
+    }
+    void radius(double pixels) { look.dot_radius = pixels / kPixelsPerUnit; }
+    Grid<glm::u8vec4> draw() {
+        renderer.set_dots(dots);
+        framebuffer.bind();
+        renderer.draw(camera, look);
+        return read_pixels(kSize);
+    }
+
+    OffscreenContext context;
+    GlFramebuffer framebuffer;
+    Renderer renderer;
+    Camera camera;
+    CanvasLook look;
+    Dots dots;
+};
+
+/// Ink on the picture in pixels' areas.
+double ink_area(const Grid<glm::u8vec4>& pixels) {
+    double sum = 0;
+    for (auto p : pixels.values) sum += 1 - p.r / 255.0;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a dot covers its area, whatever its size and place between pixels") {
+    for (double radius : {0.2, 0.5, 0.8, 1.5, 4.0, 20.0, 60.0}) {
+        CAPTURE(radius);
+        Picture200 picture;
+        picture.radius(radius);
+        for (int i = 0; i < 4; ++i) {
+            picture.dots = {};
+            picture.add(90 + 0.25 * i, 80.4 + 0.17 * i);
+            double area = std::numbers::pi * radius * radius;
+            CHECK(ink_area(picture.draw()) == doctest::Approx(area).epsilon(radius < 1 ? 0.12 : 0.03));
+        }
+    }
+}
+
+TEST_CASE("a dot larger than any point sprite is drawn just as round") {
+    Picture200 picture;
+    picture.radius(300);
+    picture.add(-180, 80);  // its rim crosses the canvas at x = 120
+    auto pixels = picture.draw();
+    CHECK(pixels.at(100, 80).r == 0);
+    CHECK(pixels.at(118, 80).r == 0);
+    CHECK(pixels.at(122, 80).r == 255);
+    // (x + 180)^2 + 70^2 = 300^2
+    int rim = static_cast<int>(std::sqrt(300.0 * 300 - 70 * 70) - 180);
+    CHECK(pixels.at(rim - 2, 150).r == 0);
+    CHECK(pixels.at(rim + 3, 150).r == 255);
+}
+
+TEST_CASE("a dot whose centre is outside the canvas still shows its rim") {
+    Picture200 picture;
+    picture.radius(10);
+    picture.add(-5, 80);
+    CHECK(picture.draw().at(2, 80).r < 5);
+}
+
+TEST_CASE("x goes to the right and y goes down") {
+    Picture200 picture;
+    picture.radius(5);
+    picture.add(30, 20);
+    auto pixels = picture.draw();
+    CHECK(pixels.at(30, 20).r < 5);
+    CHECK(pixels.at(30, 140).r == 255);
+    CHECK(pixels.at(170, 20).r == 255);
+}
+
+TEST_CASE("dots have the ink's colour and paper the paper's, encoded as given") {
+    Picture200 picture;
+    picture.look.ink = glm::vec3(10, 100, 200) / 255.0f;
+    picture.look.paper = glm::vec3(250, 240, 230) / 255.0f;
+    picture.radius(8);
+    picture.add(100.5, 80.5);
+    auto pixels = picture.draw();
+    CHECK(pixels.at(100, 80) == glm::u8vec4(10, 100, 200, 255));
+    CHECK(pixels.at(20, 20) == glm::u8vec4(250, 240, 230, 255));
+}
+
+TEST_CASE("dots have a colour each until there are other dots") {
+    for (const double radius : {10.0, 300.0}) {  // sprites, and squares
+        Picture200 picture;
+        picture.radius(radius);
+        picture.add(50 - radius, 80);
+        picture.add(150 + radius, 80);
+        picture.draw();
+        picture.renderer.set_dot_colours(
+            std::array{glm::u8vec4(200, 0, 0, 255), glm::u8vec4(0, 0, 100, 255)});
+        picture.renderer.draw(picture.camera, picture.look);
+        const Grid<glm::u8vec4> pixels = read_pixels(kSize);
+        CHECK(glm::u8vec3(pixels.at(45, 80)) == glm::u8vec3(200, 0, 0));
+        CHECK(glm::u8vec3(pixels.at(155, 80)) == glm::u8vec3(0, 0, 100));
+        CHECK(glm::u8vec3(picture.draw().at(45, 80)) == glm::u8vec3(0, 0, 0));
+        // A transparent colour hides its dot.
+        picture.renderer.set_dot_colours(std::array{glm::u8vec4(200, 0, 0, 0), glm::u8vec4(0, 0, 100, 255)});
+        picture.renderer.draw(picture.camera, picture.look);
+        CHECK(glm::u8vec3(read_pixels(kSize).at(45, 80)) == glm::u8vec3(255, 255, 255));
+    }
+}
+
+TEST_CASE("outside the page is the desk, and no shadow falls on the page") {
+    Picture200 picture;
+    picture.look.page_size = {1, 1};
+    picture.look.desk = {0.5f, 0.5f, 0.5f};
+    auto pixels = picture.draw();
+    CHECK(pixels.at(98, 50).r == 255);
+    CHECK(pixels.at(2, 98).r == 255);
+    CHECK(pixels.at(190, 50).r == doctest::Approx(127.5).epsilon(0.02));
+    CHECK(pixels.at(101, 50).r < 120);
+}
+
+TEST_CASE("the photograph shows through as strongly as asked, the right way up") {
+    Picture200 picture;
+    Grid<glm::u8vec4> photograph(2, 2, glm::u8vec4(0, 0, 0, 255));
+    photograph.at(1, 0) = {255, 0, 0, 255};
+    picture.renderer.set_picture(photograph);
+    picture.look.picture_opacity = 1;
+    auto pixels = picture.draw();
+    CHECK(pixels.at(190, 10) == glm::u8vec4(255, 0, 0, 255));
+    CHECK(pixels.at(10, 10) == glm::u8vec4(0, 0, 0, 255));
+    CHECK(pixels.at(190, 150) == glm::u8vec4(0, 0, 0, 255));
+    picture.look.picture_opacity = 0.5f;
+    CHECK(picture.draw().at(10, 10).r == doctest::Approx(127.5).epsilon(0.02));
+    picture.look.picture_opacity = 0;
+    CHECK(picture.draw().at(10, 10).r == 255);
+}
+
+TEST_CASE("a tile's outline is a line of its level's colour where its sides are, and only then") {
+    Picture200 picture;
+    PlacedTile tile{.level = 3, .x = 0.5, .y = 0.3, .side = 1, .orientation = {}};
+    picture.renderer.set_tiles(std::span(&tile, 1));
+    picture.look.tiles = true;
+    picture.look.pixel_scale = 4;
+    auto pixels = picture.draw();
+    glm::vec3 colour = level_colour(3) * 255.0f;
+    for (glm::ivec2 at : {glm::ivec2(50, 80), {149, 80}, {100, 30}, {100, 129}}) {
+        CAPTURE(at.x);
+        auto p = pixels.at(at.x, at.y);
+        CHECK(std::abs(p.r - (colour.r * 0.85f + 255 * 0.15f)) <= 2);
+        CHECK(std::abs(p.b - (colour.b * 0.85f + 255 * 0.15f)) <= 2);
+    }
+    CHECK(pixels.at(100, 80) == glm::u8vec4(255));
+    CHECK(pixels.at(20, 80) == glm::u8vec4(255));
+    picture.look.tiles = false;
+    CHECK(picture.draw().at(50, 80) == glm::u8vec4(255));
+}
+
+TEST_CASE("a dot fades in from its critical scale on") {
+    Picture200 picture;
+    picture.radius(5);
+    picture.add(100, 80);
+    picture.dots.critical = {1000};
+    for (auto [scale, least, most] :
+         {std::array{990.0, 255.0, 255.0}, {1075.0, 100.0, 155.0}, {1200.0, 0.0, 2.0}, {0.0, 0.0, 2.0}}) {
+        CAPTURE(scale);
+        picture.look.fade_scale = scale;
+        const int grey = picture.draw().at(100, 80).r;
+        CHECK(grey >= least);
+        CHECK(grey <= most);
+    }
+}
+
+TEST_CASE("dots of a window far into the page lie where the camera says") {
+    Picture200 picture;
+    const double deep = 100 * 0x1p40;
+    const PageWindow window{(1LL << 61) + 12'345'678, (1LL << 60) + 987'654, 2 / deep, 2 / deep};
+    picture.camera = {glm::dvec2(kSize), {window.x, window.y}, deep};
+    picture.look.dot_radius = 5 / deep;
+    picture.look.page_size = {1, 1};
+    picture.dots.x = {static_cast<float>(40 / deep)};
+    picture.dots.y = {static_cast<float>(30 / deep)};
+    picture.renderer.set_dots(picture.dots, window);
+    picture.framebuffer.bind();
+    picture.renderer.draw(picture.camera, picture.look);
+    auto pixels = read_pixels(kSize);
+    CHECK(pixels.at(140, 110).r < 5);
+    CHECK(pixels.at(137, 110).r < 5);
+    CHECK(pixels.at(148, 110).r == 255);
+    CHECK(pixels.at(132, 110).r == 255);
+}
+
+TEST_CASE("a letter F in a tile tells its eight orientations apart") {
+    Picture200 picture;
+    picture.look.tiles = true;
+    for (Orientation g : all_orientations()) {
+        CAPTURE(int(g.index));
+        PlacedTile tile{.level = 3, .x = 0.3, .y = 0.1, .side = 1.4, .orientation = g};
+        picture.renderer.set_tiles(std::span(&tile, 1));
+        auto pixels = picture.draw();
+        auto inked = [&](glm::dvec2 in_letter) {
+            glm::dvec2 at = glm::dvec2(100, 80) + apply(g, in_letter) * (140 * 0.09);
+            return pixels.at(static_cast<int>(at.x), static_cast<int>(at.y)) != glm::u8vec4(255);
+        };
+        // The upright letter: foot, upper right arm, middle arm; not the other corners.
+        CHECK(inked({-0.55, 0.8}));
+        CHECK(inked({0.5, -0.9}));
+        CHECK(inked({0.2, -0.1}));
+        CHECK_FALSE(inked({0.55, 0.8}));
+        CHECK_FALSE(inked({0.2, 0.5}));
+        CHECK_FALSE(inked({0.2, -0.5}));
+    }
+}
+
+TEST_CASE("fewer dots than before leave none of the old ones") {
+    Picture200 picture;
+    picture.radius(3);
+    for (int i = 0; i < 1000; ++i) picture.add(20 + i % 100, 20 + i / 10);
+    picture.draw();
+    picture.dots = {};
+    picture.add(10, 10);
+    double one = ink_area(picture.draw());
+    CHECK(one == doctest::Approx(std::numbers::pi * 9).epsilon(0.05));
+    picture.dots = {};
+    CHECK(ink_area(picture.draw()) == 0);
+}
+
+}  // namespace dapple

@@ -1,0 +1,73 @@
+// Saving a drawing while someone watches it.
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "app/files/save_drawing.h"
+#include "tests/temporary_folder.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Stippling many_dots() {
+    Stippling stippling;
+    for (int i = 0; i < 150'000; ++i) {
+        stippling.dots.x.push_back(static_cast<float>(i % 500) / 500);
+        stippling.dots.y.push_back(static_cast<float>(i / 500) / 300);
+        stippling.dots.threshold.push_back(0.5f);
+        stippling.dots.critical.push_back(1);
+    }
+    stippling.scale = 100;
+    return stippling;
+}
+
+// A strip of the dots, with several bands of pixels.
+constexpr PageSize kPage{.width_mm = 10, .height_mm = 100, .mm_per_page_unit = 100};
+
+}  // namespace
+
+TEST_CASE("progress rises from nothing to all, in every format") {
+    TemporaryFolder folder;
+    const Stippling stippling = many_dots();
+    for (const char* name : {"a.svg", "a.csv", "a.png"}) {
+        CAPTURE(name);
+        std::vector<double> shares;
+        const SavingWatch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
+        CHECK(save_drawing(folder / name, {}, {.stippling = stippling, .page = kPage}, watch));
+        REQUIRE(shares.size() > 3);
+        CHECK(shares.front() == 0);
+        CHECK(shares.back() == 1);
+        for (std::size_t i = 1; i < shares.size(); ++i) CHECK(shares[i] >= shares[i - 1]);
+    }
+}
+
+TEST_CASE("a saving that is stopped half way leaves the old file whole and nothing else") {
+    TemporaryFolder folder;
+    const Stippling stippling = many_dots();
+    for (const char* name : {"a.svg", "a.csv", "a.png"}) {
+        CAPTURE(name);
+        std::ofstream(folder / name) << "old";
+        std::stop_source source;
+        const auto stop_half_way = [&](double share) {
+            if (share > 0.4) source.request_stop();
+        };
+        CHECK_FALSE(save_drawing(folder / name, {}, {.stippling = stippling, .page = kPage},
+                                 {.stop = source.get_token(), .progress = stop_half_way}));
+        CHECK(text_of(folder / name) == "old");
+        fs::remove(folder / name);
+        CHECK(fs::is_empty(folder / "."));
+    }
+}
+
+}  // namespace dapple

@@ -1,0 +1,199 @@
+// dapple tile, run as a person runs it.
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/files/tile_library.h"
+#include "core/tile/tile_file.h"
+#include "tests/file_text.h"
+#include "tests/shell.h"
+#include "tests/temporary_folder.h"
+
+namespace dapple {
+namespace {
+
+void check_refused(const std::string& arguments, const std::string& reason) {
+    const Outcome outcome = run_dapple(arguments);
+    CAPTURE(arguments);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status != 0);
+    CHECK(outcome.sentences() == 1);
+    CHECK(outcome.err.find(reason) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("the list names every built-in tile with its number of points") {
+    const Outcome outcome = run_dapple("tile list");
+    CHECK(outcome.status == 0);
+    for (const char* name : built_in_tile_names()) {
+        const StoredTile stored = load_tile(name);
+        const std::size_t at = outcome.out.find("\n" + std::string(name) + " ");
+        REQUIRE(at != std::string::npos);
+        const std::string line = outcome.out.substr(at + 1, outcome.out.find('\n', at + 1) - at - 1);
+        CHECK(line.find(fmt::format(" {} ", stored.tile.size())) != std::string::npos);
+    }
+}
+
+TEST_CASE("the built-in tiles are the paper's, the lattices and those that do not repeat") {
+    const std::set<std::pair<std::string, std::string>> integers{{"paper16", "14217,2895/16"},
+                                                                 {"paper20", "205786,15079/20"},
+                                                                 {"lattice24", "2422572,1554785/24"},
+                                                                 {"lattice28", "46281975,18512790/28"}};
+    for (const auto& [name, pair] : integers) {
+        // The same points, though perhaps counted from another one.
+        const Tile expected = parse_tile_integers(pair);
+        const auto key = [](const BinaryPoint p) { return std::pair(p.x >> 30, p.y >> 30); };
+        std::set<std::pair<std::uint64_t, std::uint64_t>> a, b;
+        for (const BinaryPoint p : expected.points) a.insert(key(p));
+        for (const BinaryPoint p : load_tile(name).tile.points) b.insert(key(p));
+        CHECK(a == b);
+    }
+    for (const int points : {16, 64, 256, 1024, 4096}) {
+        const StoredTile stored = load_tile(fmt::format("aperiodic{}", points));
+        CHECK(stored.tile.size() == points);
+        CHECK(stored.tile.rule != Rule{});
+    }
+}
+
+TEST_CASE("every built-in tile renders exactly 10,000 dots, no two at one place") {
+    const TemporaryFolder folder;
+    for (const char* name : built_in_tile_names()) {
+        const std::string file = folder / "dots.csv";
+        const Outcome outcome = run_dapple(fmt::format("render -o {} --dots 10000 --tile {}", file, name));
+        CAPTURE(name);
+        CHECK(outcome.err == "");
+        REQUIRE(outcome.status == 0);
+        const std::string text = text_of(file);
+        std::set<std::string> places;
+        std::size_t lines = 0;
+        for (std::size_t at = text.find('\n') + 1; at < text.size(); at = text.find('\n', at) + 1) {
+            places.insert(text.substr(at, text.find(',', text.find(',', at) + 1) - at));
+            ++lines;
+        }
+        CHECK(lines == 10'000);
+        CHECK(places.size() == 10'000);
+    }
+}
+
+TEST_CASE("a tile that is found is a file that renders, and the same seed finds it again") {
+    const TemporaryFolder folder;
+    const std::string first = folder / "first.tile", second = folder / "second.tile";
+    const std::string search = "tile search --points 16 --rule any --moves 4000 --seed 7 -o ";
+    REQUIRE(run_dapple(search + first).status == 0);
+    REQUIRE(run_dapple(search + second + " --threads 1").status == 0);
+    CHECK(text_of(first) == text_of(second));
+    CHECK(read_tile(text_of(first)).tile.size() == 16);
+    CHECK(run_dapple(fmt::format("render -o {} --dots 500 --tile {}", (folder / "a.svg").string(), first))
+              .status == 0);
+}
+
+TEST_CASE("an identity search prints the paper's radii and saves the best tile") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "best.tile";
+    const Outcome outcome = run_dapple("tile search --points 16 --top 4 -o " + file);
+    CHECK(outcome.status == 0);
+    for (const char* radius : {"0.696594", "0.652788", "0.640257", "0.638781", "14217,2895/16"})
+        CHECK(outcome.out.find(radius) != std::string::npos);
+    const Outcome check = run_dapple("tile check --json " + file);
+    CHECK(nlohmann::json::parse(check.out)["relative_radius"].get<double>() ==
+          doctest::Approx(0.696594).epsilon(1e-6));
+}
+
+TEST_CASE("a search that is interrupted keeps what it found and goes on to the same tiles") {
+    const TemporaryFolder folder;
+    // The time is over before the first part is done or while there are few.
+    const Outcome stopped =
+        run_in_shell(fmt::format("cd {} && {} tile search --points 20 --top 3 --seconds 0.01",
+                                 folder.path().string(), DAPPLE_PROGRAM));
+    CHECK(stopped.status == 0);
+    const std::string state = folder / "dapple-search-20.txt";
+    if (stopped.out.find("stopped") == std::string::npos) return;  // a machine that is done by then
+    CHECK(text_of(state).starts_with("dapple exhaustive search 1"));
+    const Outcome resumed = run_dapple("tile search --resume " + state);
+    CHECK(resumed.status == 0);
+    for (const char* radius : {"0.832358", "0.714068"}) CHECK(resumed.out.find(radius) != std::string::npos);
+}
+
+TEST_CASE("Ctrl+C ends a search with its best tile saved") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "best.tile";
+    const Outcome outcome = run_in_shell(fmt::format(
+        "timeout -s INT 2 {} tile search --points 64 --rule any --moves 1e12 -o {}", DAPPLE_PROGRAM, file));
+    CHECK(outcome.status == 124);  // timeout's own: it had to send the signal
+    CHECK(outcome.out.find("stopped") != std::string::npos);
+    CHECK(read_tile(text_of(file)).tile.size() == 64);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("check tells the criteria in words and as JSON") {
+    const Outcome words = run_dapple("tile check 14217,2895/16");
+    CHECK(words.status == 0);
+    CHECK(words.out.find("0.652788") != std::string::npos);
+    const nlohmann::json marks = nlohmann::json::parse(run_dapple("tile check --json paper16").out);
+    CHECK(marks["balanced"] == true);
+    CHECK(marks["integers"] == "14217,2895/16");
+    CHECK(marks["relative_radius"].get<double>() == doctest::Approx(0.652788).epsilon(1e-6));
+    CHECK(marks["coherent_share"].get<double>() == doctest::Approx(1));
+    CHECK(marks["low_frequency_power"].get<double>() == doctest::Approx(0.120).epsilon(0.005));
+    CHECK(marks["orientation_coincidence"].get<double>() == doctest::Approx(1));
+}
+
+TEST_CASE("rank makes a tile file of words, and of a tile another ranking") {
+    const TemporaryFolder folder;
+    const std::string words = folder / "words.txt", file = folder / "a.tile", other = folder / "b.tile";
+    put_text(words, "3760\n0301213303211022\n");
+    REQUIRE(run_dapple(fmt::format("tile rank {} -o {} --order farthest", words, file)).status == 0);
+    CHECK(read_tile(text_of(file)).order == RankingOrder::farthest);
+    REQUIRE(run_dapple(fmt::format("tile rank {} -o {} --order searched", file, other)).status == 0);
+    CHECK_FALSE(read_tile(text_of(other)).order);
+    CHECK(read_tile(text_of(other)).tile.points == read_tile(text_of(file)).tile.points);
+}
+
+TEST_CASE("show draws a built-in tile as an SVG") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "tile.svg";
+    REQUIRE(run_dapple("tile show aperiodic64 -o " + file).status == 0);
+    pugi::xml_document document;
+    REQUIRE(document.load_file(file.c_str()));
+    CHECK(document.select_nodes("//g[@id='coinciding']/circle").size() == 64);
+}
+
+TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files alone") {
+    const TemporaryFolder folder;
+    const std::string kept = folder / "kept.tile", bad = folder / "bad.tile";
+    put_text(kept, "mine");
+    put_text(bad, "dapple tile 1\nrule 0 0 0 9\n");
+    check_refused("tile check nosuch", "no such tile or tile file; there are paper16, ");
+    check_refused("tile check " + bad, bad + ": not a tile file, line 2: an orientation");
+    check_refused("tile check " + folder.path().string(), "is a folder");
+    check_refused("tile check 1,2/3", "multiple of 4");
+    check_refused("tile rank " + bad + " -o " + kept, "line 2: an orientation");
+    check_refused("tile rank paper16 --order best -o " + kept,
+                  "best is not known; there are paper, farthest, energy");
+    check_refused("tile rank paper16 -o " + (folder / "none/a.tile").string(), "does not exist");
+    check_refused("tile show paper16 -o a.png", "does not end in .svg");
+    check_refused("tile show nosuch -o " + (folder / "a.svg").string(), "no such tile");
+    check_refused("tile search", "--points");
+    check_refused("tile search --points 18", "multiple of 4");
+    check_refused("tile search --points 64", "up to 60");
+    check_refused("tile search --points 16 --seed 3", "--rule any");
+    check_refused("tile search --points 16 --rule any", "--output: is needed");
+    check_refused("tile search --points 16 --rule odd -o " + kept, "odd is not known");
+    check_refused("tile search --points 16 --rule any --top 3 -o " + kept, "--rule identity");
+    check_refused("tile search --resume " + kept, "line 1");
+    check_refused("tile search --resume " + (folder / "none.txt").string(), "no such file");
+    check_refused("render -o " + (folder / "a.svg").string() + " --tile " + bad, "line 2: an orientation");
+    check_refused("tile", "subcommand");
+    CHECK(text_of(kept) == "mine");
+    CHECK(folder.entries() == 2);
+}
+
+}  // namespace dapple

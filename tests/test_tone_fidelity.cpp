@@ -1,0 +1,98 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/drawing_settings.h"
+#include "app/files/sample.h"
+#include "app/files/tile_library.h"
+#include "core/image/tone.h"
+#include "core/output/raster.h"
+#include "core/stipple.h"
+
+using namespace dapple;
+
+namespace {
+
+// Means over so many cells a side: what is seen from afar.
+Grid<double> from_afar(const Grid<float>& picture, int cells) {
+    Grid<double> sums(cells, cells), counts(cells, cells);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const int cx = x * cells / picture.width, cy = y * cells / picture.height;
+            sums.at(cx, cy) += std::clamp(picture.at(x, y), 0.0f, 1.0f);
+            counts.at(cx, cy) += 1;
+        }
+    }
+    for (std::size_t i = 0; i < sums.values.size(); ++i) sums.values[i] /= counts.values[i];
+    return sums;
+}
+
+// The light of the paper that default settings draw, one value a pixel.
+Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& settings) {
+    const Density density(density_of(light, settings.tone));
+    RankedTile tile = tile_named(settings.tile, settings.ranking);
+    Stippling stippling;
+    REQUIRE(stipple(tile, density, settings.stipple, stippling));
+    const PageSize page = page_size(density, settings.width_mm);
+    Grid<float> drawn = coverage_of(
+        stippling.dots, page,
+        {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page), .dpi = 150, .threads = 0});
+    for (float& value : drawn.values) value = 1 - value;
+    return drawn;
+}
+
+struct Error {
+    double mean = 0, largest = 0;
+};
+
+Error error_of(const Grid<float>& light, const DrawingSettings& settings, int cells) {
+    const Grid<double> wanted = from_afar(light, cells),
+                       drawn = from_afar(light_of_drawing(light, settings), cells);
+    Error error;
+    for (std::size_t i = 0; i < wanted.values.size(); ++i) {
+        const double difference = std::abs(wanted.values[i] - drawn.values[i]);
+        error.mean += difference / static_cast<double>(wanted.values.size());
+        error.largest = std::max(error.largest, difference);
+    }
+    return error;
+}
+
+Grid<float> ramp() {
+    Grid<float> light(600, 600);
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 600; ++x) light.at(x, y) = static_cast<float>(x + 0.5) / 600;
+    }
+    return light;
+}
+
+}  // namespace
+
+TEST_CASE("by default a drawing seen from afar has the photograph's light") {
+    const DrawingSettings settings;
+    const Error of_ramp = error_of(ramp(), settings, 16),
+                of_sample = error_of(sample_picture().light, settings, 16);
+    CAPTURE(of_ramp.largest);
+    CAPTURE(of_sample.largest);
+    CHECK(of_ramp.mean < 0.015);
+    CHECK(of_sample.mean < 0.015);
+}
+
+TEST_CASE("the tone stays whatever the count, the width of the page and the order of the dots") {
+    for (const std::uint64_t count : {5'000u, 20'000u, 80'000u}) {
+        CAPTURE(count);
+        DrawingSettings settings;
+        settings.stipple.count = count;
+        CHECK(error_of(ramp(), settings, 10).mean < 0.02);
+    }
+    DrawingSettings postcard;
+    postcard.width_mm = 148;
+    CHECK(error_of(ramp(), postcard, 10).mean < 0.02);
+    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest}) {
+        DrawingSettings settings;
+        settings.ranking = order;
+        CHECK(error_of(ramp(), settings, 10).mean < 0.04);
+    }
+}

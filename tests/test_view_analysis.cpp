@@ -1,0 +1,126 @@
+// What is measured of the dots on screen, and the thread that does it.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <semaphore>
+#include <vector>
+
+#include "app/viewer/analyst.h"
+#include "app/viewer/view_analysis.h"
+#include "tests/point_sets.h"
+
+namespace dapple {
+namespace {
+
+Dots dots_of(const std::vector<glm::dvec2>& points) {
+    Dots dots;
+    for (const glm::dvec2 p : points) {
+        dots.x.push_back(static_cast<float>(p.x));
+        dots.y.push_back(static_cast<float>(p.y));
+    }
+    return dots;
+}
+
+}  // namespace
+
+TEST_CASE("the points in view are those in the rectangle, measured from its corner") {
+    const Dots dots = dots_of(square_lattice(10));
+    const PointsInView view = points_in_view(dots, {{0.2, 0.4}, {0.5, 0.3}});
+    CHECK(view.all);
+    CHECK(view.domain == Domain{0.5, 0.3, Topology::window});
+    REQUIRE(view.points.size() == 15);
+    CHECK(view.points.front().x == doctest::Approx(0.03));
+    CHECK(view.points.front().y == doctest::Approx(0.07));
+    CHECK(points_in_view(dots, {{0.2, 0.4}, {-0.1, 0.3}}).points.empty());
+}
+
+TEST_CASE("of too many dots those in the middle are measured, as dense as all") {
+    const PointsInView view = points_in_view(dots_of(square_lattice(300)), {}, 10'000);
+    CHECK_FALSE(view.all);
+    CHECK(view.points.size() <= 10'000);
+    CHECK(view.points.size() > 7'500);
+    CHECK(static_cast<double>(view.points.size()) / view.domain.area() ==
+          doctest::Approx(90'000).epsilon(0.03));
+}
+
+TEST_CASE("all dots in one place do not keep the view shrinking for ever") {
+    Dots dots;
+    dots.x.assign(1000, 0.25f);
+    dots.y.assign(1000, 0.25f);
+    CHECK(points_in_view(dots, {}, 100).points.size() <= 100);
+}
+
+TEST_CASE("a square lattice repeats itself and keeps its known distance") {
+    const auto analysis = analyse_view({.view = points_in_view(dots_of(square_lattice(64)), {})});
+    REQUIRE(analysis);
+    CHECK(analysis->dots == 4096);
+    REQUIRE(analysis->periodicity);
+    CHECK(analysis->periodicity->value == doctest::Approx(1));
+    const double square = std::sqrt(std::sqrt(3) / 2);
+    CHECK(analysis->nearest.minimum == doctest::Approx(square).epsilon(1e-4));
+    CHECK(analysis->nearest.mean == doctest::Approx(square).epsilon(1e-4));
+    CHECK(analysis->peaks.highest_bin == doctest::Approx(4096).epsilon(1e-3));
+    CHECK(analysis->low_frequency_power == doctest::Approx(0).epsilon(1e-3));
+    CHECK_FALSE(analysis->picture.empty());
+}
+
+TEST_CASE("dots thrown at random do not repeat and have power 1 everywhere") {
+    const auto analysis = analyse_view({.view = points_in_view(dots_of(white_noise(8000, 7)), {})});
+    REQUIRE(analysis);
+    REQUIRE(analysis->periodicity);
+    CHECK(analysis->periodicity->value < 0.05);
+    CHECK(analysis->low_frequency_power == doctest::Approx(1).epsilon(0.1));
+    CHECK(analysis->nearest.mean == doctest::Approx(0.4653).epsilon(0.03));
+}
+
+TEST_CASE("a dot that is there twice counts once") {
+    Dots dots = dots_of(square_lattice(32));
+    const Dots once = dots;
+    dots.x.insert(dots.x.end(), once.x.begin(), once.x.end());
+    dots.y.insert(dots.y.end(), once.y.begin(), once.y.end());
+    const auto analysis = analyse_view({.view = points_in_view(dots, {}), .has_duplicates = true});
+    REQUIRE(analysis);
+    CHECK(analysis->dots == 1024);
+    CHECK(analysis->nearest.minimum == doctest::Approx(std::sqrt(std::sqrt(3) / 2)).epsilon(1e-4));
+}
+
+TEST_CASE("a view of less than two tiles has no periodicity") {
+    const auto analysis =
+        analyse_view({.view = points_in_view(dots_of(square_lattice(10)), {}), .tile_size = 64});
+    REQUIRE(analysis);
+    CHECK_FALSE(analysis->periodicity);
+}
+
+TEST_CASE("an empty view is measured without an error") {
+    const auto analysis = analyse_view({});
+    REQUIRE(analysis);
+    CHECK(analysis->dots == 0);
+    CHECK(analysis->error.empty());
+}
+
+TEST_CASE("the analyst wakes the window with a result, and is free again") {
+    std::binary_semaphore woken(0);
+    Analyst analyst([&] { woken.release(); });
+    for (const int m : {20, 30}) {
+        analyst.begin({.view = points_in_view(dots_of(square_lattice(m)), {})});
+        woken.acquire();
+        CHECK_FALSE(analyst.busy());
+        const auto result = analyst.result();
+        REQUIRE(result);
+        CHECK(result->dots == static_cast<std::size_t>(m * m));
+        CHECK_FALSE(analyst.result());
+    }
+}
+
+TEST_CASE("an analyst that is told to stop wakes the window without a wrong result") {
+    std::binary_semaphore woken(0);
+    Analyst analyst([&] { woken.release(); });
+    analyst.begin({.view = points_in_view(dots_of(white_noise(20'000, 7)), {})});
+    analyst.stop();
+    woken.acquire();
+    CHECK_FALSE(analyst.busy());
+    if (const auto result = analyst.result()) CHECK(result->dots == 20'000);
+}
+
+}  // namespace dapple

@@ -1,0 +1,192 @@
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "app/viewer/worker.h"
+
+namespace dapple {
+namespace {
+
+using std::chrono::milliseconds;
+
+Picture grey(int side) {
+    return {Grid<float>(side, side, 0.4f), Grid<glm::u8vec4>(side, side, glm::u8vec4(170)), "grey"};
+}
+
+PlaceOrder dots(std::uint64_t count) {
+    PlaceOrder order;
+    order.tile = "paper16";
+    order.stipple.count = count;
+    return order;
+}
+
+/// Everything told until `enough` is content, for as long as half a minute.
+std::vector<WorkerNews> listen(Worker& worker, const std::function<bool(const WorkerNews&)>& enough) {
+    std::vector<WorkerNews> all;
+    auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
+        for (WorkerNews& news : worker.news(milliseconds(20))) {
+            bool last = enough(news);
+            all.push_back(std::move(news));
+            if (last) return all;
+        }
+        std::this_thread::sleep_for(milliseconds(1));
+    }
+    FAIL("the worker says nothing");
+    return all;
+}
+
+const PlacedNews* placed(const WorkerNews& news) {
+    return std::get_if<PlacedNews>(&news);
+}
+const FailedNews* failed(const WorkerNews& news) {
+    return std::get_if<FailedNews>(&news);
+}
+
+}  // namespace
+
+TEST_CASE("a picture comes together with its first dots") {
+    std::atomic<int> woken = 0;
+    Worker worker([&] { ++woken; });
+    worker.open("grey.png", [] { return grey(64); });
+    worker.place(dots(500));
+    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    const PlacedNews* first = placed(news.back());
+    REQUIRE(first->picture);
+    CHECK(first->picture->name == "grey.png");
+    CHECK(first->picture->longer_side == 64);
+    CHECK(first->drawing.stippling.dots.size() == 500);
+    while (woken == 0) std::this_thread::yield();
+}
+
+TEST_CASE("of many orders the last is always placed") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    for (std::uint64_t n = 100; n <= 300; ++n) worker.place(dots(n));
+    auto news = listen(worker, [](const WorkerNews& n) {
+        return placed(n) && placed(n)->drawing.stippling.dots.size() == 300;
+    });
+    CHECK(news.size() < 200);
+}
+
+TEST_CASE("a picture that cannot be read leaves the old one") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    worker.place(dots(100));
+    listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    worker.open("bad.png", []() -> Picture { throw std::runtime_error("bad.png: not a picture"); });
+    auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
+    CHECK(failed(news.back())->message == "bad.png: not a picture");
+    worker.place(dots(200));
+    news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    CHECK(placed(news.back())->drawing.stippling.dots.size() == 200);
+    CHECK_FALSE(placed(news.back())->picture);
+}
+
+TEST_CASE("another picture is stippled with the last order without being asked") {
+    Worker worker([] {});
+    worker.open("a", [] { return grey(64); });
+    worker.place(dots(100));
+    listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    worker.open("b", [] { return grey(32); });
+    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) && placed(n)->picture; });
+    CHECK(placed(news.back())->picture->name == "b");
+    CHECK(placed(news.back())->drawing.stippling.dots.size() == 100);
+}
+
+TEST_CASE("an order that cannot be placed says why") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    PlaceOrder order = dots(100);
+    order.tile = "no such tile";
+    worker.place(order);
+    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    CHECK(placed(news.back())->error.find("no such tile") != std::string::npos);
+    CHECK(placed(news.back())->drawing.stippling.dots.size() == 0);
+}
+
+TEST_CASE("a tile is told with its first dots, and again when another was chosen") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    auto next = [&](const PlaceOrder& order) {
+        worker.place(order);
+        auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+        return placed(news.back())->tile;
+    };
+    auto first = next(dots(100));
+    REQUIRE(first);
+    CHECK(first->name == "paper16");
+    CHECK(first->points.size() == 16);
+    CHECK_FALSE(next(dots(200)));
+    PlaceOrder other = dots(200);
+    other.tile = "28433,5791/16";
+    auto second = next(other);
+    REQUIRE(second);
+    CHECK(second->name == "28433,5791/16");
+    other.ranking = RankingOrder::farthest;
+    CHECK(next(other));
+}
+
+TEST_CASE("saving runs with the picture's bench, and tells how it went") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    worker.place(dots(100));
+    std::size_t saved = 0;
+    worker.save("a.svg", [&](Workbench& bench, std::stop_token) -> Worker::Write {
+        PlacedDrawing drawing;
+        bench.place(dots(77), drawing);
+        return [&saved, drawing](const SavingWatch&) {
+            saved = drawing.stippling.dots.size();
+            return true;
+        };
+    });
+    listen(worker, [](const WorkerNews& n) { return std::holds_alternative<SavedNews>(n); });
+    CHECK(saved == 77);
+    worker.save("b.svg", [](Workbench&, std::stop_token) -> Worker::Write {
+        throw std::runtime_error("there is nothing to draw");
+    });
+    auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
+    CHECK(failed(news.back())->message == "there is nothing to draw");
+    worker.save("c.svg", [](Workbench&, std::stop_token) -> Worker::Write {
+        return [](const SavingWatch&) -> bool { throw std::runtime_error("the disk is full"); };
+    });
+    news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
+    CHECK(failed(news.back())->message == "the disk is full");
+    CHECK_FALSE(worker.saving());
+}
+
+TEST_CASE("dots are placed while a file is written, until that is done or cancelled") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    worker.place(dots(100));
+    std::atomic<bool> half_way = false;
+    worker.save("a.svg", [&](Workbench&, std::stop_token) -> Worker::Write {
+        return [&](const SavingWatch& watch) {
+            watch.progress(0.5);
+            half_way = true;
+            while (!watch.stop.stop_requested()) std::this_thread::yield();
+            return false;
+        };
+    });
+    while (!half_way) std::this_thread::yield();
+    REQUIRE(worker.saving());
+    CHECK(worker.saving()->path == "a.svg");
+    CHECK(worker.saving()->share == 0.5);
+    worker.place(dots(321));
+    listen(worker,
+           [](const WorkerNews& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 321; });
+    CHECK(worker.saving());
+    worker.cancel_saving();
+    listen(worker, [](const WorkerNews& n) { return std::holds_alternative<CancelledNews>(n); });
+    CHECK_FALSE(worker.saving());
+}
+
+TEST_CASE("a worker with much to do ends at once") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(512); });
+    worker.place(dots(3'000'000));
+    std::this_thread::sleep_for(milliseconds(20));
+}
+
+}  // namespace dapple
