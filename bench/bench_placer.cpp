@@ -1,0 +1,158 @@
+// The exact placer beside the paper's Figure 8 and beside plainly writing as many numbers, one thread unless
+// the name says otherwise. `distinct/s` is comparable across rows. The picture named "given" is the file in
+// DAPPLE_BENCH_PICTURE.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "app/files/picture.h"
+#include "app/files/sample.h"
+#include "app/files/tile_library.h"
+#include "core/image/density.h"
+#include "core/image/tone.h"
+#include "core/stipple.h"
+
+using namespace dapple;
+
+namespace {
+
+// The sample with its middle tones lifted until its density has a mean of 0.16, as a light drawing has.
+Density light_picture() {
+    Tone tone;
+    Density density(density_of(sample_picture().light, tone));
+    while (density.mean() > 0.16) {
+        tone.gamma *= 1.05f;
+        density = Density(density_of(sample_picture().light, tone));
+    }
+    return density;
+}
+
+void report(benchmark::State& state, std::uint64_t distinct) {
+    state.counters["dots"] = static_cast<double>(distinct);
+    state.counters["distinct/s"] =
+        benchmark::Counter(static_cast<double>(distinct), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void exact(benchmark::State& state, const Density& density, const std::string& tile, int threads) {
+    RankedTile ranked = tile_named(tile, RankingOrder::energy);
+    PlacingRequest request;
+    request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
+    request.threads = threads;
+    Dots dots;
+    ranked.placer().place(density, request, dots);  // the memory that a program has after its first frame
+    for (auto _ : state) {
+        ranked.placer().place(density, request, dots);
+        benchmark::DoNotOptimize(dots.x.data());
+        benchmark::ClobberMemory();
+    }
+    report(state, dots.size());
+}
+
+void exact_count(benchmark::State& state, const Density& density, const std::string& tile) {
+    RankedTile ranked = tile_named(tile, RankingOrder::energy);
+    const ExactCount request{static_cast<std::uint64_t>(state.range(0)), 1};
+    Dots dots;
+    place_exactly(ranked.placer(), density, request, dots);
+    for (auto _ : state) {
+        place_exactly(ranked.placer(), density, request, dots);
+        benchmark::DoNotOptimize(dots.x.data());
+    }
+    report(state, dots.size());
+}
+
+void figure8(benchmark::State& state, const Density& density) {
+    RankedTile ranked = tile_named("paper16", RankingOrder::paper);
+    std::uint64_t distinct = 0;
+    for (auto _ : state) {
+        const Figure8Result result =
+            place_figure8(density, ranked.tile(), ranked.own_ranks(),
+                          static_cast<double>(state.range(0)) / (16 * density.mean()));
+        distinct = result.dots.size() - result.duplicates;
+        benchmark::DoNotOptimize(result.dots.x.data());
+    }
+    report(state, distinct);
+}
+
+// The least that any placer does: x, y and one more number a dot, into memory that is there.
+void write_floats(benchmark::State& state) {
+    const auto count = static_cast<std::size_t>(state.range(0));
+    Dots dots;
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(count);
+    float value = 0;
+    for (auto _ : state) {
+        value += 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            dots.x[i] = value;
+            dots.y[i] = value + 1;
+            dots.threshold[i] = value + 2;
+        }
+        benchmark::DoNotOptimize(dots.x.data());
+        benchmark::ClobberMemory();
+    }
+    report(state, count);
+}
+
+void build_pyramid(benchmark::State& state, const Grid<float>& light) {
+    for (auto _ : state) {
+        const Density density(density_of(light, Tone{}));
+        benchmark::DoNotOptimize(density.mean());
+    }
+    state.counters["megapixels/s"] = benchmark::Counter(static_cast<double>(light.values.size()) / 1e6,
+                                                        benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void add_picture(const std::string& name, const Density& density) {
+    // One thread's rows count processor time, which other work on the machine disturbs less.
+    const auto counts = [](benchmark::internal::Benchmark* b, int threads) {
+        b->RangeMultiplier(10)->Range(10'000, 10'000'000)->Unit(benchmark::kMillisecond);
+        if (threads != 1) b->UseRealTime();
+    };
+    const auto add = [&](const std::string& what, auto function, int threads = 1) {
+        counts(benchmark::RegisterBenchmark((what + "/" + name).c_str(), function), threads);
+    };
+    add("figure8", [&density](benchmark::State& s) { figure8(s, density); });
+    for (const std::string tile : {"paper16", "aperiodic16", "aperiodic1024", "aperiodic4096"}) {
+        try {
+            tile_named(tile, RankingOrder::paper);
+        } catch (const std::exception&) {
+            continue;
+        }
+        add("exact_" + tile, [&density, tile](benchmark::State& s) { exact(s, density, tile, 1); });
+    }
+    add(
+        "exact_paper16_all_cores", [&density](benchmark::State& s) { exact(s, density, "paper16", 0); }, 0);
+    add("exact_count_paper16", [&density](benchmark::State& s) { exact_count(s, density, "paper16"); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Grid<float> light = sample_picture().light;
+    const Density sample(density_of(light, Tone{}));
+    const Density pale = light_picture();
+    const Density grey(Grid<float>(512, 512, 0.5f));
+    std::optional<Density> given;
+    if (const char* path = std::getenv("DAPPLE_BENCH_PICTURE"))
+        given.emplace(density_of(read_picture(path).light, Tone{}));
+
+    add_picture("sample", sample);
+    add_picture("light", pale);
+    add_picture("grey", grey);
+    if (given) add_picture("given", *given);
+    benchmark::RegisterBenchmark("write_floats", write_floats)
+        ->RangeMultiplier(10)
+        ->Range(10'000, 10'000'000)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("tone_and_pyramid/sample",
+                                 [&light](benchmark::State& s) { build_pyramid(s, light); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

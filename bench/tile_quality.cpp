@@ -1,0 +1,112 @@
+// How even and how periodic each tile's dots are: constant grey at twelve densities between two levels, on
+// the torus. Prints a table in Markdown.
+//
+//      tile_quality                        the built-in tiles for pictures, 65,536 dots and more
+//      tile_quality TILE[:RANKING] ...     TILE as in dapple render --tile
+//
+// The paper's ranks on the exact placer give Figure 8's dots without its duplicates.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/files/tile_library.h"
+#include "core/analysis/distances.h"
+#include "core/analysis/periodogram.h"
+#include "core/analysis/spectrum.h"
+
+namespace {
+
+using namespace dapple;
+
+constexpr std::size_t kFewestDots = 40'000;
+constexpr int kDensities = 12;
+
+struct Marks {
+    double highest_bin = 0, top_share = 0, power_03 = 0, power_05 = 0;
+    NearestSummary nearest;
+};
+
+// A number of each column, the worse of two.
+Marks worse(const Marks& a, const Marks& b) {
+    return {std::max(a.highest_bin, b.highest_bin),
+            std::max(a.top_share, b.top_share),
+            std::max(a.power_03, b.power_03),
+            std::max(a.power_05, b.power_05),
+            {std::min(a.nearest.minimum, b.nearest.minimum), std::min(a.nearest.p1, b.nearest.p1),
+             std::min(a.nearest.mean, b.nearest.mean)}};
+}
+
+std::string in_columns(const Marks& m) {
+    return fmt::format("{:.0f} | {:.1f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |", m.highest_bin,
+                       100 * m.top_share, m.power_03, m.power_05, m.nearest.minimum, m.nearest.p1,
+                       m.nearest.mean);
+}
+
+Marks marks_of(const Dots& dots) {
+    std::vector<glm::dvec2> points;
+    for (std::size_t i = 0; i < dots.size(); ++i) points.emplace_back(dots.x[i], dots.y[i]);
+    const Domain torus{};
+    const std::vector<glm::dvec2> inside = points_inside(points, torus);
+    const Periodogram spectrum = periodogram(inside, torus);
+    const Peaks peaks = spectral_peaks(spectrum);
+    return {peaks.highest_bin, peaks.top_share, low_frequency_power(spectrum, 0.3),
+            low_frequency_power(spectrum, 0.5), nearest_summary(inside, torus)};
+}
+
+std::optional<RankingOrder> order_named(const std::string& name) {
+    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy})
+        if (name == name_of(order)) return order;
+    throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
+}
+
+void measure(const std::string& argument, const Density& grey) {
+    const std::size_t colon = argument.find(':');
+    std::optional<RankingOrder> order;
+    if (colon != std::string::npos) order = order_named(argument.substr(colon + 1));
+    RankedTile tile = tile_named(argument.substr(0, colon), order);
+    std::size_t level = tile.tile().size();
+    while (level < kFewestDots) level *= 4;
+
+    std::optional<Marks> between;
+    for (int k = 0; k < kDensities; ++k) {
+        const double count = static_cast<double>(level) * std::pow(4.0, static_cast<double>(k) / kDensities);
+        StippleRequest request;
+        request.scale = std::round(count) / 16;
+        Stippling placed;
+        stipple(tile, grey, request, placed);
+        const Marks marks = marks_of(placed.dots);
+        fmt::print("| {} | {} | {}\n", k == 0 ? argument : "", placed.dots.size(), in_columns(marks));
+        if (k > 0) between = between ? worse(*between, marks) : marks;
+        std::fflush(stdout);
+    }
+    fmt::print("| {}, worst between levels | | {}\n", argument, in_columns(*between));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        std::vector<std::string> tiles(argv + 1, argv + argc);
+        if (tiles.empty()) {
+            tiles = {"paper16:paper", "paper16",       "aperiodic16",  "aperiodic64",
+                     "aperiodic256",  "aperiodic1024", "aperiodic4096"};
+        }
+        const Density grey(Grid<float>(1, 1, 1.0f));
+        fmt::print(
+            "| tile | dots | highest bin | top 0.1 % | power below 0.3 | below 0.5 | nearest: minimum | "
+            "1st percentile | mean |\n|---|---|---|---|---|---|---|---|---|\n");
+        for (const std::string& tile : tiles) measure(tile, grey);
+        return 0;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "tile_quality: {}\n", error.what());
+        return 1;
+    }
+}
