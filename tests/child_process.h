@@ -43,12 +43,25 @@ class ChildProcess {
         wait();
     }
 
-    /// Its exit status once it has ended; -1 if a signal ended it, as happens after half a minute.
+    void send(int signal) { kill(id_, signal); }
+
+    /// Waits until it has done what `done` looks for; false if that takes minutes or it ends without.
+    template <class Done>
+    bool brings(Done done) {
+        for (int tries = 0; tries < kMostTries && !done(); ++tries) {
+            siginfo_t ended{};
+            waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
+            if (ended.si_pid == id_) return done();
+            std::this_thread::sleep_for(kBetweenTries);
+        }
+        return done();
+    }
+
+    /// Its exit status once it has ended; -1 if a signal ended it, as happens after minutes.
     int wait() {
-        constexpr int kMostTries = 3000;
         int status = 0, tries = 0;
         while (waitpid(id_, &status, WNOHANG) == 0) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            std::this_thread::sleep_for(kBetweenTries);
             if (++tries == kMostTries) kill(id_, SIGKILL);
         }
         id_ = -1;
@@ -56,6 +69,9 @@ class ChildProcess {
     }
 
  private:
+    static constexpr std::chrono::milliseconds kBetweenTries{10};
+    static constexpr int kMostTries = 12'000;
+
     static void redirect(const std::filesystem::path& file, int stream) {
         if (file.empty()) return;
         int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

@@ -30,6 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMovesPerPoint = 10'000;
+constexpr std::chrono::minutes kBetweenSaves(1);
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -141,6 +142,8 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
         std::mutex mutex;
         std::vector<double> done(static_cast<std::size_t>(options.runs), 0.0);
         double best = std::numeric_limits<double>::infinity();
+        double saved = best;
+        std::chrono::steady_clock::time_point saved_at{};
         settings.stop = stop.token();
         settings.progress = [&](const RelinkProgress& progress) {
             const std::lock_guard lock(mutex);
@@ -150,6 +153,13 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
             double sum = 0;
             for (const double share : done) sum += share;
             line.show(sum / options.runs, fmt::format("lowest energy a point so far {:.5f}", best));
+            // Whatever happens to the machine, no more than a minute's work is lost.
+            const auto now = std::chrono::steady_clock::now();
+            if (progress.best >= saved || now - saved_at < kBetweenSaves) return;
+            saved = progress.best;
+            saved_at = now;
+            save_tile(*options.output, ranked(make_tile(settings.rule, progress.words), RankingOrder::energy),
+                      {"not finished: the best so far of a search that goes on"});
         };
         tbb::task_arena arena(threads);
         arena.execute([&] { results = relink_searches(settings, options.runs); });
