@@ -1,0 +1,63 @@
+#include "app/viewer/actions.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path where_to_save(const Session& session) {
+    if (!session.saved_path().empty()) return session.saved_path();
+    return fs::current_path() / fs::path(session.picture().name).stem().concat(".svg");
+}
+
+void ask_what_to_open(const Stage& stage) {
+    const fs::path& path = stage.session.picture_path();
+    stage.shown.dialog.show(FileDialog::Purpose::open_picture, path.empty() ? fs::current_path() : path);
+}
+
+void ask_where_to_save(const Stage& stage) {
+    stage.shown.dialog.show(FileDialog::Purpose::save_drawing, where_to_save(stage.session));
+}
+
+void toggle(bool& value) {
+    value = !value;
+}
+
+}  // namespace
+
+void act(Action action, const Stage& stage) {
+    Session& session = stage.session;
+    switch (action) {
+        case Action::open:
+            return ask_what_to_open(stage);
+        case Action::save:
+            if (session.saved_path().empty()) return ask_where_to_save(stage);
+            return session.save(session.saved_path());
+        case Action::save_as:
+            return ask_where_to_save(stage);
+        case Action::undo:
+            return session.undo();
+        case Action::redo:
+            return session.redo();
+        case Action::fit:
+            return stage.canvas.fit();
+        case Action::one_to_one:
+            return stage.canvas.zoom_to(session.picture().longer_side);
+        case Action::zoom_in:
+            return stage.canvas.zoom(1.25);
+        case Action::zoom_out:
+            return stage.canvas.zoom(0.8);
+        case Action::toggle_tiles:
+            return toggle(session.settings.drawing.show_tiles);
+        case Action::toggle_panels:
+            return toggle(stage.shown.panels);
+        case Action::full_screen:
+            return stage.window.toggle_full_screen();
+        case Action::help:
+            return toggle(stage.shown.help);
+        case Action::quit:
+            return stage.window.close();
+    }
+}
+
+}  // namespace dapple

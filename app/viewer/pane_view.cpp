@@ -1,0 +1,52 @@
+#include "app/viewer/pane_view.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "app/viewer/theme.h"
+
+namespace dapple {
+
+CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale) {
+    const ViewerSettings& settings = session.settings;
+    CanvasLook look;
+    look.desk = rgb_of(ThemeColour::surround);
+    look.paper = settings.drawing.paper;
+    look.ink = settings.drawing.ink;
+    look.dot_radius = session.drawn(pane).dot_radius_mm / settings.drawing.width_mm * pane.page().page_size.x;
+    if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
+    look.tiles = settings.drawing.show_tiles;
+    look.fade_scale = pane.fade_scale(zoom);
+    if (look.fade_scale > 0) look.dot_radius /= zoom.enlargement;
+    look.pixel_scale = pixel_scale;
+    return look;
+}
+
+PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) {
+    const PageWindow view = window_in_view(camera, 0);
+    // Relative to the dots' origin, which may lie deep within the page.
+    const PagePoint origin{shown.window.x, shown.window.y};
+    const glm::dvec2 low = in_page_units(PagePoint{view.x, view.y} - origin);
+    const glm::dvec2 page_end = shown.page_size - in_page_units(origin);
+    const glm::dvec2 high = glm::min(low + glm::dvec2(view.width, view.height), page_end);
+    return points_in_view(shown.stippling.dots, {low, high - low});
+}
+
+DotColoursKey colours_key(const Session& session, const Pane& pane) {
+    return {pane.version(), session.settings.colouring, session.settings.deepest_level,
+            session.settings.drawing.ink};
+}
+
+std::vector<glm::u8vec4> colours_of(const Session& session, const Pane& pane) {
+    const ViewerSettings& settings = session.settings;
+    const TileView& tile = session.tile();
+    const bool turns = settings.drawing.stipple.placer == PlacerKind::exact;
+    const DotOrigins origins{.tile_size = std::max<std::size_t>(tile.points.size(), 1),
+                             .rule = turns ? tile.rule : Rule{},
+                             .window = pane.shown().window};
+    const Dots& dots = pane.shown().stippling.dots;
+    return without_deeper_levels(dot_colours(dots, origins, settings.colouring), dots, origins.tile_size,
+                                 settings.deepest_level, settings.drawing.ink);
+}
+
+}  // namespace dapple

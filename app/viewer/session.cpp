@@ -1,0 +1,102 @@
+#include "app/viewer/session.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "app/drawing_steps.h"
+#include "app/files/sample.h"
+#include "app/files/save_drawing.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A placing so short is waited for, so that dots and slider move in the same frame.
+constexpr std::chrono::milliseconds kPatience(8);
+constexpr std::chrono::milliseconds kLongPatience(2000);
+
+}  // namespace
+
+Session::Session(const DrawingSettings& drawing, std::function<void()> wake)
+    : settings{.drawing = drawing}, history_(settings), pane_(std::move(wake)) {}
+
+void Session::open_sample() {
+    pane_.worker().open("Still life", [] { return sample_picture(); });
+}
+
+void Session::open(const fs::path& path) {
+    pane_.worker().open(path.filename().string(), [path] { return read_picture(path); });
+    picture_path_ = path;
+}
+
+void Session::save(const fs::path& path) {
+    saved_path_ = path;
+    DrawingSettings drawn = settings.drawing;
+    DensityChoice choice = settings.density;
+    pane_.worker().save(path, [path, drawn, choice](Workbench& bench, std::stop_token stop) -> Worker::Write {
+        PlacedDrawing drawing;
+        if (!bench.place(order_of(drawn, choice), drawing, stop)) return {};
+        const Density& density = bench.density(drawn.tone, choice);
+        if (drawing_format(path) == DrawingFormat::csv) fill_critical_scales(drawing.stippling.dots, density);
+        PageSize page = page_size(density, drawn.width_mm);
+        std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
+        return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
+            return save_drawing(path, drawn,
+                                {.stippling = drawing.stippling,
+                                 .page = page,
+                                 .tiles = drawing.outlines,
+                                 .tile_size = tile_size},
+                                watch);
+        };
+    });
+}
+
+void Session::order_dots(const Zoom& zoom) {
+    const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
+    if (pane_.order(order_of(settings.drawing, settings.density), zoom, reorder))
+        take_news(settings.every_frame ? kLongPatience : kPatience);
+}
+
+void Session::take_news(std::chrono::milliseconds patience) {
+    for (WorkerNews& news : pane_.worker().news(patience)) std::visit([this](auto& n) { take(n); }, news);
+}
+
+void Session::take(PlacedNews& news) {
+    if (news.picture) {
+        picture_ = std::move(*news.picture);
+        ++pictures_;
+        if (banner.kind == BannerKind::notice) banner = {};
+    }
+    if (news.tile) {
+        tile_ = std::move(*news.tile);
+        ++tiles_;
+    }
+    if (!news.error.empty()) banner = {BannerKind::error, news.error};
+    pane_.take(news);
+}
+
+void Session::take(FailedNews& news) {
+    // The picture named on the command line: there is nothing to go on showing.
+    if (!placed_once()) throw std::runtime_error(news.message);
+    banner = {BannerKind::error, news.message};
+}
+
+void Session::take(SavedNews& news) {
+    banner = {BannerKind::notice, "Saved " + news.path.string()};
+}
+
+void Session::take(CancelledNews& news) {
+    banner = {BannerKind::notice, "Cancelled: " + news.path.string() + " was not written"};
+}
+
+DrawnFacts Session::drawn(const Pane& pane) const {
+    const PlacedDrawing& drawing = pane.page();
+    PageSize page;
+    page.mm_per_page_unit = settings.drawing.width_mm / drawing.page_size.x;
+    const double scale = drawing.stippling.scale;
+    return {drawing.stippling.dots.size() - drawing.stippling.duplicates, scale,
+            dot_radius_mm(settings.drawing, scale, page)};
+}
+
+}  // namespace dapple

@@ -1,0 +1,74 @@
+#pragma once
+// What the window is about: a picture, the settings, the dots placed for them, and what is saved of it. Knows
+// neither panels nor OpenGL.
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "app/viewer/history.h"
+#include "app/viewer/pane.h"
+#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/viewer_settings.h"
+
+namespace dapple {
+
+class Session {
+ public:
+    /// `wake` is called from other threads whenever there is news.
+    Session(const DrawingSettings& drawing, std::function<void()> wake);
+
+    void open_sample();
+    void open(const std::filesystem::path& path);
+    void save(const std::filesystem::path& path);
+
+    /// Takes what the workers have to tell, waiting up to `patience` for a placing under way. Throws
+    /// std::runtime_error if the first picture could not be read.
+    void take_news(std::chrono::milliseconds patience);
+
+    /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
+    /// frame.
+    void order_dots(const Zoom& zoom);
+
+    /// Remembers the settings for undo, unless they are still being edited.
+    void remember(bool editing) { history_.observe(settings, editing); }
+    void undo() { settings = history_.undo(); }
+    void redo() { settings = history_.redo(); }
+
+    ViewerSettings settings;  // the panels edit them
+    Banner banner;
+
+    Pane& pane() { return pane_; }
+    const Pane& pane() const { return pane_; }
+    bool placed_once() const { return pane_.placings() > 0; }
+
+    const OpenedPicture& picture() const { return picture_; }
+    /// How many were opened.
+    int pictures() const { return pictures_; }
+    const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
+    const std::filesystem::path& saved_path() const { return saved_path_; }
+    /// That of the dots; none before the first.
+    const TileView& tile() const { return tile_; }
+    /// How many tiles there have been.
+    int tiles() const { return tiles_; }
+
+    DrawnFacts drawn(const Pane& pane) const;
+
+ private:
+    void take(PlacedNews& news);
+    void take(FailedNews& news);
+    void take(SavedNews& news);
+    void take(CancelledNews& news);
+
+    History<ViewerSettings> history_;
+    Pane pane_;
+    OpenedPicture picture_;
+    int pictures_ = 0;
+    TileView tile_;
+    int tiles_ = 0;
+    std::filesystem::path picture_path_, saved_path_;
+};
+
+}  // namespace dapple

@@ -1,0 +1,58 @@
+#include "app/viewer/side_panel.h"
+
+#include <imgui.h>
+
+#include "app/files/tile_library.h"
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/view_panel.h"
+#include "app/viewer/theme.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+namespace {
+
+void draw_buttons(const std::function<void(Action)>& act) {
+    const float air = ImGui::GetStyle().ItemSpacing.x;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * air) / 3;
+    auto button = [&](const char* label, Action action) {
+        if (ImGui::Button(label, {third, 0})) act(action);
+        note_place(label);
+    };
+    button("Open...", Action::open);
+    ImGui::SameLine();
+    button("Export...", Action::save_as);
+    ImGui::SameLine();
+    button("Keys", Action::help);
+}
+
+}  // namespace
+
+void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::function<void(Action)>& act,
+                     glm::vec2 corner, glm::vec2 size) {
+    ImGui::SetNextWindowPos({corner.x, corner.y});
+    ImGui::SetNextWindowSize({size.x, size.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::Begin("##panels", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    push_title_font();
+    ImGui::TextUnformatted(session.picture().name.c_str());
+    pop_title_font();
+    hint(session.picture().description.c_str());
+    ImGui::Dummy({0, 0});
+    draw_buttons(act);
+
+    ViewerSettings& settings = session.settings;
+    draw_tone_panel(settings.drawing.tone);
+    draw_dots_panel(settings.drawing, session.drawn(session.pane()), built_in_tile_names());
+    draw_view_panel(settings);
+    spectrum.draw(settings.density);
+    if (tiles_seen_ != session.tiles()) tile_ = {};
+    tiles_seen_ = session.tiles();
+    draw_tile_panel(session.tile(), tile_);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace dapple
