@@ -10,7 +10,4 @@ namespace dapple {
 /// The tiles that a placer goes through at that scale: those that Figure 8 visits, or the exact placer's.
 std::vector<PlacedTile> tiles_of(RankedTile& tile, const Density& density, PlacerKind placer, double scale);
 
-/// Fills Dots::critical if it isn't there: a count brings the critical scales with it, a scale does not.
-void fill_critical_scales(Dots& dots, const Density& density);
-
 }  // namespace dapple

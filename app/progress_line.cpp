@@ -29,6 +29,7 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::restart(double fraction) {
     start_ = Clock::now();
     start_fraction_ = fraction;
+    last_ = {};
 }
 
 void ProgressLine::show(double fraction, std::string_view text) {

@@ -20,7 +20,7 @@ class ProgressLine {
     /// fraction: 0..1 of the work since it was made or restarted, from which the time left is estimated.
     void show(double fraction, std::string_view text);
 
-    /// A new piece of work begins, at this fraction of it.
+    /// A new piece of work begins, at this fraction of it. What is shown next is shown at once.
     void restart(double fraction);
 
  private:

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/dot_stream.h"
 #include "core/image/density.h"
+#include "core/page.h"
 #include "core/placing/dots.h"
 #include "core/placing/figure8.h"
 #include "core/placing/placer.h"
@@ -61,11 +63,22 @@ struct Stippling {
 bool stipple(RankedTile& tile, const Density& density, const StippleRequest& request, Stippling& result,
              std::stop_token stop = {});
 
-/// How large the page is, in millimetres; the picture fills it.
-struct PageSize {
-    double width_mm = 0, height_mm = 0;
-    double mm_per_page_unit = 0;  // the longer side
+/// What a drawing that is written piece by piece is to have.
+struct StreamRequest {
+    StippleRequest stipple;  // the exact placer only
+    PagePart part;           // of the page; a count is that of the whole page
+    bool critical = false;   // fill Dots::critical too
 };
+
+/// The same dots in the same order, without holding them: finds the scale and the number of dots now, and
+/// places anew for every pass over the stream. The tile and the density have to outlive it. Throws as
+/// stipple() does, and if Figure 8 is asked for: its duplicates are counted over all dots.
+DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& request);
+
+/// Fills Dots::critical if it isn't there. Positions have to be the page's.
+void fill_critical_scales(Dots& dots, const Density& density);
+
+/// The page, when the picture fills it.
 PageSize page_size(const Density& density, double width_mm);
 
 }  // namespace dapple

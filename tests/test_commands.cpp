@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -13,6 +14,8 @@
 #include <vector>
 
 #include "app/files/picture.h"
+#include "app/files/save_drawing.h"
+#include "app/files/tile_library.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/shell.h"
@@ -207,6 +210,139 @@ TEST_CASE("the same dots come out in every format, on any number of threads") {
     CHECK(!std::getline(lines, line));
 }
 
+TEST_CASE("a mural's sheets, made one by one, have the dots of the whole, each once") {
+    const Scene scene;
+    for (const std::string dots : {"--dots 5000", "--scale 400"}) {
+        const std::string from = "render " + scene("cat.png") + " --width 300 " + dots + " -o ";
+        REQUIRE(run_dapple(from + scene("whole.csv")).status == 0);
+        // x, y, in micrometres, from the whole page's corner.
+        std::multiset<std::pair<long, long>> whole, on_sheets;
+        const auto read = [](const std::string& table, double x0, double y0, auto& places) {
+            std::istringstream lines(table);
+            std::string line;
+            std::getline(lines, line);
+            while (std::getline(lines, line)) {
+                double x = 0, y = 0;
+                REQUIRE(std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2);
+                places.emplace(std::lround((x + x0) * 1e3), std::lround((y + y0) * 1e3));
+            }
+        };
+        read(text_of(scene("whole.csv")), 0, 0, whole);
+        for (int row = 1; row <= 2; ++row) {
+            for (int column = 1; column <= 3; ++column) {
+                const std::string sheet = std::to_string(column) + "," + std::to_string(row) + "/3x2";
+                REQUIRE(run_dapple(from + scene("sheet.csv") + " --sheet " + sheet).status == 0);
+                read(text_of(scene("sheet.csv")), (column - 1) * 100.0, (row - 1) * 100.0, on_sheets);
+            }
+        }
+        CHECK(on_sheets.size() == whole.size());
+        std::size_t found = 0;
+        for (const auto& [x, y] : on_sheets) {
+            // Adding the corner may round to the next micrometre.
+            bool here = false;
+            for (long dx = -1; dx <= 1; ++dx)
+                for (long dy = -1; dy <= 1; ++dy) here = here || whole.contains({x + dx, y + dy});
+            found += here;
+        }
+        CHECK(found == whole.size());
+    }
+}
+
+TEST_CASE("a region is what the page shows there, at its place and in its size") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --width 300 --dots 5000 --dpi 60 -o ";
+    REQUIRE(run_dapple(from + scene("page.svg")).status == 0);
+    // The second of three columns, the first of two rows.
+    for (const std::string ending : {".svg", ".csv", ".png"}) {
+        REQUIRE(run_dapple(from + scene("r" + ending) + " --region 100,0,100x100").status == 0);
+        REQUIRE(run_dapple(from + scene("s" + ending) + " --sheet 2,1/3x2").status == 0);
+        CHECK(text_of(scene("r" + ending)) == text_of(scene("s" + ending)));
+    }
+    REQUIRE(run_dapple(from + scene("r.svg") + " --tiles --region 110.5,20,80x61").status == 0);
+    const Svg page = read_svg(scene("page.svg")), region = read_svg(scene("r.svg"));
+    CHECK(region.document.child("svg").attribute("width").value() == std::string("80mm"));
+    CHECK(region.document.child("svg").attribute("height").value() == std::string("61mm"));
+    const double px = 96 / 25.4;
+    std::size_t expected = 0;
+    for (const pugi::xml_node& circle : page.circles()) {
+        const double x = circle.attribute("cx").as_double() / px, y = circle.attribute("cy").as_double() / px;
+        expected += x >= 110.5 && x < 190.5 && y >= 20 && y < 81;
+    }
+    CHECK(expected > 300);
+    // Two decimals of a px leave it open for a dot on the very edge.
+    CHECK(std::abs(static_cast<double>(region.circles().size()) - static_cast<double>(expected)) <= 2);
+    // The outlines end where the region does.
+    std::size_t outlines = 0;
+    for (const pugi::xml_node& level :
+         region.document.child("svg").child("g").next_sibling("g").children("g")) {
+        for (const pugi::xml_node& tile : level.children("rect")) {
+            const double x = tile.attribute("x").as_double(), y = tile.attribute("y").as_double();
+            CHECK(x >= 0);
+            CHECK(y >= 0);
+            CHECK(tile.attribute("width").as_double() > 0);
+            CHECK(tile.attribute("height").as_double() > 0);
+            CHECK(x + tile.attribute("width").as_double() < 80 * px + 0.002);
+            CHECK(y + tile.attribute("height").as_double() < 61 * px + 0.002);
+            ++outlines;
+        }
+    }
+    CHECK(outlines > 0);
+}
+
+TEST_CASE("the command, which places piece by piece, writes the bytes that the window saves from memory") {
+    const Scene scene;
+    for (const auto& [count, options] :
+         {std::pair{std::optional<std::uint64_t>(30'000), "--dots 30000"}, {std::nullopt, "--scale 2500"}}) {
+        DrawingSettings settings;
+        settings.stipple.count = count;
+        settings.stipple.scale = 2500;
+        const Density density(density_of(read_picture(scene("cat.png")).light, settings.tone));
+        RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
+        Stippling drawn;
+        REQUIRE(stipple(tile, density, settings.stipple, drawn));
+        fill_critical_scales(drawn.dots, density);
+        for (const std::string ending : {".svg", ".csv", ".png"}) {
+            CHECK(save_drawing(scene("window" + ending), settings,
+                               {.dots = stream_of(drawn.dots, drawn.scale),
+                                .page = page_size(density, settings.width_mm),
+                                .tile_size = tile.tile().size()}));
+            REQUIRE(
+                run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " + options)
+                    .status == 0);
+            CHECK(text_of(scene("window" + ending)) == text_of(scene("command" + ending)));
+        }
+    }
+}
+
+TEST_CASE("dots that are sorted in memory are those that are written as they are placed") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 4000 --sheet 2,2/2x2 -o ";
+    const auto sorted_lines = [&](const std::string& options) {
+        REQUIRE(run_dapple(from + scene("a.csv") + options).status == 0);
+        std::istringstream in(text_of(scene("a.csv")));
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+        std::ranges::sort(lines);
+        return lines;
+    };
+    const std::vector<std::string> placed = sorted_lines("");
+    CHECK(placed.size() > 100);
+    CHECK(sorted_lines(" --order priority") == placed);
+    CHECK(sorted_lines(" --order space") == placed);
+}
+
+TEST_CASE("on a terminal a bar shows how much is written, and is gone at the end") {
+    const Scene scene;
+    const std::string command =
+        DAPPLE_PROGRAM " render " + scene("cat.png") + " -o " + scene("cat.svg") + " --dots 3000";
+    const Outcome outcome =
+        run_in_shell("export ASAN_OPTIONS=detect_leaks=0; script -qec '" + command + "' /dev/null");
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.out.find("%  writing 3000 dots") != std::string::npos);
+    CHECK(outcome.out.ends_with("\r\033[K"));
+    CHECK(read_svg(scene("cat.svg")).circles().size() == 3000);
+}
+
 TEST_CASE(
     "Figure 8 reports its duplicates, about a quarter, and loses a hairline that the exact placer draws") {
     const Scene scene;
@@ -246,10 +382,11 @@ TEST_CASE("help names every option and shows examples") {
     CHECK(all.err.empty());
     CHECK(all.out.find("render") != std::string::npos);
     for (const char* option :
-         {"--output",     "--scale",      "--dots",    "--placer",      "--tile",        "--ranking",
-          "--dot-radius", "--width",      "--dpi",     "--black-point", "--white-point", "--contrast",
-          "--brightness", "--gamma",      "--blur",    "--invert",      "--ink",         "--paper",
-          "--tiles",      "--background", "--threads", "--huge",        "--stats",       "Examples:"}) {
+         {"--output",     "--scale", "--dots",   "--placer",      "--tile",        "--ranking",
+          "--dot-radius", "--width", "--dpi",    "--black-point", "--white-point", "--contrast",
+          "--brightness", "--gamma", "--blur",   "--invert",      "--ink",         "--paper",
+          "--order",      "--sheet", "--region", "--tiles",       "--background",  "--threads",
+          "--huge",       "--stats", "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }
@@ -427,6 +564,12 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
                                Wrong{"--contrast 1.1", "--contrast: 1.1 is not possible"},
                                Wrong{"--gamma 0", "--gamma: 0 is not possible"},
                                Wrong{"--blur -3", "--blur: -3 is not possible"},
+                               Wrong{"--sheet 4,1/3x4", "--sheet: '4,1/3x4': sheets are counted"},
+                               Wrong{"--region 1,2,3", "--region: '1,2,3' is not a region"},
+                               Wrong{"--region 0,0,0x5", "--region: '0,0,0x5': a region needs a width"},
+                               Wrong{"--region -1,0,5x5", "--region: '-1,0,5x5': a region's corner"},
+                               Wrong{"--region 150,0,60x10", "--region: the region reaches to 210"},
+                               Wrong{"--region 0,0,9x9 --sheet 1,1/2x2", "--region: cannot be given"},
                                Wrong{"--ink blue", "--ink: blue: not a colour"},
                                Wrong{"--nonsense", "--nonsense"}}) {
         scene.must_fail(from + wrong.option, wrong.words);

@@ -50,7 +50,7 @@ TEST_CASE("a table of dots reads back to the very same dots") {
     }
 
     std::stringstream table;
-    write_csv(table, dots, page, {.dot_radius_mm = 0.1 + 0.2, .tile_size = n});
+    write_csv(table, stream_of(dots), page, {.dot_radius_mm = 0.1 + 0.2, .tile_size = n});
     std::string line;
     REQUIRE(std::getline(table, line));
     CHECK(line == "x_mm,y_mm,radius_mm,level,rank,critical_scale");

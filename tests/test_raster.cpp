@@ -120,7 +120,8 @@ TEST_CASE("bands and threads leave no trace in the picture") {
 
 TEST_CASE("bands come from the top down without gaps") {
     int next = 0;
-    rasterise(dots_at({{5, 5}}), pixel_page(3000, 1500),
+    const Dots one = dots_at({{5, 5}});
+    rasterise(stream_of(one), pixel_page(3000, 1500),
               {.dot_radius_mm = 1, .dpi = kOnePixelPerMm, .threads = 3},
               [&](int first_row, const Grid<float>& band) {
                   CHECK(first_row == next);
@@ -128,6 +129,42 @@ TEST_CASE("bands come from the top down without gaps") {
                   next += band.height;
               });
     CHECK(next == 1500);
+}
+
+TEST_CASE("a picture is the same however few dots are in memory at once, and they come in pieces") {
+    // Six pages of pixels in as many bands and more; dots of all sizes of neighbourhoods, many on two bands.
+    constexpr int width = 900, height = 6000;
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> x(-2, width + 2), y(-2, height + 2);
+    std::vector<Dots> pieces(40);
+    Dots all;
+    for (Dots& piece : pieces) {
+        for (int i = 0; i < 50; ++i) {
+            piece.x.push_back(x(random));
+            piece.y.push_back(y(random));
+            all.x.push_back(piece.x.back());
+            all.y.push_back(piece.y.back());
+        }
+    }
+    int passes = 0;
+    const DotStream stream{all.size(), 0, [&](const TakePiece& take) {
+                               ++passes;
+                               for (const Dots& piece : pieces)
+                                   if (!take(piece)) return;
+                           }};
+    const Grid<float> whole = draw(all, width, height, 3);
+    for (const std::uint64_t at_once : {1u, 300u, 1'000'000u}) {
+        passes = 0;
+        Grid<float> drawn(width, height);
+        rasterise(stream, pixel_page(width, height),
+                  {.dot_radius_mm = 3, .dpi = kOnePixelPerMm, .threads = 2, .dots_at_once = at_once},
+                  [&](int first_row, const Grid<float>& band) {
+                      std::ranges::copy(band.values, drawn.row(first_row));
+                  });
+        CHECK(drawn.values == whole.values);
+        // Once to count, then again for each stretch.
+        CHECK((at_once > all.size() ? passes == 2 : passes > 5));
+    }
 }
 
 TEST_CASE("ink and paper mix as light does") {

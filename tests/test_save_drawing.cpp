@@ -20,16 +20,15 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Stippling many_dots() {
-    Stippling stippling;
+Dots many_dots() {
+    Dots dots;
     for (int i = 0; i < 150'000; ++i) {
-        stippling.dots.x.push_back(static_cast<float>(i % 500) / 500);
-        stippling.dots.y.push_back(static_cast<float>(i / 500) / 300);
-        stippling.dots.threshold.push_back(0.5f);
-        stippling.dots.critical.push_back(1);
+        dots.x.push_back(static_cast<float>(i % 500) / 500);
+        dots.y.push_back(static_cast<float>(i / 500) / 300);
+        dots.threshold.push_back(0.5f);
+        dots.critical.push_back(1);
     }
-    stippling.scale = 100;
-    return stippling;
+    return dots;
 }
 
 // A strip of the dots, with several bands of pixels.
@@ -39,12 +38,12 @@ constexpr PageSize kPage{.width_mm = 10, .height_mm = 100, .mm_per_page_unit = 1
 
 TEST_CASE("progress rises from nothing to all, in every format") {
     TemporaryFolder folder;
-    const Stippling stippling = many_dots();
+    const Dots dots = many_dots();
     for (const char* name : {"a.svg", "a.csv", "a.png"}) {
         CAPTURE(name);
         std::vector<double> shares;
         const SavingWatch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
-        CHECK(save_drawing(folder / name, {}, {.stippling = stippling, .page = kPage}, watch));
+        CHECK(save_drawing(folder / name, {}, {.dots = stream_of(dots, 100), .page = kPage}, watch));
         REQUIRE(shares.size() > 3);
         CHECK(shares.front() == 0);
         CHECK(shares.back() == 1);
@@ -54,7 +53,7 @@ TEST_CASE("progress rises from nothing to all, in every format") {
 
 TEST_CASE("a saving that is stopped half way leaves the old file whole and nothing else") {
     TemporaryFolder folder;
-    const Stippling stippling = many_dots();
+    const Dots dots = many_dots();
     for (const char* name : {"a.svg", "a.csv", "a.png"}) {
         CAPTURE(name);
         std::ofstream(folder / name) << "old";
@@ -62,7 +61,7 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
         const auto stop_half_way = [&](double share) {
             if (share > 0.4) source.request_stop();
         };
-        CHECK_FALSE(save_drawing(folder / name, {}, {.stippling = stippling, .page = kPage},
+        CHECK_FALSE(save_drawing(folder / name, {}, {.dots = stream_of(dots, 100), .page = kPage},
                                  {.stop = source.get_token(), .progress = stop_half_way}));
         CHECK(text_of(folder / name) == "old");
         fs::remove(folder / name);

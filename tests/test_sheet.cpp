@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
 #include "core/output/sheet.h"
 
@@ -23,10 +25,11 @@ TEST_CASE("a mural's sheets have each dot once, where it was") {
     for (int row = 1; row <= 4; ++row) {
         for (int column = 1; column <= 3; ++column) {
             Dots dots = all;
-            PageSize page = mural;
-            cut_to_sheet({column, row, 3, 4}, dots, page, {});
-            CHECK(page.width_mm == 300);
-            CHECK(page.height_mm == 150);
+            const Excerpt sheet = sheet_of(mural, {column, row, 3, 4});
+            cut_to(sheet.part, dots);
+            CHECK(sheet.size.width_mm == 300);
+            CHECK(sheet.size.height_mm == 150);
+            CHECK(sheet.size.mm_per_page_unit == 900);
             for (std::size_t i = 0; i < dots.size(); ++i) {
                 const auto id = static_cast<std::size_t>(dots.threshold[i]);
                 ++seen[id];
@@ -47,4 +50,74 @@ TEST_CASE("sheets are read as column, row, columns and rows") {
                               "a,1/3x4", "1,1/2000x1"}) {
         CHECK_THROWS(parse_sheet(wrong));
     }
+}
+
+TEST_CASE(
+    "regions with common edges share the dots out, and those at the page's edges take what lies on them") {
+    // Positions in millimetres on a page of 90 x 60; edges are no binary fractions.
+    Dots all;
+    for (const double y : {0.0, 20.1, 20.1000001, 41.0, 60.0}) {
+        for (const double x : {0.0, 29.9999999, 30.3, 30.3000001, 59.0, 90.0}) {
+            all.x.push_back(static_cast<float>(x / 90));
+            all.y.push_back(static_cast<float>(y / 90));
+            all.threshold.push_back(static_cast<float>(all.x.size()));
+        }
+    }
+    const PageSize page{90, 60, 90};
+    std::vector<int> seen(all.size() + 1);
+    for (const char* text :
+         {"0,0,30.3x20.1", "30.3,0,59.7x20.1", "0,20.1,30.3x39.9", "30.3,20.1,59.7x39.9"}) {
+        const Region region = parse_region(text);
+        const Excerpt excerpt = region_of(page, region);
+        CHECK(excerpt.size.width_mm == doctest::Approx(region.width));
+        CHECK(excerpt.size.height_mm == doctest::Approx(region.height));
+        Dots dots = all;
+        cut_to(excerpt.part, dots);
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const auto id = static_cast<std::size_t>(dots.threshold[i]);
+            ++seen[id];
+            CHECK(std::abs(dots.x[i] * 90.0 + region.x - all.x[id - 1] * 90.0) < 1e-4);
+            CHECK(std::abs(dots.y[i] * 90.0 + region.y - all.y[id - 1] * 90.0) < 1e-4);
+        }
+    }
+    CHECK(std::count(seen.begin() + 1, seen.end(), 1) == static_cast<long>(all.size()));
+}
+
+TEST_CASE("a region is read in millimetres, and has to be one and on the page") {
+    CHECK(parse_region("120,80,50x40.5") == Region{120, 80, 50, 40.5});
+    CHECK(parse_region("0,0.5,1x2") == Region{0, 0.5, 1, 2});
+    for (const char* wrong :
+         {"", "1,2", "1,2,3", "1,2,3x", "1,2,3x4mm", "-1,2,3x4", "1,-2,3x4", "1,2,0x4", "1,2,3x0", "1,2,-3x4",
+          "nan,2,3x4", "1,2,infx4", "1,2,3x4x5", "a,2,3x4", " 1,2,3x4", "1,2/3x4"}) {
+        CAPTURE(wrong);
+        CHECK_THROWS_AS(parse_region(wrong), std::runtime_error);
+    }
+    const PageSize page{200, 133.0 + 1.0 / 3, 200};
+    CHECK(region_of(page, {0, 0, 200, page.height_mm}).part == PagePart{});
+    // Someone has read 133.33 as the page's height, someone else 133.34.
+    CHECK(region_of(page, {0, 0, 200, 133.34}).size.height_mm == page.height_mm);
+    CHECK_THROWS_AS(region_of(page, {150, 0, 51, 10}), std::runtime_error);
+    CHECK_THROWS_AS(region_of(page, {0, 100, 10, 34}), std::runtime_error);
+    CHECK_THROWS_AS(region_of(page, {200, 0, 0.01, 10}), std::runtime_error);
+}
+
+TEST_CASE("the window around a part holds its dots, and no more than a hair beyond it") {
+    const PageSize page{900, 600, 900};
+    const auto in_units = [](std::int64_t n) { return static_cast<double>(n) * 0x1p-62; };
+    for (int column = 1; column <= 3; ++column) {
+        const PagePart part = sheet_of(page, {column, 2, 3, 4}).part;
+        const PageWindow window = window_around(part);
+        const double left = in_units(window.x), top = in_units(window.y);
+        CHECK(left < (column - 1) / 3.0);
+        CHECK(left > (column - 1) / 3.0 - 1e-5);
+        CHECK(left + window.width > column / 3.0);
+        CHECK(left + window.width < column / 3.0 + 1e-5);
+        CHECK(top < 150.0 / 900);
+        CHECK(top > 150.0 / 900 - 1e-5);
+        CHECK(top + window.height > 300.0 / 900);
+        CHECK(top + window.height < 300.0 / 900 + 1e-5);
+    }
+    const PageWindow all = window_around({});
+    CHECK(all.x < 0);
+    CHECK(in_units(all.x) + all.width > 1);
 }

@@ -31,7 +31,7 @@ Dots dots_at(std::initializer_list<std::pair<float, float>> places) {
 
 pugi::xml_document svg_of(const Dots& dots, const PageSize& page, const SvgStyle& style) {
     std::ostringstream out;
-    write_svg(out, dots, page, style);
+    write_svg(out, stream_of(dots), page, style);
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_string(out.str().c_str());
     REQUIRE_MESSAGE(parsed, parsed.description());

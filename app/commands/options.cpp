@@ -204,26 +204,37 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
 
-void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet) {
+void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::optional<Region>& region) {
     const Heading heading(app, "Page");
     const auto read_order = [&order](const std::string& text) {
         order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
     };
     add_text(
         app, "--order", "NAME",
-        "Order of the dots in the file: recursion; priority, the first n being the drawing with n dots; or "
-        "space, each near the one before",
+        "Order of the dots in the file: recursion, as they are placed; space, each near the one before, for "
+        "plotters; priority, the first n dots being the drawing with n dots. The last two, and --placer "
+        "figure8, keep all dots in memory",
         read_order)
         ->default_str(std::string(name_of(order)));
-    const auto read_sheet = [&sheet](const std::string& text) {
-        try {
-            sheet = parse_sheet(text);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError("--sheet", error.what());
-        }
+    const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
+        return [name, parse, &target](const std::string& text) {
+            try {
+                target = parse(text);
+            } catch (const std::runtime_error& error) {
+                throw CLI::ValidationError(name, error.what());
+            }
+        };
     };
-    add_text(app, "--sheet", "C,R/CxR",
-             "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows", read_sheet);
+    add_text(
+        app, "--sheet", "C,R/CxR",
+        "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; --width and --dots are "
+        "those of the whole",
+        read_with("--sheet", parse_sheet, sheet));
+    add_text(
+        app, "--region", "X,Y,WxH",
+        "Only a part of the page, in millimetres: 20,15,100x80 is 100 wide and 80 high, 20 from the left "
+        "and 15 from the top; --width and --dots are those of the whole",
+        read_with("--region", parse_region, region));
 }
 
 void check_options(const CLI::App& command, const DrawingSettings& settings) {

@@ -65,8 +65,8 @@ void add_tone_options(CLI::App& app, Tone& tone);
 /// --width, --ink, --paper.
 void add_page_options(CLI::App& app, DrawingSettings& settings);
 
-/// --order, --sheet.
-void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet);
+/// --order, --sheet, --region.
+void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::optional<Region>& region);
 
 /// What no single option can see: throws CLI::ValidationError if those of the command contradict each other.
 /// To be called after parsing.

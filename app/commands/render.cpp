@@ -16,6 +16,7 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/progress_line.h"
 #include "core/output/raster.h"
 #include "core/tile/tile_file.h"
 
@@ -79,45 +80,74 @@ StippleRequest request_for(const RenderOptions& options, const Density& density)
     return request;
 }
 
-struct Drawing {
-    Stippling stippling;
-    PageSize page;
-    double radius_mm = 0;
-    std::vector<PlacedTile> tiles;
-};
+// The page, or the part of it that is drawn.
+Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
+    if (!options.region) return sheet_of(page, options.sheet);
+    try {
+        return region_of(page, *options.region);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("--region: {}", error.what()));
+    }
+}
+
+// Sorting needs all dots at once, and so does Figure 8, which counts the duplicates among them.
+bool can_stream(const RenderOptions& options) {
+    return options.order == DotOrder::recursion && options.drawing.stipple.placer == PlacerKind::exact;
+}
+
+// All of the page's dots in `whole`, which has to outlive the stream of those on the part.
+DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRequest& request,
+                        DotOrder order, Stippling& whole) {
+    stipple(tile, density, request.stipple, whole);
+    if (request.critical || order == DotOrder::priority) fill_critical_scales(whole.dots, density);
+    sort_dots(whole.dots, order);
+    cut_to(request.part, whole.dots);
+    return stream_of(whole.dots, whole.scale);
+}
 
 struct Times {
-    double tile = 0, read = 0, tone = 0, write = 0;  // milliseconds
+    double tile = 0, read = 0, tone = 0, place = 0, write = 0;  // milliseconds
+};
+
+struct Drawn {
+    DotStream dots;
+    std::optional<std::uint64_t> duplicates;  // among them; none if that is not known
+    PageSize page;                            // the sheet, the region or all of it
+    double radius_mm = 0;
+    Times times;
 };
 
 void write_stats(std::ostream& out, const RenderOptions& options, const Density& density,
-                 const Drawing& drawing, const Times& times) {
+                 const Drawn& drawn) {
     const DrawingSettings& settings = options.drawing;
-    const Stippling& stippling = drawing.stippling;
-    const std::uint64_t emitted = stippling.dots.size();
     const int threads = settings.stipple.threads;
+    nlohmann::ordered_json distinct, duplicates;
+    if (drawn.duplicates) {
+        distinct = drawn.dots.count - *drawn.duplicates;
+        duplicates = *drawn.duplicates;
+    }
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", density.width()},
         {"image_height", density.height()},
         {"output", options.output.string()},
-        {"dots", emitted - stippling.duplicates},
-        {"emitted", emitted},
-        {"duplicates", stippling.duplicates},
-        {"scale", stippling.scale},
+        {"dots", distinct},
+        {"emitted", drawn.dots.count},
+        {"duplicates", duplicates},
+        {"scale", drawn.dots.scale},
         {"mean_density", density.mean()},
         {"placer", name_of(settings.stipple.placer)},
         {"tile", tile_in_use(settings)},
         {"ranking", name_of(settings.ranking)},
-        {"width_mm", drawing.page.width_mm},
-        {"height_mm", drawing.page.height_mm},
-        {"dot_radius_mm", drawing.radius_mm},
+        {"width_mm", drawn.page.width_mm},
+        {"height_mm", drawn.page.height_mm},
+        {"dot_radius_mm", drawn.radius_mm},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
-        {"tile_ms", times.tile},
-        {"read_ms", times.read},
-        {"tone_ms", times.tone},
-        {"place_ms", stippling.place_ms},
-        {"write_ms", times.write},
+        {"tile_ms", drawn.times.tile},
+        {"read_ms", drawn.times.read},
+        {"tone_ms", drawn.times.tone},
+        {"place_ms", drawn.times.place},
+        {"write_ms", drawn.times.write},
     };
     // File names need not be UTF-8, JSON has to be.
     out << stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
@@ -139,37 +169,43 @@ void render(const RenderOptions& options) {
     const Density density(density_of(std::move(picture.light), settings.tone));
     times.tone = watch.lap();
 
-    Drawing drawing;
-    drawing.page = page_size(density, settings.width_mm);
-    if (format == DrawingFormat::png) {
-        // Better now than after the placing.
-        PageSize page = drawing.page;
-        Dots none;
-        cut_to_sheet(options.sheet, none, page, {});
-        static_cast<void>(raster_size(page, options.dpi));
-    }
-    stipple(tile, density, request_for(options, density), drawing.stippling);
-    drawing.radius_mm = dot_radius_mm(settings, drawing.stippling.scale, drawing.page);
-    if (settings.show_tiles) {
-        drawing.tiles = tiles_of(tile, density, settings.stipple.placer, drawing.stippling.scale);
-    }
-    Dots& dots = drawing.stippling.dots;
-    if (format == DrawingFormat::csv || options.order == DotOrder::priority)
-        fill_critical_scales(dots, density);
-    sort_dots(dots, options.order);
-    cut_to_sheet(options.sheet, dots, drawing.page, drawing.tiles);
+    const Excerpt excerpt = excerpt_of(page_size(density, settings.width_mm), options);
+    // Better now than after the placing.
+    if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
+    const StreamRequest request{.stipple = request_for(options, density),
+                                .part = excerpt.part,
+                                .critical = format == DrawingFormat::csv};
 
-    watch.lap();
+    ProgressLine line;
+    line.show(0, "placing the dots");
+    Stippling whole;
+    const DotStream dots = can_stream(options) ? stream(tile, density, request)
+                                               : place_at_once(tile, density, request, options.order, whole);
+    std::vector<PlacedTile> tiles;
+    if (settings.show_tiles) tiles = tiles_of(tile, density, settings.stipple.placer, dots.scale);
+    move_to(excerpt.part, tiles);
+    times.place = watch.lap();
+
+    line.restart(0);
+    const std::string what = fmt::format("writing {} dots", dots.count);
     save_drawing(options.output, settings,
-                 {.stippling = drawing.stippling,
-                  .page = drawing.page,
-                  .tiles = drawing.tiles,
+                 {.dots = dots,
+                  .page = excerpt.size,
+                  .tiles = tiles,
                   .tile_size = tile.tile().size(),
-                  .dpi = options.dpi});
+                  .dpi = options.dpi},
+                 {.stop = {}, .progress = [&](double share) { line.show(share, what); }});
     times.write = watch.lap();
     if (!options.stats) return;
-    save_atomically(*options.stats,
-                    [&](std::ostream& out) { write_stats(out, options, density, drawing, times); });
+
+    Drawn drawn{.dots = dots,
+                .duplicates = whole.duplicates,
+                .page = excerpt.size,
+                .radius_mm = dot_radius_mm(settings, dots.scale, excerpt.size),
+                .times = times};
+    // Where on the page the duplicates lie is not known.
+    if (whole.duplicates > 0 && request.part != PagePart{}) drawn.duplicates.reset();
+    save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, density, drawn); });
 }
 
 RenderCommand::RenderCommand(CLI::App& program) {
@@ -193,7 +229,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
         ->group("Page");
-    add_arrangement_options(*command, options_.order, options_.sheet);
+    add_arrangement_options(*command, options_.order, options_.sheet, options_.region);
     command->footer(
         "Examples:\n"
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
@@ -204,6 +240,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing);
+        if (options_.region && command->count("--sheet") > 0)
+            throw CLI::ValidationError("--region", "cannot be given together with --sheet");
         if (options_.drawing.show_tiles && drawing_format(options_.output) != DrawingFormat::svg) {
             throw CLI::ValidationError("--tiles",
                                        "only an SVG has layers; let the drawing's name end in .svg");

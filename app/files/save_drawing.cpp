@@ -30,11 +30,10 @@ void write_pixels(std::ostream& out, const DrawingSettings& settings, const Draw
     const RasterRequest request{
         .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.stipple.threads};
     write_png(out, {size.width, size.height, drawing.dpi}, [&](const PixelSink& pixels) {
-        rasterise(drawing.stippling.dots, drawing.page, request,
-                  [&](int first_row, const Grid<float>& coverage) {
-                      progress(static_cast<double>(first_row) / size.height);
-                      pixels(ink_on_paper(coverage, settings.ink, settings.paper));
-                  });
+        rasterise(drawing.dots, drawing.page, request, [&](int first_row, const Grid<float>& coverage) {
+            progress(static_cast<double>(first_row) / size.height);
+            pixels(ink_on_paper(coverage, settings.ink, settings.paper));
+        });
     });
 }
 
@@ -51,8 +50,8 @@ DrawingFormat drawing_format(const std::filesystem::path& path) {
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch) {
     const DrawingFormat format = drawing_format(path);
-    const Dots& dots = drawing.stippling.dots;
-    const double radius = dot_radius_mm(settings, drawing.stippling.scale, drawing.page);
+    const DotStream& dots = drawing.dots;
+    const double radius = dot_radius_mm(settings, dots.scale, drawing.page);
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
         if (watch.progress) watch.progress(share);

@@ -18,7 +18,7 @@ enum class DrawingFormat { svg, png, csv };
 DrawingFormat drawing_format(const std::filesystem::path& path);
 
 struct DrawingToSave {
-    const Stippling& stippling;  // with Dots::critical if it goes into a table
+    DotStream dots;  // with Dots::critical if they go into a table
     PageSize page;
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
     std::size_t tile_size = 16;              // N

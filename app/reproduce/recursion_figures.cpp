@@ -32,7 +32,7 @@ std::string drawing_of(const Dots& dots, std::vector<PlacedTile> tiles, const De
     std::erase_if(tiles,
                   [&](const PlacedTile& tile) { return tile.y >= page.height_mm / page.mm_per_page_unit; });
     std::ostringstream out;
-    write_svg(out, dots, page, {.dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
+    write_svg(out, stream_of(dots), page, {.dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
     return std::move(out).str();
 }
 

@@ -43,7 +43,7 @@ void Session::save(const fs::path& path) {
         std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
         return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
             return save_drawing(path, drawn,
-                                {.stippling = drawing.stippling,
+                                {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
                                  .page = page,
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size},

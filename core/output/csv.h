@@ -3,9 +3,9 @@
 
 #include <ostream>
 
+#include "core/dot_stream.h"
 #include "core/output/progress.h"
-#include "core/placing/dots.h"
-#include "core/stipple.h"
+#include "core/page.h"
 
 namespace dapple {
 
@@ -16,8 +16,8 @@ struct CsvColumns {
 
 /// A line x_mm,y_mm,radius_mm,level,rank,critical_scale and a line a dot, in the order given. Numbers have as
 /// many digits as it takes to read back the very same: x_mm / mm_per_page_unit, rounded to float, is the
-/// dot's x. Needs Dots::critical. Needs a buffer's memory only.
-void write_csv(std::ostream& out, const Dots& dots, const PageSize& page, const CsvColumns& columns,
+/// dot's x. Needs Dots::critical. Needs the memory of a piece and a buffer.
+void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress = {});
 
 }  // namespace dapple

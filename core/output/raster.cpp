@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -26,7 +27,7 @@ constexpr std::int64_t kLargestSide = 1'000'000;
 
 // The page in pixels, and the dots on it.
 struct Canvas {
-    const Dots& dots;
+    const DotStream& dots;
     RasterSize size;
     double px_per_unit;
     double radius;  // px
@@ -100,12 +101,6 @@ class SampleBand {
     std::vector<std::uint64_t> bits_;
 };
 
-// Which dots touch which band: the dots of band b are dots[begin[b] .. begin[b + 1]).
-struct DotsByBand {
-    std::vector<std::uint64_t> begin;
-    std::vector<std::uint32_t> dots;
-};
-
 struct BandRange {
     int first, last;  // none if last < first
 };
@@ -120,33 +115,60 @@ BandRange bands_touched(const Canvas& canvas, float y) {
             std::min(band(centre + canvas.radius), canvas.bands() - 1)};
 }
 
-DotsByBand sort_into_bands(const Canvas& canvas) {
-    DotsByBand result;
-    result.begin.assign(canvas.bands() + 1, 0);
-    for (const float y : canvas.dots.y) {
-        const BandRange range = bands_touched(canvas, y);
-        for (int band = range.first; band <= range.last; ++band) ++result.begin[band + 1];
-    }
-    for (int band = 0; band < canvas.bands(); ++band) result.begin[band + 1] += result.begin[band];
-    result.dots.resize(result.begin.back());
-    std::vector<std::uint64_t> next(result.begin.begin(), result.begin.end() - 1);
-    for (std::size_t i = 0; i < canvas.dots.size(); ++i) {
-        const BandRange range = bands_touched(canvas, canvas.dots.y[i]);
-        for (int band = range.first; band <= range.last; ++band) {
-            result.dots[next[band]++] = static_cast<std::uint32_t>(i);
+// How many dots touch each band.
+std::vector<std::uint64_t> dots_in_bands(const Canvas& canvas) {
+    std::vector<std::uint64_t> counts(canvas.bands(), 0);
+    canvas.dots.for_each_piece([&](const Dots& piece) {
+        for (const float y : piece.y) {
+            const BandRange range = bands_touched(canvas, y);
+            for (int band = range.first; band <= range.last; ++band) ++counts[band];
         }
-    }
-    return result;
+        return true;
+    });
+    return counts;
 }
 
-Grid<float> draw_band(const Canvas& canvas, const DotsByBand& sorted, int band) {
-    const int first_row = band * canvas.band_rows;
+// Bands that follow each other, with the dots that touch them: those of the i-th are dots[begin[i] .. begin[i
+// + 1]).
+struct Stretch {
+    int first_band = 0;
+    std::vector<std::uint64_t> begin{0};
+    std::vector<glm::vec2> dots{};
+
+    int bands() const { return static_cast<int>(begin.size()) - 1; }
+};
+
+// As many bands, from that one on, as have `most` dots together, but one at least.
+Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::uint64_t> counts,
+                     std::uint64_t most) {
+    Stretch stretch{.first_band = first_band};
+    for (int band = first_band; band < canvas.bands(); ++band) {
+        const std::uint64_t end = stretch.begin.back() + counts[band];
+        if (band > first_band && end > most) break;
+        stretch.begin.push_back(end);
+    }
+    stretch.dots.resize(stretch.begin.back());
+    std::vector<std::uint64_t> next(stretch.begin.begin(), stretch.begin.end() - 1);
+    canvas.dots.for_each_piece([&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const BandRange range = bands_touched(canvas, piece.y[i]);
+            const int first = std::max(range.first, first_band),
+                      last = std::min(range.last, first_band + stretch.bands() - 1);
+            for (int band = first; band <= last; ++band)
+                stretch.dots[next[band - first_band]++] = {piece.x[i], piece.y[i]};
+        }
+        return true;
+    });
+    return stretch;
+}
+
+Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i) {
+    const int first_row = (stretch.first_band + i) * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
-    for (std::uint64_t i = sorted.begin[band]; i < sorted.begin[band + 1]; ++i) {
-        const std::uint32_t dot = sorted.dots[i];
-        samples.add_disc(canvas.dots.x[dot] * canvas.px_per_unit * kSamples,
-                         (canvas.dots.y[dot] * canvas.px_per_unit - first_row) * kSamples,
-                         canvas.radius * kSamples);
+    for (std::uint64_t k = stretch.begin[i]; k < stretch.begin[i + 1]; ++k) {
+        const glm::vec2 dot = stretch.dots[k];
+        samples.add_disc(dot.x * canvas.px_per_unit * kSamples,
+                         (dot.y * canvas.px_per_unit - first_row) * kSamples, canvas.radius * kSamples);
     }
     return samples.coverage(canvas.size.width);
 }
@@ -166,7 +188,7 @@ RasterSize raster_size(const PageSize& page, double dpi) {
     return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};
 }
 
-void rasterise(const Dots& dots, const PageSize& page, const RasterRequest& request,
+void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink) {
     const RasterSize size = raster_size(page, request.dpi);
     const double px_per_mm = request.dpi / 25.4;
@@ -177,24 +199,28 @@ void rasterise(const Dots& dots, const PageSize& page, const RasterRequest& requ
         .px_per_unit = page.mm_per_page_unit * px_per_mm,
         .radius = request.dot_radius_mm * px_per_mm,
         .band_rows = static_cast<int>(std::clamp<std::size_t>(kBandBytes / row_bytes, 1, 256))};
-    const DotsByBand sorted = sort_into_bands(canvas);
+    const std::vector<std::uint64_t> counts = dots_in_bands(canvas);
 
     const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
     tbb::task_arena arena(threads);
     std::vector<Grid<float>> drawn(threads);
-    for (int first = 0; first < canvas.bands(); first += threads) {
-        const int count = std::min(threads, canvas.bands() - first);
-        arena.execute([&] {
-            tbb::parallel_for(0, count, [&](int i) { drawn[i] = draw_band(canvas, sorted, first + i); });
-        });
-        for (int i = 0; i < count; ++i) sink((first + i) * canvas.band_rows, drawn[i]);
+    for (int next_band = 0; next_band < canvas.bands();) {
+        const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
+        for (int first = 0; first < stretch.bands(); first += threads) {
+            const int count = std::min(threads, stretch.bands() - first);
+            arena.execute([&] {
+                tbb::parallel_for(0, count, [&](int i) { drawn[i] = draw_band(canvas, stretch, first + i); });
+            });
+            for (int i = 0; i < count; ++i) sink((next_band + first + i) * canvas.band_rows, drawn[i]);
+        }
+        next_band += stretch.bands();
     }
 }
 
 Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request) {
     const RasterSize size = raster_size(page, request.dpi);
     Grid<float> whole(size.width, size.height);
-    rasterise(dots, page, request, [&](int first_row, const Grid<float>& band) {
+    rasterise(stream_of(dots), page, request, [&](int first_row, const Grid<float>& band) {
         std::ranges::copy(band.values, whole.row(first_row));
     });
     return whole;

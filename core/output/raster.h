@@ -9,9 +9,9 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/dot_stream.h"
 #include "core/image/grid.h"
-#include "core/placing/dots.h"
-#include "core/stipple.h"
+#include "core/page.h"
 
 namespace dapple {
 
@@ -27,17 +27,20 @@ struct RasterRequest {
     double dot_radius_mm = 0;
     double dpi = 300;
     int threads = 1;  // the result is the same for any number; 0: all cores
+    std::uint64_t dots_at_once = std::uint64_t{1}
+                                 << 24;  // in memory, 8 bytes each; nor has it a say in the result
 };
 
 /// A stretch of rows, the first of which is row `first_row` of the whole: coverage 0..1.
 using CoverageSink = std::function<void(int first_row, const Grid<float>& coverage)>;
 
-/// Draws the page in bands, from the top down, each handed to the sink in turn; so a picture of any size
-/// needs little memory: 4 bytes a dot and some bands.
-void rasterise(const Dots& dots, const PageSize& page, const RasterRequest& request,
+/// Draws the page in bands, from the top down, each handed to the sink in turn; so a picture of any size, of
+/// any number of dots, needs little memory. Goes through the dots once to count them, and then once for each
+/// stretch of bands that have request.dots_at_once dots together.
+void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink);
 
-/// All bands in one.
+/// All bands in one, of dots in memory.
 Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request);
 
 /// sRGB-encoded pixels of that coverage. The colours are sRGB-encoded too.

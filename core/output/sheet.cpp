@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace dapple {
@@ -13,35 +15,46 @@ namespace {
 
 constexpr int kMostSheets = 1000;  // along a side
 
-// Where sheet `index` of `count` begins and ends along a side; the outermost take what lies on the edge.
-struct Span {
-    float first, end;
-    double offset;
-};
+constexpr double kRoundingMm = 0.1;  // of a page size that someone has read and typed
 
-Span span_of(int index, int count, double length) {
+constexpr float kPageStart = PageSpan{}.first, kPageEnd = PageSpan{}.end;
+
+PageSpan span_of(int index, int count, double length) {
     const auto edge = [&](int i) { return static_cast<float>(length * i / count); };
-    return {index == 1 ? -1.0f : edge(index - 1),
-            index == count ? std::numeric_limits<float>::max() : edge(index), length * (index - 1) / count};
+    return {index == 1 ? kPageStart : edge(index - 1), index == count ? kPageEnd : edge(index),
+            length * (index - 1) / count};
+}
+
+// From and to in millimetres.
+PageSpan span_between(double from, double to, double page_mm, double mm_per_page_unit) {
+    const auto edge = [&](double mm) { return static_cast<float>(mm / mm_per_page_unit); };
+    return {from > 0 ? edge(from) : kPageStart, to < page_mm ? edge(to) : kPageEnd, from / mm_per_page_unit};
+}
+
+// Numbers with a separator after each but the last; nothing if the text is not that.
+template <class Number, std::size_t n>
+std::optional<std::array<Number, n>> numbers_in(std::string_view text, std::string_view separators) {
+    std::array<Number, n> numbers{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto [rest, error] = std::from_chars(at, end, numbers[i]);
+        const bool ended = i < separators.size() ? rest != end && *rest == separators[i] : rest == end;
+        if (error != std::errc{} || !ended) return std::nullopt;
+        at = rest + 1;
+    }
+    return numbers;
 }
 
 }  // namespace
 
 Sheet parse_sheet(std::string_view text) {
-    std::array<int, 4> numbers{};
-    constexpr std::string_view ends = ",/x";
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto [rest, error] = std::from_chars(at, end, numbers[i]);
-        const bool ended = i < ends.size() ? rest != end && *rest == ends[i] : rest == end;
-        if (error != std::errc{} || !ended) {
-            throw std::runtime_error(
-                fmt::format("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text));
-        }
-        at = rest + 1;
+    const auto numbers = numbers_in<int, 4>(text, ",/x");
+    if (!numbers) {
+        throw std::runtime_error(
+            fmt::format("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text));
     }
-    const auto [column, row, columns, rows] = numbers;
+    const auto [column, row, columns, rows] = *numbers;
     if (columns < 1 || rows < 1 || columns > kMostSheets || rows > kMostSheets) {
         throw std::runtime_error(
             fmt::format("'{}': a mural has from 1 to {} sheets a side", text, kMostSheets));
@@ -53,28 +66,42 @@ Sheet parse_sheet(std::string_view text) {
     return {column, row, columns, rows};
 }
 
-void cut_to_sheet(const Sheet& sheet, Dots& dots, PageSize& page, std::span<PlacedTile> tiles) {
-    if (sheet == Sheet{}) return;
-    const Span across = span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit);
-    const Span down = span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit);
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const float x = dots.x[i], y = dots.y[i];
-        if (x < across.first || x >= across.end || y < down.first || y >= down.end) continue;
-        dots.x[to] = static_cast<float>(x - across.offset);
-        dots.y[to] = static_cast<float>(y - down.offset);
-        dots.threshold[to] = dots.threshold[i];
-        if (!dots.critical.empty()) dots.critical[to] = dots.critical[i];
-        ++to;
+Region parse_region(std::string_view text) {
+    const auto numbers = numbers_in<double, 4>(text, ",,x");
+    if (!numbers) {
+        throw std::runtime_error(fmt::format(
+            "'{}' is not a region; write X,Y,WIDTHxHEIGHT in millimetres, for example 20,15,100x80", text));
     }
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(to);
-    if (!dots.critical.empty()) dots.critical.resize(to);
-    for (PlacedTile& tile : tiles) {
-        tile.x -= across.offset;
-        tile.y -= down.offset;
+    const auto [x, y, width, height] = *numbers;
+    // Written so that what is not a number is refused too.
+    if (!(x >= 0) || !(y >= 0) || !std::isfinite(x + y)) {
+        throw std::runtime_error(
+            fmt::format("'{}': a region's corner is counted from the page's, from 0 up", text));
     }
-    page.width_mm /= sheet.columns;
-    page.height_mm /= sheet.rows;
+    if (!(width > 0) || !(height > 0) || !std::isfinite(width + height)) {
+        throw std::runtime_error(fmt::format("'{}': a region needs a width and a height over 0", text));
+    }
+    return {x, y, width, height};
+}
+
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet) {
+    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit),
+             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit)},
+            {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
+}
+
+Excerpt region_of(const PageSize& page, const Region& region) {
+    const double right = region.x + region.width, lower = region.y + region.height;
+    const bool begins_on_page = region.x < page.width_mm && region.y < page.height_mm;
+    if (!begins_on_page || right > page.width_mm + kRoundingMm || lower > page.height_mm + kRoundingMm) {
+        throw std::runtime_error(
+            fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
+                        right, lower, page.width_mm, page.height_mm));
+    }
+    return {{span_between(region.x, right, page.width_mm, page.mm_per_page_unit),
+             span_between(region.y, lower, page.height_mm, page.mm_per_page_unit)},
+            {std::min(region.width, page.width_mm - region.x),
+             std::min(region.height, page.height_mm - region.y), page.mm_per_page_unit}};
 }
 
 }  // namespace dapple

@@ -1,12 +1,10 @@
 #pragma once
-// A part of a drawing on a sheet of its own: murals larger than a printer, a plotter or a desk.
+// A part of a drawing on a sheet of its own: murals larger than a printer, a plotter or a desk; a detail to
+// try first.
 
-#include <span>
 #include <string_view>
 
-#include "core/placing/dots.h"
-#include "core/placing/placer.h"
-#include "core/stipple.h"
+#include "core/page.h"
 
 namespace dapple {
 
@@ -17,13 +15,32 @@ struct Sheet {
     bool operator==(const Sheet&) const = default;
 };
 
+/// A rectangle of the page, in millimetres from its upper left corner.
+struct Region {
+    double x = 0, y = 0, width = 0, height = 0;
+
+    bool operator==(const Region&) const = default;
+};
+
 /// "2,1/3x4": the second sheet of the first row, of three columns and four rows. Throws std::runtime_error
 /// saying what is wrong.
 Sheet parse_sheet(std::string_view text);
 
-/// Leaves the dots whose centres lie on the sheet, seen from its corner, makes the page the sheet's size and
-/// moves the tiles along. Each dot is on exactly one sheet: sheets made one by one join without a lost or a
-/// doubled dot.
-void cut_to_sheet(const Sheet& sheet, Dots& dots, PageSize& page, std::span<PlacedTile> tiles);
+/// "120,80,50x40.5": 50 mm wide and 40.5 mm high, its corner 120 mm from the left and 80 mm from the top.
+/// Throws std::runtime_error saying what is wrong.
+Region parse_region(std::string_view text);
+
+/// A part of a page, and its own size.
+struct Excerpt {
+    PagePart part;
+    PageSize size;
+};
+
+/// Each dot is on exactly one sheet: sheets made one by one join without a lost or a doubled dot.
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet);
+
+/// Regions with a common edge join as sheets do. A tenth of a millimetre over the page's edge is cut off:
+/// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
+Excerpt region_of(const PageSize& page, const Region& region);
 
 }  // namespace dapple

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPxPerMm = 96.0 / 25.4;
 
 // Two decimals, 0.0026 mm, are enough until the dots' mean spacing comes near a pixel.
-int decimals_for(std::size_t dots, const PageSize& page) {
+int decimals_for(std::uint64_t dots, const PageSize& page) {
     const double area = page.width_mm * page.height_mm * kPxPerMm * kPxPerMm;
     return static_cast<double>(dots) * 4 < area ? 2 : 3;
 }
@@ -23,34 +23,39 @@ void begin_layer(TextBuffer& text, int number, std::string_view label) {
          << R"(" id="layer)" << std::int64_t{number} << '"';
 }
 
-void write_dots(TextBuffer& text, const Dots& dots, const PageSize& page, const SvgStyle& style,
+void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                 const WritingProgress& progress) {
-    const int decimals = decimals_for(dots.size(), page);
+    const int decimals = decimals_for(dots.count, page);
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     const double radius = std::max(style.dot_radius_mm * kPxPerMm, 0.001);
     begin_layer(text, 1, pen_name(style.ink));
     text << R"( fill=")" << hex_of(style.ink) << R"(" stroke="none">)" << '\n';
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        if (progress && i % kDotsPerReport == 0)
-            progress(static_cast<double>(i) / static_cast<double>(dots.size()));
-        text << R"(<circle cx=")";
-        text.fixed(dots.x[i] * px_per_unit, decimals);
-        text << R"(" cy=")";
-        text.fixed(dots.y[i] * px_per_unit, decimals);
-        text << R"(" r=")";
-        text.fixed(radius, 3);
-        text << "\"/>\n";
-    }
+    DotsReport report(dots.count, progress);
+    dots.for_each_piece([&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            report.next();
+            text << R"(<circle cx=")";
+            text.fixed(piece.x[i] * px_per_unit, decimals);
+            text << R"(" cy=")";
+            text.fixed(piece.y[i] * px_per_unit, decimals);
+            text << R"(" r=")";
+            text.fixed(radius, 3);
+            text << "\"/>\n";
+        }
+        return true;
+    });
     text << "</g>\n";
 }
 
 void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     const double width = page.width_mm * kPxPerMm, height = page.height_mm * kPxPerMm;
-    // Tiles cover a square, the page need not be one: what lies over its edge is cut off.
+    // Tiles cover a square, the page need not be one and may be a part of another: what lies over its edges
+    // is cut off.
     std::map<int, std::vector<PlacedTile>> by_level;
     for (const PlacedTile& tile : tiles) {
-        const bool on_page = tile.x * px_per_unit < width && tile.y * px_per_unit < height;
+        const bool on_page = tile.x * px_per_unit < width && tile.y * px_per_unit < height &&
+                             tile.x + tile.side > 0 && tile.y + tile.side > 0;
         if (on_page) by_level[tile.level].push_back(tile);
     }
     begin_layer(text, 2, "Tiles");
@@ -60,14 +65,16 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
         text << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
              << hex_of(level_colour(level->first)) << "\">\n";
         for (const PlacedTile& tile : level->second) {
+            const double left = std::max(tile.x, 0.0) * px_per_unit,
+                         top = std::max(tile.y, 0.0) * px_per_unit;
             text << R"(<rect x=")";
-            text.fixed(tile.x * px_per_unit, 3);
+            text.fixed(left, 3);
             text << R"(" y=")";
-            text.fixed(tile.y * px_per_unit, 3);
+            text.fixed(top, 3);
             text << R"(" width=")";
-            text.fixed(std::min(tile.side * px_per_unit, width - tile.x * px_per_unit), 3);
+            text.fixed(std::min((tile.x + tile.side) * px_per_unit, width) - left, 3);
             text << R"(" height=")";
-            text.fixed(std::min(tile.side * px_per_unit, height - tile.y * px_per_unit), 3);
+            text.fixed(std::min((tile.y + tile.side) * px_per_unit, height) - top, 3);
             text << "\"/>\n";
         }
         text << "</g>\n";
@@ -77,7 +84,7 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
 
 }  // namespace
 
-void write_svg(std::ostream& out, const Dots& dots, const PageSize& page, const SvgStyle& style,
+void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress) {
     TextBuffer text(out);
     text

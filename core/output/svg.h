@@ -10,11 +10,11 @@
 #include <ostream>
 #include <span>
 
+#include "core/dot_stream.h"
 #include "core/output/colour.h"
 #include "core/output/progress.h"
-#include "core/placing/dots.h"
+#include "core/page.h"
 #include "core/placing/placer.h"
-#include "core/stipple.h"
 
 namespace dapple {
 
@@ -26,8 +26,8 @@ struct SvgStyle {
 };
 
 /// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where
-/// dots are dense. Needs a buffer's memory only.
-void write_svg(std::ostream& out, const Dots& dots, const PageSize& page, const SvgStyle& style,
+/// dots are dense. Needs the memory of a piece and a buffer.
+void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});
 
 }  // namespace dapple

@@ -25,11 +25,15 @@ struct PageWindow {
     bool operator==(const PageWindow&) const = default;
 };
 
+/// Where positions are counted from.
+enum class PlacingOrigin { window, page };
+
 struct PlacingRequest {
     double scale = 0;       // finite, >= 0: about 16 * scale * mean density dots, whatever the tile
     PageWindow window{};    // which dots: those whose position is in [x, x + width) x [y, y + height)
     bool critical = false;  // fill Dots::critical too
     int threads = 1;        // the dots and their order are the same for any number; 0: all cores
+    PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots have
 };
 
 /// Keeps its working memory between calls, so that a warm frame allocates nothing.

@@ -40,6 +40,10 @@ Traversal::Traversal(const PlacingTable& table, const Density& density, const Pl
     }
     const PageWindow& w = request.window;
     window_ = {w.x, w.y, window_end(w.x, w.width), window_end(w.y, w.height)};
+    if (request.origin == PlacingOrigin::window) {
+        origin_x_ = w.x;
+        origin_y_ = w.y;
+    }
 
     float first = std::numeric_limits<float>::infinity();
     for (const Cell& cell : table.cells) first = std::min(first, cell.newborn.birth.front());
@@ -113,8 +117,8 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
 
 glm::dvec2 Traversal::corner_in_window(const QuadSquare& square) const {
     const int shift = kUnitBits - square.depth;
-    return {static_cast<double>((square.x << shift) - request_.window.x) * (1 / kUnitsPerPage),
-            static_cast<double>((square.y << shift) - request_.window.y) * (1 / kUnitsPerPage)};
+    return {static_cast<double>((square.x << shift) - origin_x_) * (1 / kUnitsPerPage),
+            static_cast<double>((square.y << shift) - origin_y_) * (1 / kUnitsPerPage)};
 }
 
 }  // namespace dapple

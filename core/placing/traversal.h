@@ -60,7 +60,7 @@ class Traversal {
     /// The level of the tile that the square is a cell of; negative above the root tile's cells.
     int level(const Visit& visit) const { return visit.square.depth - table_.cell_depth; }
 
-    /// A square's corner from the window's origin, in page units.
+    /// A square's corner from where positions are counted, the window's or the page's corner, in page units.
     glm::dvec2 corner_in_window(const QuadSquare& square) const;
 
     /// A box in 2^-62 page units, from `low` to below `high`.
@@ -77,6 +77,7 @@ class Traversal {
     const Density& density_;
     PlacingRequest request_;
     Box window_;
+    std::int64_t origin_x_ = 0, origin_y_ = 0;
     double first_newborn_;  // the lowest birth of any newborn point
     std::array<DepthScale, kMaxDepth + 1> depths_;
     std::array<std::array<Orientation, 8>, 8> compose_;     // [second][first]

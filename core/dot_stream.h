@@ -1,0 +1,26 @@
+#pragma once
+// A drawing's dots on their way into a file: handed over in pieces, so that a drawing of any size needs the
+// memory of a piece.
+
+#include <cstdint>
+#include <functional>
+
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+/// Receives dots piece by piece, in order; false stops.
+using TakePiece = std::function<bool(const Dots& piece)>;
+
+struct DotStream {
+    std::uint64_t count = 0;  // of dots in all
+    double scale = 0;         // all of them exist at it
+
+    /// Hands over all dots, from the first on each time that it is called.
+    std::function<void(const TakePiece& take)> for_each_piece = [](const TakePiece&) {};
+};
+
+/// Dots in memory, which have to outlive the stream: one piece.
+DotStream stream_of(const Dots& dots, double scale = 0);
+
+}  // namespace dapple

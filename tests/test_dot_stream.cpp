@@ -1,0 +1,170 @@
+// A drawing that is written piece by piece against the same drawing held in memory.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "core/output/csv.h"
+#include "core/output/raster.h"
+#include "core/output/sheet.h"
+#include "core/output/svg.h"
+#include "core/stipple.h"
+#include "core/tile/ranking.h"
+
+using namespace dapple;
+
+namespace {
+
+// A soft shade, a black bar, and bare paper.
+Grid<float> picture() {
+    Grid<float> grid(90, 60);
+    for (int y = 0; y < grid.height; ++y) {
+        for (int x = 0; x < grid.width; ++x) {
+            const double shade = 0.5 + 0.5 * std::sin(0.1 * x) * std::cos(0.07 * y);
+            grid.at(x, y) = x > 70 && x < 75 ? 1.0f : y < 8 ? 0.0f : static_cast<float>(shade);
+        }
+    }
+    return grid;
+}
+
+struct Scene {
+    RankedTile tile{make_tile(14217, 2895, 16), RankingOrder::energy};
+    Density density{picture()};
+    PageSize page = page_size(density, 300);
+
+    // Placed at once, then cut: the plain way.
+    Dots whole(const StippleRequest& request, const PagePart& part, double& scale) {
+        Stippling all;
+        CHECK(stipple(tile, density, request, all));
+        fill_critical_scales(all.dots, density);
+        cut_to(part, all.dots);
+        scale = all.scale;
+        return all.dots;
+    }
+};
+
+std::string svg_of(const DotStream& dots, const PageSize& page) {
+    std::ostringstream out;
+    write_svg(out, dots, page, {.dot_radius_mm = 0.3, .background = {}});
+    return out.str();
+}
+
+std::string csv_of(const DotStream& dots, const PageSize& page) {
+    std::ostringstream out;
+    write_csv(out, dots, page, {.dot_radius_mm = 0.3, .tile_size = 16});
+    return out.str();
+}
+
+Grid<float> pixels_of(const DotStream& dots, const PageSize& page) {
+    const RasterSize size = raster_size(page, 50);
+    Grid<float> all(size.width, size.height);
+    rasterise(dots, page, {.dot_radius_mm = 0.3, .dpi = 50}, [&](int first_row, const Grid<float>& band) {
+        std::ranges::copy(band.values, all.row(first_row));
+    });
+    return all;
+}
+
+const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}},
+                                            {.scale = 3000, .count = {}},
+                                            {.scale = 3000, .count = {}, .threads = 3},
+                                            {.count = 1},
+                                            {.count = 25'000},
+                                            {.count = 25'000, .threads = 3}};
+
+}  // namespace
+
+TEST_CASE("a streamed drawing is the drawing in memory, byte for byte, in every format") {
+    Scene scene;
+    for (const StippleRequest& request : kRequests) {
+        CAPTURE(request.scale);
+        CAPTURE(request.count.value_or(0));
+        double scale = 0;
+        const Dots whole = scene.whole(request, {}, scale);
+        const DotStream in_memory = stream_of(whole, scale);
+        const DotStream dots =
+            stream(scene.tile, scene.density, {.stipple = request, .part = {}, .critical = true});
+        CHECK(dots.count == whole.size());
+        CHECK(dots.scale == scale);
+        CHECK(svg_of(dots, scene.page) == svg_of(in_memory, scene.page));
+        CHECK(csv_of(dots, scene.page) == csv_of(in_memory, scene.page));
+        CHECK(pixels_of(dots, scene.page).values == pixels_of(in_memory, scene.page).values);
+    }
+}
+
+TEST_CASE("a sheet or region that is placed for itself is the one cut from the whole, byte for byte") {
+    Scene scene;
+    const std::vector<Excerpt> excerpts{
+        sheet_of(scene.page, {1, 1, 3, 4}), sheet_of(scene.page, {2, 3, 3, 4}),
+        sheet_of(scene.page, {3, 4, 3, 4}), region_of(scene.page, {33.3, 70.7, 55.5, 44.4}),
+        region_of(scene.page, {0, 0, 20, 10})};
+    for (const StippleRequest& request : kRequests) {
+        for (const Excerpt& excerpt : excerpts) {
+            double scale = 0;
+            const Dots cut = scene.whole(request, excerpt.part, scale);
+            const DotStream dots = stream(scene.tile, scene.density,
+                                          {.stipple = request, .part = excerpt.part, .critical = true});
+            CHECK(dots.count == cut.size());
+            CHECK(dots.scale == scale);
+            CHECK(csv_of(dots, excerpt.size) == csv_of(stream_of(cut), excerpt.size));
+            CHECK(svg_of(dots, excerpt.size) == svg_of(stream_of(cut), excerpt.size));
+        }
+    }
+}
+
+TEST_CASE("streamed sheets have every dot of the page once") {
+    Scene scene;
+    for (const StippleRequest& request : kRequests) {
+        double scale = 0;
+        std::uint64_t on_sheets = 0;
+        for (int row = 1; row <= 4; ++row) {
+            for (int column = 1; column <= 3; ++column) {
+                const PagePart part = sheet_of(scene.page, {column, row, 3, 4}).part;
+                on_sheets += stream(scene.tile, scene.density, {.stipple = request, .part = part}).count;
+            }
+        }
+        CHECK(on_sheets == scene.whole(request, {}, scale).size());
+    }
+}
+
+TEST_CASE("however many dots there are, they come in small pieces") {
+    Scene scene;
+    for (const StippleRequest& request :
+         {StippleRequest{.scale = 50'000, .count = {}}, StippleRequest{.count = 400'000}}) {
+        const DotStream dots = stream(scene.tile, scene.density, {.stipple = request, .part = {}});
+        std::size_t largest = 0, all = 0;
+        dots.for_each_piece([&](const Dots& piece) {
+            largest = std::max(largest, piece.size());
+            all += piece.size();
+            return true;
+        });
+        CHECK(all == dots.count);
+        CHECK(all > 200'000);
+        CHECK(largest < 60'000);
+    }
+}
+
+TEST_CASE("whoever takes the dots may stop, and begin again") {
+    Scene scene;
+    const DotStream dots = stream(scene.tile, scene.density, {.stipple = {.count = 400'000}, .part = {}});
+    int taken = 0;
+    dots.for_each_piece([&](const Dots&) { return ++taken < 2; });
+    CHECK(taken == 2);
+    std::uint64_t all = 0;
+    dots.for_each_piece([&](const Dots& piece) {
+        all += piece.size();
+        return true;
+    });
+    CHECK(all == 400'000);
+}
+
+TEST_CASE("Figure 8 is not streamed, nor is what cannot be placed") {
+    Scene scene;
+    CHECK_THROWS(stream(scene.tile, scene.density,
+                        {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}));
+    CHECK_THROWS(stream(scene.tile, scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
+    CHECK_THROWS(stream(scene.tile, Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
+}
