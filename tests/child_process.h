@@ -6,32 +6,35 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "tests/wait_until.h"
+
 namespace dapple {
 
-/// Files that take what the program says; none: it says it where the test does.
-struct ChildOutput {
-    std::filesystem::path output = {}, errors = {};
+/// Where the program runs, and the files that take what it says; none: where the test does.
+struct ChildPlaces {
+    std::filesystem::path folder = {}, output = {}, errors = {};
 };
 
 class ChildProcess {
  public:
-    explicit ChildProcess(std::vector<std::string> command, const ChildOutput& to = {}) {
+    explicit ChildProcess(std::vector<std::string> command, const ChildPlaces& places = {}) {
         std::vector<char*> arguments;
         for (std::string& word : command) arguments.push_back(word.data());
         arguments.push_back(nullptr);
         id_ = fork();
         if (id_ < 0) throw std::runtime_error("no process can be started");
         if (id_ > 0) return;
-        redirect(to.output, STDOUT_FILENO);
-        redirect(to.errors, STDERR_FILENO);
+        redirect(places.output, STDOUT_FILENO);
+        redirect(places.errors, STDERR_FILENO);
+        if (!places.folder.empty() && chdir(places.folder.c_str()) != 0) _exit(126);
+        // Ctrl+C may be switched off for the tests, as a shell does for what runs in the background.
+        signal(SIGINT, SIG_DFL);
         execvp(arguments[0], arguments.data());
         _exit(127);
     }
@@ -45,33 +48,27 @@ class ChildProcess {
 
     void send(int signal) { kill(id_, signal); }
 
-    /// Waits until it has done what `done` looks for; false if that takes minutes or it ends without.
+    /// Waits until it has done what `done` looks for; false if it ends without.
     template <class Done>
     bool brings(Done done) {
-        for (int tries = 0; tries < kMostTries && !done(); ++tries) {
-            siginfo_t ended{};
-            waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
-            if (ended.si_pid == id_) return done();
-            std::this_thread::sleep_for(kBetweenTries);
-        }
-        return done();
+        return wait_until([&] { return has_ended() || done(); }) && done();
     }
 
-    /// Its exit status once it has ended; -1 if a signal ended it, as happens after minutes.
+    /// Its exit status once it has ended; if signal n ended it, 128 + n, as the shell has it. One that doesn't
+    /// end is killed.
     int wait() {
-        int status = 0, tries = 0;
-        while (waitpid(id_, &status, WNOHANG) == 0) {
-            std::this_thread::sleep_for(kBetweenTries);
-            if (++tries == kMostTries) kill(id_, SIGKILL);
-        }
-        id_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        if (!wait_until([&] { return has_ended(); })) kill(id_, SIGKILL);
+        int status = 0;
+        waitpid(std::exchange(id_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
 
  private:
-    static constexpr std::chrono::milliseconds kBetweenTries{10};
-    static constexpr int kMostTries = 12'000;
-
+    bool has_ended() const {
+        siginfo_t ended{};
+        waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
+        return ended.si_pid == id_;
+    }
     static void redirect(const std::filesystem::path& file, int stream) {
         if (file.empty()) return;
         int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

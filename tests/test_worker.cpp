@@ -1,14 +1,16 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <functional>
+#include <semaphore>
 #include <stdexcept>
+#include <thread>
 
 #include "app/viewer/worker.h"
+#include "tests/wait_until.h"
 
 namespace dapple {
 namespace {
-
-using std::chrono::milliseconds;
 
 Picture grey(int side) {
     return {Grid<float>(side, side, 0.4f), Grid<glm::u8vec4>(side, side, glm::u8vec4(170)), "grey"};
@@ -21,19 +23,17 @@ PlaceOrder dots(std::uint64_t count) {
     return order;
 }
 
-/// Everything told until `enough` is content, for as long as half a minute.
+/// Everything told until `enough` is content.
 std::vector<WorkerNews> listen(Worker& worker, const std::function<bool(const WorkerNews&)>& enough) {
     std::vector<WorkerNews> all;
-    auto begin = std::chrono::steady_clock::now();
-    while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
-        for (WorkerNews& news : worker.news(milliseconds(20))) {
-            bool last = enough(news);
+    const bool content = wait_until([&] {
+        for (WorkerNews& news : worker.news()) {
             all.push_back(std::move(news));
-            if (last) return all;
+            if (enough(all.back())) return true;
         }
-        std::this_thread::sleep_for(milliseconds(1));
-    }
-    FAIL("the worker says nothing");
+        return false;
+    });
+    if (!content) FAIL("the worker says nothing");
     return all;
 }
 
@@ -57,17 +57,21 @@ TEST_CASE("a picture comes together with its first dots") {
     CHECK(first->picture->name == "grey.png");
     CHECK(first->picture->longer_side == 64);
     CHECK(first->drawing.stippling.dots.size() == 500);
-    while (woken == 0) std::this_thread::yield();
+    CHECK(wait_until([&] { return woken > 0; }));
 }
 
-TEST_CASE("of many orders the last is always placed") {
+TEST_CASE("of many orders that come while the worker is busy the last is placed, and no other") {
     Worker worker([] {});
-    worker.open("grey.png", [] { return grey(64); });
-    for (std::uint64_t n = 100; n <= 300; ++n) worker.place(dots(n));
-    auto news = listen(worker, [](const WorkerNews& n) {
-        return placed(n) && placed(n)->drawing.stippling.dots.size() == 300;
+    std::binary_semaphore all_ordered(0);
+    worker.open("grey.png", [&] {
+        all_ordered.acquire();
+        return grey(64);
     });
-    CHECK(news.size() < 200);
+    for (std::uint64_t n = 100; n <= 300; ++n) worker.place(dots(n));
+    all_ordered.release();
+    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    CHECK(news.size() == 1);
+    CHECK(placed(news.back())->drawing.stippling.dots.size() == 300);
 }
 
 TEST_CASE("a picture that cannot be read leaves the old one") {
@@ -169,7 +173,7 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
             return false;
         };
     });
-    while (!half_way) std::this_thread::yield();
+    REQUIRE(wait_until([&] { return half_way.load(); }));
     REQUIRE(worker.saving());
     CHECK(worker.saving()->path == "a.svg");
     CHECK(worker.saving()->share == 0.5);
@@ -182,11 +186,15 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     CHECK_FALSE(worker.saving());
 }
 
-TEST_CASE("a worker with much to do ends at once") {
+TEST_CASE("a worker may end with much still to do") {
     Worker worker([] {});
-    worker.open("grey.png", [] { return grey(512); });
+    std::binary_semaphore begun(0);
     worker.place(dots(3'000'000));
-    std::this_thread::sleep_for(milliseconds(20));
+    worker.open("grey.png", [&] {
+        begun.release();
+        return grey(512);
+    });
+    begun.acquire();
 }
 
 }  // namespace dapple

@@ -186,7 +186,9 @@ void Viewer::report_outside() {
     if (!session_.placed_once()) return;
     if (!ready_) std::puts("ready");
     if (options_.log_status) {
-        std::string line = status_json(status(), session_.pane().placings(), widgets_);
+        const ImGuiIO& io = ImGui::GetIO();
+        const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
+        std::string line = status_json(status(), session_.pane().placings(), mouse, widgets_);
         if (line != logged_) std::puts(line.c_str());
         logged_ = std::move(line);
     }
