@@ -43,10 +43,11 @@ TEST_CASE("every number of the paper comes out, and every figure, on one well-fo
     REQUIRE(page.load_file((folder / "paper/index.html").c_str(), pugi::parse_full));
     CHECK(page.select_nodes("//tr[@class='good']").size() == 21);
     CHECK(page.select_nodes("//tr[@class='bad']").empty());
-    CHECK(page.select_nodes("//img").size() == 11);
+    CHECK(page.select_nodes("//img").size() == 12);
     for (const pugi::xpath_node& node : page.select_nodes("//@src"))
         CHECK(std::string(node.attribute().value()).starts_with("data:image/"));
-    for (const char* figure : {"Figures 1 and 2", "Figure 3", "Figure 4", "Figures 5 and 6", "Figure 7"}) {
+    for (const char* figure :
+         {"Table 1", "Figures 1 and 2", "Figure 3", "Figure 4", "Figures 5 and 6", "Figure 7"}) {
         CAPTURE(figure);
         bool found = false;
         for (const pugi::xpath_node& node : page.select_nodes("//h2"))

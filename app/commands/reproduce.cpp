@@ -71,32 +71,28 @@ void reproduce(const ReproduceOptions& options) {
     page.paragraph(
         "The figures and numbers of A. Lagae and P. Dutré, \"Generating Well-Distributed Point Sets with a "
         "Self-Similar Hierarchical Tile\" (2006), worked out from scratch by dapple reproduce. Nothing here "
-        "is "
-        "copied from the paper but the numbers in the columns headed so.");
+        "is copied from the paper but the numbers in the column headed so.");
 
     const std::vector<Comparison> printed = compare_printed_numbers();
     const std::vector<Comparison> counts = compare_figure8_counts();
     const std::vector<Comparison> larger = compare_larger_tiles();
-    page.heading("Numbers that the paper prints");
+    page.heading("Table 1: numbers that the paper prints");
     add_table(page, printed, "Printed");
     page.paragraph(
-        "The relative radius is half the smallest distance between two points, over that of the densest "
-        "packing. A "
-        "balanced sequence has as many ones as zeros: only such words can make a tile with a quarter of its "
-        "points in "
-        "each quadrant.");
+        "The printed Table 1 was not at hand; this one has the numbers of section 4, figure 1 and Appendix A "
+        "in its place. The relative radius is half the smallest distance between two points, over that of "
+        "the densest packing. A balanced sequence has as many ones as zeros: only such words can make a tile "
+        "with a quarter of its points in each quadrant.");
     page.heading("Figure 8, run");
     add_table(page, counts, "By hand");
     page.paragraph(
         "The printed algorithm tests the points that a tile shares with its parent again, so about a quarter "
-        "of what "
-        "it emits is there already.");
+        "of what it emits is there already.");
     page.heading("Beyond the paper");
     add_table(page, larger, "Recorded");
     page.paragraph(
         "The paper's search took 8 minutes for 16 points and three and a half days for 20. With branch and "
-        "bound, 24 "
-        "and 28 points take seconds.");
+        "bound, 24 and 28 points take seconds.");
 
     add_tile_figures(page);
     add_recursion_figures(page);

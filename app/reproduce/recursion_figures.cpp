@@ -81,9 +81,8 @@ void add_recursion_figures(HtmlPage& page) {
                 .media_type = "image/svg+xml",
                 .alt = "the same with the exact placer",
                 .caption = fmt::format("The exact placer: {} dots, each once", dots.size())}},
-        "The darker the picture, the deeper the tile is subdivided; a colour for each level. This is what "
-        "the text "
-        "says of the placing, drawn by us: the printed figure itself was not at hand.");
+        "The darker the picture, the deeper the tile is subdivided; a colour for each level. The printed "
+        "figure was not at hand: this is our reading of what the text says of the placing.");
 
     DrawingSettings between;
     between.stipple = {.placer = PlacerKind::figure8, .scale = kFigure8Scale, .count = {}, .threads = 0};
@@ -99,7 +98,7 @@ void add_recursion_figures(HtmlPage& page) {
         std::array{spectra[0].picture, spectra[1].picture, spectra[2].picture},
         "Constant density, the tile of Appendix A. Every orange dot is a wave that runs through the whole "
         "set: the same tile comes again and again. This is the periodicity that the paper names as its open "
-        "problem.");
+        "problem. The printed figure was not at hand: this, too, is our reading of the text.");
     page.drawings(
         std::array{svg_plot(
             {.title = "Radially averaged power",
@@ -109,8 +108,7 @@ void add_recursion_figures(HtmlPage& page) {
              .levels = {{1, "white noise"}},
              .width = 900})},
         "Averaged over all directions. Peaks are rings that the tile's period makes; what lies near 0 on the "
-        "left is "
-        "unevenness of large areas.");
+        "left is unevenness of large areas.");
 }
 
 }  // namespace dapple
