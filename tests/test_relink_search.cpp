@@ -122,15 +122,6 @@ TEST_CASE("a search may start from points that crowd together") {
     CHECK(result.energy < relink_energy(start, settings.shape));
 }
 
-TEST_CASE("a search for some seconds ends") {
-    RelinkSettings settings = small_search();
-    settings.moves = 0;
-    settings.seconds = 0.05;
-    const RelinkResult result = relink_search(settings);
-    CHECK(result.moves > 0);
-    CHECK(result.tile.size() == 64);
-}
-
 TEST_CASE("a search can go on from a tile") {
     RelinkSettings settings = small_search();
     settings.moves = 10'000;

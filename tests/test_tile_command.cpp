@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -92,9 +93,28 @@ TEST_CASE("a tile that is found is a file that renders, and the same seed finds 
     REQUIRE(run_dapple(search + first).status == 0);
     REQUIRE(run_dapple(search + second + " --threads 1").status == 0);
     CHECK(text_of(first) == text_of(second));
-    CHECK(read_tile(text_of(first)).tile.size() == 16);
+    const std::string found = text_of(first);
+    CHECK(read_tile(found).tile.size() == 16);
+    CHECK(
+        found.find("# found by dapple tile search --points 16 --rule any --seed 7 --runs 1 --moves 4000\n") !=
+        std::string::npos);
     CHECK(run_dapple(fmt::format("render -o {} --dots 500 --tile {}", (folder / "a.svg").string(), first))
               .status == 0);
+}
+
+TEST_CASE("the rules are listed from the one that repeats least, with those that are the same turned") {
+    const Outcome outcome = run_dapple("tile rules --top 2");
+    REQUIRE(outcome.status == 0);
+    std::istringstream lines(outcome.out);
+    std::string heading, first, second, more;
+    std::getline(lines, heading);
+    std::getline(lines, first);
+    std::getline(lines, second);
+    CHECK_FALSE(std::getline(lines, more));
+    CHECK(first.starts_with("1427 "));
+    CHECK(first.find(" 0.1452 ") != std::string::npos);
+    CHECK(first.find(" 7241") != std::string::npos);
+    CHECK(second.find(" 0.1554 ") != std::string::npos);
 }
 
 TEST_CASE("an identity search prints the paper's radii and saves the best tile") {
@@ -128,7 +148,7 @@ TEST_CASE("a search saves its best tile as it goes, and Ctrl+C ends it") {
     const TemporaryFolder folder, said;
     const std::string file = folder / "best.tile";
     ChildProcess search(
-        {DAPPLE_PROGRAM, "tile", "search", "--points", "64", "--rule", "any", "--moves", "1e12", "-o", file},
+        {DAPPLE_PROGRAM, "tile", "search", "--points", "64", "--rule", "3760", "--moves", "1e12", "-o", file},
         {.output = said / "out", .errors = said / "err"});
     REQUIRE(search.brings([&] { return std::filesystem::exists(file); }));
     CHECK(text_of(file).find("not finished") != std::string::npos);
@@ -194,6 +214,8 @@ TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files
     check_refused("tile search --points 16 --seed 3", "--rule any");
     check_refused("tile search --points 16 --rule any", "--output: is needed");
     check_refused("tile search --points 16 --rule odd -o " + kept, "odd is not known");
+    check_refused("tile search --points 16 --rule 3768 -o " + kept, "3768 is not known");
+    check_refused("tile rules --top 571", "--top");
     check_refused("tile search --points 16 --rule any --top 3 -o " + kept, "--rule identity");
     check_refused("tile search --resume " + kept, "line 1");
     check_refused("tile search --resume " + (folder / "none.txt").string(), "no such file");

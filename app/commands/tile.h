@@ -35,6 +35,7 @@ class TileCommand {
 
  private:
     void add_list(CLI::App& parent);
+    void add_rules(CLI::App& parent);
     void add_show(CLI::App& parent);
     void add_search(CLI::App& parent);
     void add_rank(CLI::App& parent);
@@ -45,6 +46,7 @@ class TileCommand {
     NewOrder order_ = NewOrder::energy;
     std::optional<RankingOrder> ranking_;  // none: the tile's own
     CheckFormat format_ = CheckFormat::text;
+    int rules_ = 20;  // listed
     TileSearchOptions search_;
 };
 

@@ -22,6 +22,8 @@
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/relink_search.h"
+#include "core/tile/rule_search.h"
+#include "core/tile/rules.h"
 #include "core/tile/tile_marks.h"
 
 namespace dapple {
@@ -30,6 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMovesPerPoint = 10'000;
+// Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
+constexpr std::size_t kRulesTried = 20;
 constexpr std::chrono::minutes kBetweenSaves(1);
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -124,6 +128,12 @@ std::uint64_t moves_in(RelinkSettings settings, double seconds, int runs, int th
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(rate * (seconds - spent) / turns));
 }
 
+std::vector<Rule> rules_to_try() {
+    std::vector<Rule> rules;
+    for (const RuleMarks& marks : best_rules(kRulesTried)) rules.push_back(marks.rule);
+    return rules;
+}
+
 void search_any(const TileSearchOptions& options, std::ostream& out) {
     check_can_save(*options.output);
     const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
@@ -134,43 +144,48 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
     settings.moves = options.moves.value_or(kMovesPerPoint * settings.points);
     if (options.seconds) settings.moves = moves_in(settings, *options.seconds, options.runs, threads);
 
-    std::vector<RelinkResult> results;
+    RelinkResult best;
     bool interrupted = false;
     {
         const StopOnInterrupt stop;
         ProgressLine line;
         std::mutex mutex;
-        std::vector<double> done(static_cast<std::size_t>(options.runs), 0.0);
-        double best = std::numeric_limits<double>::infinity();
-        double saved = best;
+        double tried = 0;
+        RelinkProgress lowest;
+        lowest.best = std::numeric_limits<double>::infinity();
+        double saved = lowest.best;
         std::chrono::steady_clock::time_point saved_at{};
         settings.stop = stop.token();
         settings.progress = [&](const RelinkProgress& progress) {
             const std::lock_guard lock(mutex);
-            done[progress.seed - settings.seed] =
-                static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
-            best = std::min(best, progress.best);
-            double sum = 0;
-            for (const double share : done) sum += share;
-            line.show(sum / options.runs, fmt::format("lowest energy a point so far {:.5f}", best));
+            tried += static_cast<double>(progress.new_moves);
+            if (progress.best < lowest.best) lowest = progress;
+            std::string words = fmt::format("lowest energy a point so far {:.5f}", lowest.best);
+            if (!options.rule)
+                words =
+                    fmt::format("rule {}; {}, rule {}", text_of(progress.rule), words, text_of(lowest.rule));
+            line.show(tried / (static_cast<double>(settings.moves) * options.runs), words);
             // Whatever happens to the machine, no more than a minute's work is lost.
             const auto now = std::chrono::steady_clock::now();
-            if (progress.best >= saved || now - saved_at < kBetweenSaves) return;
-            saved = progress.best;
+            if (lowest.best >= saved || now - saved_at < kBetweenSaves) return;
+            saved = lowest.best;
             saved_at = now;
-            save_tile(*options.output, ranked(make_tile(settings.rule, progress.words), RankingOrder::energy),
+            save_tile(*options.output, ranked(make_tile(lowest.rule, lowest.words), RankingOrder::energy),
                       {"not finished: the best so far of a search that goes on"});
         };
         tbb::task_arena arena(threads);
-        arena.execute([&] { results = relink_searches(settings, options.runs); });
+        arena.execute([&] {
+            best = options.rule ? relink_searches(settings, options.runs).front()
+                                : search_rules(settings, rules_to_try(), options.runs);
+        });
         interrupted = StopOnInterrupt::interrupted();
     }
-    const RelinkResult& best = results.front();
     const std::string how = fmt::format(
         "dapple tile search --points {} --rule {} --seed {} --runs {} --moves {}", options.points,
         options.rule ? text_of(settings.rule) : "any", options.seed, options.runs, settings.moves);
-    out << fmt::format("{} points, energy a point {:.5f}, the lowest of {} run{}\n", best.tile.size(),
-                       best.energy, options.runs, options.runs == 1 ? "" : "s");
+    out << fmt::format("{} points, rule {}, energy a point {:.5f}, the lowest of {} run{}\n",
+                       best.tile.size(), text_of(best.tile.rule), best.energy, options.runs,
+                       options.runs == 1 ? "" : "s");
     out << fmt::format("{}\n", interrupted ? "stopped: this is the best so far, and cannot be made again"
                                            : "the same again: " + how);
     std::vector<std::string> comments;
@@ -204,7 +219,8 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                 options.rule = rule;
             },
             "identity: every tile of the paper's kind, by radius; any: tiles with turned copies that do not "
-            "repeat, by annealing; or four orientations, such as 3760")
+            "repeat, by annealing, the rule that suits them best among them; or a rule of four orientations, "
+            "such as 3760, for that alone")
         ->type_name("NAME")
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
@@ -222,7 +238,9 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                 }
                 options.moves = static_cast<std::uint64_t>(moves);
             },
-            fmt::format("any: so many moves tried in each run, {} a point without it", kMovesPerPoint))
+            fmt::format("any: so many moves tried in each run, {} a point without it; half of them to choose "
+                        "the rule",
+                        kMovesPerPoint))
         ->type_name("N");
     add_whole_number(command, "--runs", options.runs, {.least = 1, .most = 10'000},
                      "any: independent runs, the best is kept");
@@ -242,7 +260,8 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"
         "  dapple tile search --resume dapple-search-32.txt    after Ctrl+C\n"
-        "  dapple tile search --points 1024 --rule any --seconds 60 --runs 2 -o mine.tile");
+        "  dapple tile search --points 64 --rule any --seconds 60 --runs 2 -o mine.tile\n"
+        "  dapple tile search --points 1024 --rule 3760 --seconds 60 --runs 2 -o mine.tile");
 }
 
 void check_search_options(const CLI::App& command, const TileSearchOptions& options) {

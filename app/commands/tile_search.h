@@ -23,7 +23,7 @@ enum class SearchKind {
 struct TileSearchOptions {
     int points = 0;
     SearchKind kind = SearchKind::identity;
-    std::optional<Rule> rule;            // of SearchKind::any; none: aperiodic_rule()
+    std::optional<Rule> rule;            // of SearchKind::any; none: the one that suits the points
     int top = 5;                         // identity: so many tiles
     int runs = 1;                        // any: independent runs with the seeds seed, seed + 1, ...
     std::optional<double> seconds;       // identity: stops then; any: as many moves as that allows

@@ -7,9 +7,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace dapple {
 
@@ -237,34 +237,31 @@ RelinkResult relink_search(const RelinkSettings& settings) {
     Links links(start, settings.shape,
                 CoherentPeaks(start.size(), settings.peak_weight, settings.peak_limit));
     RelinkProgress progress;
+    progress.rule = settings.rule;
     progress.seed = settings.seed;
     progress.energy = progress.best = links.energy() / count;
     progress.words = start.words;
     const std::uint64_t report_after = kMovesBetweenRefreshes * start.size();
-    std::uint64_t taken = 0;
-    const auto began = std::chrono::steady_clock::now();
-    const auto share_done = [&] {
-        if (settings.seconds <= 0)
-            return static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
-        return passed.count() / settings.seconds;
-    };
-    for (double done = 0; done < 1 && !settings.stop.stop_requested();) {
+    std::uint64_t taken = 0, reported = 0;
+    while (progress.moves < settings.moves && !settings.stop.stop_requested()) {
+        const double done = static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
         const double temperature = settings.start_temperature *
                                    std::pow(settings.end_temperature / settings.start_temperature, done);
         // In rounds short enough to be stopped at any time.
-        std::uint64_t round = std::min(report_after - progress.moves % report_after, std::uint64_t{4096});
-        if (settings.seconds <= 0) round = std::min(round, settings.moves - progress.moves);
+        const std::uint64_t round = std::min({report_after - progress.moves % report_after,
+                                              std::uint64_t{4096}, settings.moves - progress.moves});
         for (std::uint64_t k = 0; k < round; ++k)
             taken += links.step(random, temperature, settings.move_radius);
         progress.moves += round;
-        done = share_done();
-        if (progress.moves % report_after != 0 && done < 1 && !settings.stop.stop_requested()) continue;
+        if (progress.moves % report_after != 0 && progress.moves < settings.moves &&
+            !settings.stop.stop_requested())
+            continue;
         links.refresh();
         progress.energy = links.energy() / count;
         progress.highest_peak = links.highest_peak();
-        progress.acceptance = static_cast<double>(taken) / static_cast<double>(report_after);
-        taken = 0;
+        progress.new_moves = progress.moves - std::exchange(reported, progress.moves);
+        progress.acceptance =
+            static_cast<double>(std::exchange(taken, 0)) / static_cast<double>(progress.new_moves);
         if (progress.energy < progress.best) {
             progress.best = progress.energy;
             progress.words = words_along(letters, links.successors());

@@ -30,8 +30,10 @@ namespace dapple {
 Rule aperiodic_rule();
 
 struct RelinkProgress {
+    Rule rule;                       // of this run
     std::uint64_t seed = 0;          // of this run
     std::uint64_t moves = 0;         // tried so far
+    std::uint64_t new_moves = 0;     // of these since the last report
     double energy = 0, best = 0;     // per point, each pair counted once, penalty included
     double acceptance = 0;           // share of the moves taken since the last report
     double highest_peak = 0;         // of the coherent powers, if they are part of the search
@@ -44,14 +46,13 @@ struct RelinkSettings {
     std::vector<std::string> start;    // words to start from; empty: see even_words()
     std::uint64_t seed = 1;            // same settings, same tile
     std::uint64_t moves = 10'000'000;  // tried
-    double seconds = 0;  // above 0: as long as that instead, and the tile depends on the machine's speed
-    double start_temperature = 0.1;  // in the unit of the energy
-    double end_temperature = 0.03;   // reached geometrically
-    double move_radius = 1.5;        // in spacings, how far a successor jumps, at most 4 tone_width
+    double start_temperature = 0.1;    // in the unit of the energy
+    double end_temperature = 0.03;     // reached geometrically
+    double move_radius = 1.5;          // in spacings, how far a successor jumps, at most 4 tone_width
     PairShape shape;
     double peak_weight = 0.005;                           // of CoherentPeaks; 0: none
     double peak_limit = 12;                               // of CoherentPeaks
-    std::function<void(const RelinkProgress&)> progress;  // every few hundred moves a point
+    std::function<void(const RelinkProgress&)> progress;  // every few hundred moves a point, and at the end
     std::stop_token stop;                                 // the best so far is returned
 };
 

@@ -62,9 +62,9 @@ std::vector<TileMark> in_words(const TileMarks& marks) {
 }
 
 std::string text_of(const Rule& rule) {
-    std::vector<int> indices;
-    for (const Orientation g : rule.child) indices.push_back(g.index);
-    return fmt::format("{}", fmt::join(indices, " "));
+    std::string digits;
+    for (const Orientation h : rule.child) digits += static_cast<char>('0' + h.index);
+    return digits;
 }
 
 std::optional<std::string> paper_notation(const Tile& tile) {

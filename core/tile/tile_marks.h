@@ -33,7 +33,7 @@ struct TileMark {
 };
 std::vector<TileMark> in_words(const TileMarks& marks);
 
-/// "3 7 6 0".
+/// "3760", as dapple tile search --rule takes it.
 std::string text_of(const Rule& rule);
 
 /// The paper's pair of integers, "14217,2895/16", if it can write the tile: identity rule, one cycle.
