@@ -215,7 +215,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
         ->default_str(options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
                {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy},
-               "Order in which a tile's dots appear: paper, farthest or energy");
+               "Order in which a tile's dots appear: paper, farthest, or energy, which errs least");
     command
         ->add_option_function<std::string>(
             "--seed",
