@@ -54,11 +54,11 @@ void exact(benchmark::State& state, const Density& density, const std::string& t
 
 void exact_count(benchmark::State& state, const Density& density, const std::string& tile) {
     RankedTile ranked = tile_named(tile, RankingOrder::energy);
-    const ExactCount request{static_cast<std::uint64_t>(state.range(0)), 1};
+    const ExactCount request{.count = static_cast<std::uint64_t>(state.range(0))};
     Dots dots;
-    place_exactly(ranked.placer(), density, request, dots);
+    ranked.placer().place_exactly(density, request, dots);
     for (auto _ : state) {
-        place_exactly(ranked.placer(), density, request, dots);
+        ranked.placer().place_exactly(density, request, dots);
         benchmark::DoNotOptimize(dots.x.data());
     }
     report(state, dots.size());

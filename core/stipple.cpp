@@ -64,13 +64,14 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
         result.dots = std::move(placed.dots);
         result.duplicates = placed.duplicates;
     } else if (request.count) {
-        const ExactCount exact{*request.count, request.threads};
-        const auto scale = place_exactly(tile.placer(), density, exact, result.dots, stop);
+        const ExactCount exact{*request.count, request.critical, request.threads};
+        const auto scale = tile.placer().place_exactly(density, exact, result.dots, stop);
         if (!scale) return false;
         result.scale = *scale;
     } else {
         PlacingRequest placing;
         placing.scale = request.scale;
+        placing.critical = request.critical;
         placing.threads = request.threads;
         if (!tile.placer().place(density, placing, result.dots, stop)) return false;
     }

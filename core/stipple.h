@@ -47,6 +47,7 @@ struct StippleRequest {
     double scale = 2500;                 // ignored when a count is given
     std::optional<std::uint64_t> count;  // exactly so many dots; the exact placer only
     int threads = 1;                     // 0: all cores
+    bool critical = false;               // fill Dots::critical too; the exact placer only
 
     bool operator==(const StippleRequest&) const = default;
 };

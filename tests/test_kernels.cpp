@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "core/placing/kernel.h"
@@ -13,18 +15,26 @@ namespace {
 
 struct Placed {
     std::vector<float> x, y, threshold, critical;
+    std::vector<std::pair<std::size_t, float>> late;
     bool operator==(const Placed&) const = default;
 };
 
-Placed run(Kernel kernel, const KernelSquare& square, bool critical) {
-    Placed placed{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256),
-                  std::vector<float>(256)};
-    const std::size_t count = kernel(square, {placed.x.data(), placed.y.data(), placed.threshold.data(),
-                                              critical ? placed.critical.data() : nullptr});
+Placed run(Kernel kernel, const KernelSquare& square, bool critical, bool late) {
+    Placed placed{std::vector<float>(256),
+                  std::vector<float>(256),
+                  std::vector<float>(256),
+                  std::vector<float>(256),
+                  {}};
+    std::vector<LateDot> late_dots(256);
+    const PlacedCount count = kernel(
+        square, {placed.x.data(), placed.y.data(), placed.threshold.data(),
+                 critical ? placed.critical.data() : nullptr, late ? late_dots.data() : nullptr, 1000});
     for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold, &placed.critical}) {
-        column->resize(count);
+        column->resize(count.dots);
     }
     if (!critical) placed.critical.clear();
+    for (std::size_t i = 0; i < count.late; ++i)
+        placed.late.emplace_back(late_dots[i].index, late_dots[i].critical);
     return placed;
 }
 
@@ -41,7 +51,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     if (__builtin_cpu_supports("avx2")) kernels.push_back(place_square_avx2);
     if (__builtin_cpu_supports("avx512f")) kernels.push_back(place_square_avx512);
 
-    std::size_t dots = 0;
+    std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const std::size_t count = random() % 70;
         std::vector<float> x(96), y(96), birth(96, std::numeric_limits<float>::infinity());
@@ -78,13 +88,32 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         square.first_column =
             clamped ? static_cast<int>(random() % 60) - 12 : static_cast<int>(random() % 19);
         square.first_row = clamped ? static_cast<int>(random() % 50) - 12 : static_cast<int>(random() % 11);
+        square.early_per_density = 0.9f * square.births_per_density;
+        if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
         for (const bool critical : {false, true}) {
-            const Placed expected = run(place_square_baseline, square, critical);
-            dots += expected.x.size();
-            for (const Kernel kernel : kernels) {
-                if (run(kernel, square, critical) != expected) FAIL("trial ", trial);
+            for (const bool late : {false, true}) {
+                const Placed expected = run(place_square_baseline, square, critical, late);
+                dots += expected.x.size();
+                late_dots += expected.late.size();
+                for (const Kernel kernel : kernels) {
+                    if (run(kernel, square, critical, late) != expected) FAIL("trial ", trial);
+                }
+                // What is late has the critical scale that every dot has, and the others come earlier.
+                if (!critical || !late) continue;
+                std::size_t next = 0;
+                for (std::size_t i = 0; i < expected.x.size(); ++i) {
+                    const bool listed = next < expected.late.size() && expected.late[next].first == 1000 + i;
+                    if (listed) CHECK(expected.late[next++].second == expected.critical[i]);
+                    const float early =
+                        expected.threshold[i] / expected.critical[i] * square.early_per_density;
+                    if (listed != !(early > expected.threshold[i] / 4) &&
+                        std::abs(early * 4 / expected.threshold[i] - 1) > 1e-5f)
+                        FAIL("trial ", trial);
+                }
+                CHECK(next == expected.late.size());
             }
         }
     }
     CHECK(dots > 10000);
+    CHECK(late_dots > 1000);
 }

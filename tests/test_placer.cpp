@@ -228,7 +228,7 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
     std::set<std::pair<float, float>> darker;
     for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
         Dots dots;
-        const auto scale = place_exactly(placer, density, {count}, dots);
+        const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, dots);
         REQUIRE(scale);
         CHECK(dots.size() == count);
         CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
@@ -240,5 +240,5 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
         darker = lighter;
     }
     Dots none;
-    CHECK_THROWS(place_exactly(placer, Density(Grid<float>(4, 4)), {100}, none));
+    CHECK_THROWS(placer.place_exactly(Density(Grid<float>(4, 4)), {100}, none));
 }

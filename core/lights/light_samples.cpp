@@ -69,7 +69,7 @@ std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& dens
 
 std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request) {
     Dots dots;
-    place_exactly(tile.placer(), density, {request.count, request.threads}, dots);
+    tile.placer().place_exactly(density, {.count = request.count, .threads = request.threads}, dots);
     std::vector<glm::dvec2> places(dots.size());
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = {dots.x[i], dots.y[i]};
     return places;

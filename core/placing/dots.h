@@ -8,7 +8,7 @@
 
 namespace dapple {
 
-/// Leaves floats unset when a vector grows: a million dots a frame are written once, not twice.
+/// Leaves numbers unset when a vector grows: a million dots a frame are written once, not twice.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
     template <class U>
@@ -35,6 +35,13 @@ struct Dots {
 
     std::size_t size() const { return x.size(); }
 };
+
+/// A dot among others, and when it appears.
+struct LateDot {
+    std::size_t index;
+    float critical;
+};
+using LateDots = std::vector<LateDot, UnsetAllocator<LateDot>>;
 
 /// Where in the subdivision a dot was born.
 struct Birthplace {

@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 #include "core/placing/placer.h"
+#include "core/placing/placer_memory.h"
 
 namespace dapple {
 
@@ -15,98 +13,198 @@ namespace {
 
 constexpr double kMaxScale = 1e30;
 
-// More than the expected scale by this share brings the count with near certainty: it strays less than chance
-// would.
+// The end of an exact drawing lies within this share of the expected scale with near certainty: the count
+// strays less than chance would.
 double margin(std::uint64_t count) {
-    return 2 / std::sqrt(static_cast<double>(count));
+    return 0.005 + 2 / std::sqrt(static_cast<double>(count));
 }
 
-// The critical scale of the last of the `count` dots that stay, when the dots beyond are dropped. Those are
-// few and have the highest critical scales of all, so only high ones are looked at.
-float limit_of(const Dots& dots, std::size_t count, double scale) {
-    const std::size_t dropped = dots.size() - count;
-    const double share = static_cast<double>(dropped + 1) / static_cast<double>(dots.size());
-    std::vector<float> high;
-    for (double below = 4 * share; high.size() <= dropped; below *= 4) {
-        const auto from = static_cast<float>(scale * std::max(0.0, 1 - below));
-        high.clear();
-        std::copy_if(dots.critical.begin(), dots.critical.end(), std::back_inserter(high),
-                     [from](float c) { return c >= from; });
+PlacingRequest request_at(const ExactCount& request, double scale) {
+    PlacingRequest placing;
+    placing.scale = scale;
+    placing.critical = request.critical;
+    placing.threads = request.threads;
+    return placing;
+}
+
+// Which of several dots that tie stay. A black area has very many, one in each tile: taking them as they come
+// would fill the area from one side, so those stay whose index, its binary digits reversed, is low.
+class Ties {
+ public:
+    Ties(std::size_t ties, std::size_t kept) : bits_(static_cast<int>(std::bit_width(ties))) {
+        for (; kept > 0; ++below_) kept -= reversed(below_) < ties;
     }
-    std::nth_element(high.begin(), high.begin() + static_cast<std::ptrdiff_t>(dropped), high.end(),
-                     std::greater<>());
-    return high[dropped];
-}
+    bool keeps(std::size_t tie) const { return reversed(tie) < below_; }
 
-// Of dots that tie, in their order, the ones that come first. A black area has very many, one in each tile:
-// taking them as they come would fill the area from one side, so they are taken in the order of their
-// reversed binary indices.
-std::vector<bool> first_of_ties(std::size_t ties, std::size_t wanted) {
-    std::vector<bool> taken(ties, false);
-    const std::size_t bits = static_cast<std::size_t>(std::bit_width(ties));
-    for (std::size_t i = 0; wanted > 0; ++i) {
+ private:
+    std::size_t reversed(std::size_t index) const {
         std::size_t reversed = 0;
-        for (std::size_t bit = 0; bit < bits; ++bit) reversed |= (i >> bit & 1) << (bits - 1 - bit);
-        if (reversed >= ties) continue;
-        taken[reversed] = true;
-        --wanted;
+        for (int bit = 0; bit < bits_; ++bit) reversed |= (index >> bit & 1) << (bits_ - 1 - bit);
+        return reversed;
     }
-    return taken;
+
+    int bits_;
+    std::size_t below_ = 0;
+};
+
+// Drops the dots beyond a cut from a drawing that comes whole or piece after piece.
+class Cutter {
+ public:
+    Cutter(const CountCut& cut, std::vector<std::size_t>& dropped)
+        : limit_(cut.limit), ties_(cut.ties, cut.kept), dropped_(dropped) {}
+
+    void cut(Dots& dots, const LateDots& late) {
+        dropped_.clear();
+        for (const LateDot& dot : late) {
+            const bool stays = dot.critical < limit_ || (dot.critical == limit_ && ties_.keeps(next_tie_++));
+            if (!stays) dropped_.push_back(dot.index);
+        }
+        if (dropped_.empty()) return;
+        for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
+            if (!column->empty()) close_gaps(*column);
+        }
+    }
+
+ private:
+    void close_gaps(FloatBuffer& column) const {
+        const auto begin = column.begin();
+        const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+        auto to = at(dropped_.front());
+        for (std::size_t i = 0; i < dropped_.size(); ++i) {
+            const auto end = i + 1 < dropped_.size() ? at(dropped_[i + 1]) : column.end();
+            to = std::copy(at(dropped_[i]) + 1, end, to);
+        }
+        column.resize(column.size() - dropped_.size());
+    }
+
+    float limit_;
+    Ties ties_;
+    std::size_t next_tie_ = 0;
+    std::vector<std::size_t>& dropped_;
+};
+
+// Counts the dots of a drawing that nobody keeps, and keeps the late ones: for a cut, their critical scales
+// are enough.
+class Counter : public PieceTaker {
+ public:
+    explicit Counter(LateDots& late) : late_(late) { late_.clear(); }
+    bool take_in_turn(PieceMemory& piece) override {
+        count_ += piece.dots.size();
+        late_.insert(late_.end(), piece.emitter.late.begin(), piece.emitter.late.end());
+        return true;
+    }
+    std::size_t count() const { return count_; }
+
+ private:
+    LateDots& late_;
+    std::size_t count_ = 0;
+};
+
+// Where the `count` dots of lowest critical scale end, `early` dots of which are not late.
+CountCut cut_among(const LateDots& late, std::size_t kept, std::vector<float>& criticals) {
+    criticals.clear();
+    for (const LateDot& dot : late) criticals.push_back(dot.critical);
+    const auto last = criticals.begin() + static_cast<std::ptrdiff_t>(kept - 1);
+    std::nth_element(criticals.begin(), last, criticals.end());
+    CountCut cut;
+    cut.limit = *last;
+    const auto tied = [&](float critical) { return critical == cut.limit; };
+    cut.ties = static_cast<std::size_t>(std::ranges::count_if(criticals, tied));
+    cut.kept = 1 + static_cast<std::size_t>(std::count_if(criticals.begin(), last, tied));
+    return cut;
 }
 
-// Leaves the `count` dots of lowest critical scale, in their order, and gives a scale just above the highest
-// of them.
-double keep_lowest(Dots& dots, std::size_t count, double scale) {
-    const float limit = limit_of(dots, count, scale);
-    std::size_t below = 0, ties = 0;
-    for (const float c : dots.critical) {
-        below += c < limit;
-        ties += c == limit;
-    }
-    const std::vector<bool> taken = first_of_ties(ties, count - below);
-    std::size_t to = 0, tie = 0;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const float critical = dots.critical[i];
-        if (critical > limit || (critical == limit && !taken[tie++])) continue;
-        dots.x[to] = dots.x[i];
-        dots.y[to] = dots.y[i];
-        dots.threshold[to] = dots.threshold[i];
-        dots.critical[to] = critical;
-        ++to;
-    }
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) column->resize(to);
-    return std::nextafter(limit, std::numeric_limits<float>::max());  // a dot exists above its critical scale
-}
-
-}  // namespace
-
-std::optional<double> place_exactly(Placer& placer, const Density& density, const ExactCount& request,
-                                    Dots& dots, std::stop_token stop) {
-    if (request.count == 0) {
-        dots = {};
-        return 0.0;
-    }
+// Tries scales until the end of the drawing lies between two of them. place(scale, early scale) places and
+// returns how many dots there are, the late ones of them in memory; nothing if stopped.
+template <class Place>
+std::optional<CountCut> find_end(const Density& density, std::uint64_t count, PlacerMemory& memory,
+                                 Place place) {
     if (!(density.mean() > 0)) {
         throw std::runtime_error(
             "there is nothing to draw: the picture is white everywhere; darken it or invert it");
     }
-    const double expected = static_cast<double>(request.count) / (16 * density.mean());
-    PlacingRequest placing;
-    placing.critical = true;
-    placing.threads = request.threads;
-    const double more = 1 + margin(request.count);
-    placing.scale = expected * more;
+    const double expected = static_cast<double>(count) / (16 * density.mean());
+    const double more = 1 + margin(count);
+    double early = expected * std::max(0.0, 2 - more), scale = expected * more;
+    // The share by which a count is off, and a little; small drawings grow by steps of a whole tile's ranks.
+    const auto step = [more](double share) { return std::clamp(share * more, more, 4.0); };
     while (true) {
-        if (!placer.place(density, placing, dots, stop)) return std::nullopt;
-        if (dots.size() >= request.count) break;
-        if (placing.scale > kMaxScale) {
-            throw std::runtime_error("so many dots do not fit: the picture's dark part is too small");
+        const std::optional<std::size_t> placed = place(scale, early);
+        if (!placed) return std::nullopt;
+        const std::size_t sure = *placed - memory.emitter.late.size();
+        if (*placed < count) {
+            if (scale > kMaxScale) {
+                throw std::runtime_error("so many dots do not fit: the picture's dark part is too small");
+            }
+            early = scale;
+            scale *= step(static_cast<double>(count + 1) / static_cast<double>(*placed + 1));
+            continue;
         }
-        // The share that is missing, and a little; small drawings grow by steps of a whole tile's ranks.
-        const double share = static_cast<double>(request.count + 1) / static_cast<double>(dots.size() + 1);
-        placing.scale *= std::clamp(share * more, more, 4.0);
+        if (sure < count) {
+            CountCut cut = cut_among(memory.emitter.late, count - sure, memory.criticals);
+            cut.scale = scale;
+            cut.early_scale = early;
+            if (cut.limit >= early) return cut;
+        } else {
+            scale = early;
+        }
+        early /= step(static_cast<double>(sure + 1) / static_cast<double>(count + 1));
     }
-    return keep_lowest(dots, request.count, placing.scale);
+}
+
+}  // namespace
+
+double CountCut::last_scale() const {
+    return std::nextafter(limit, std::numeric_limits<float>::max());  // a dot exists above its critical scale
+}
+
+std::optional<double> Placer::place_exactly(const Density& density, const ExactCount& request, Dots& dots,
+                                            std::stop_token stop) {
+    if (request.count == 0) {
+        dots = {};
+        return 0.0;
+    }
+    const auto place = [&](double scale, double early) -> std::optional<std::size_t> {
+        const Traversal traversal(table_, density, request_at(request, scale), early);
+        if (!place_columns(traversal, *memory_, dots, stop)) return std::nullopt;
+        return dots.size();
+    };
+    const std::optional<CountCut> cut = find_end(density, request.count, *memory_, place);
+    if (!cut) return std::nullopt;
+    Cutter(*cut, memory_->dropped).cut(dots, memory_->emitter.late);
+    return cut->last_scale();
+}
+
+std::optional<CountCut> Placer::find_cut(const Density& density, const ExactCount& request,
+                                         std::stop_token stop) {
+    if (request.count == 0) return CountCut{};
+    const auto place = [&](double scale, double early) -> std::optional<std::size_t> {
+        Counter counter(memory_->emitter.late);
+        const Traversal traversal(table_, density, request_at(request, scale), early);
+        if (!hand_over_pieces(traversal, *memory_, counter, stop)) return std::nullopt;
+        return counter.count();
+    };
+    return find_end(density, request.count, *memory_, place);
+}
+
+bool Placer::place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,
+                             const TakePiece& take, std::stop_token stop) {
+    class CutStream : public PieceTaker {
+     public:
+        CutStream(Cutter cutter, const TakePiece& take) : cutter_(cutter), take_(take) {}
+        bool take_in_turn(PieceMemory& piece) override {
+            cutter_.cut(piece.dots, piece.emitter.late);
+            return piece.dots.size() == 0 || take_(piece.dots);
+        }
+
+     private:
+        Cutter cutter_;
+        const TakePiece& take_;
+    };
+    if (request.count == 0) return true;
+    CutStream stream(Cutter(cut, memory_->dropped), take);
+    const Traversal traversal(table_, density, request_at(request, cut.scale), cut.early_scale);
+    return hand_over_pieces(traversal, *memory_, stream, stop);
 }
 
 }  // namespace dapple

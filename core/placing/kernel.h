@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/placing/dots.h"
+
 namespace dapple {
 
 /// A square of the page, ready for its points to be tested. Points are given about its centre in half sides,
@@ -24,6 +26,7 @@ struct KernelSquare {
     float sure_below = 0;          // births below this exist all over the square
     float none_from = 0;           // births from this on exist nowhere in it
     float threshold_per_birth = 0;
+    float early_per_density = 0;  // below births_per_density: dots that need more are late
 
     // The density at a point, by one of these ways.
     enum class Source {
@@ -44,22 +47,29 @@ struct KernelSquare {
     int width = 0, height = 0, first_column = 0, first_row = 0;
 };
 
-/// Where dots go; room for all the square's points plus kKernelPadding. critical may be null.
+/// Where dots go; room for all the square's points plus kKernelPadding. critical and late may be null.
 struct KernelOutput {
     float* x = nullptr;
     float* y = nullptr;
     float* threshold = nullptr;
     float* critical = nullptr;
+    LateDot* late = nullptr;
+    std::size_t first_index = 0;  // of x[0], for late dots
+};
+
+/// How many a kernel wrote.
+struct PlacedCount {
+    std::size_t dots = 0, late = 0;
 };
 
 inline constexpr std::size_t kKernelPadding = 16;
 
-/// Writes the square's dots, in the order of their births, and returns how many.
-using Kernel = std::size_t (*)(const KernelSquare& square, const KernelOutput& output);
+/// Writes the square's dots, in the order of their births.
+using Kernel = PlacedCount (*)(const KernelSquare& square, const KernelOutput& output);
 
-std::size_t place_square_baseline(const KernelSquare& square, const KernelOutput& output);
-std::size_t place_square_avx2(const KernelSquare& square, const KernelOutput& output);
-std::size_t place_square_avx512(const KernelSquare& square, const KernelOutput& output);
+PlacedCount place_square_baseline(const KernelSquare& square, const KernelOutput& output);
+PlacedCount place_square_avx2(const KernelSquare& square, const KernelOutput& output);
+PlacedCount place_square_avx512(const KernelSquare& square, const KernelOutput& output);
 
 /// The widest kernel that this processor can run.
 Kernel best_kernel();

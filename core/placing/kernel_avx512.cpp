@@ -22,6 +22,13 @@ struct Lanes {
 };
 using Mask = __mmask16;
 
+inline unsigned bits_of(Mask m) {
+    return m;
+}
+inline Mask without(Mask a, Mask b) {
+    return static_cast<Mask>(a & ~b);
+}
+
 struct Square4 {
     Lanes v00, v10, v01, v11;
 };
@@ -100,7 +107,7 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-std::size_t place_square_avx512(const KernelSquare& square, const KernelOutput& output) {
+PlacedCount place_square_avx512(const KernelSquare& square, const KernelOutput& output) {
     return place_square(square, output);
 }
 

@@ -20,6 +20,13 @@ struct Lanes {
 };
 using Mask = bool;
 
+inline unsigned bits_of(Mask m) {
+    return m ? 1 : 0;
+}
+inline Mask without(Mask a, Mask b) {
+    return a && !b;
+}
+
 struct Square4 {
     Lanes v00, v10, v01, v11;
 };
@@ -77,7 +84,7 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-std::size_t place_square_baseline(const KernelSquare& square, const KernelOutput& output) {
+PlacedCount place_square_baseline(const KernelSquare& square, const KernelOutput& output) {
     return place_square(square, output);
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 using dapple::KernelOutput;
 using dapple::KernelSquare;
+using dapple::PlacedCount;
 using Source = KernelSquare::Source;
 
 inline Lanes density_in_patch(const KernelSquare& s, Lanes x, Lanes y) {
@@ -30,50 +31,68 @@ inline Lanes density_from_pixels(const KernelSquare& s, const Block& block, Lane
     return upper + (lower - upper) * fy;
 }
 
-template <Source kSource, bool kCritical>
-inline std::size_t place_points(const KernelSquare& s, const KernelOutput& out) {
+// Few dots are late: one by one.
+inline void list_late(Mask late, Mask exists, Lanes critical, const KernelOutput& out, PlacedCount& placed) {
+    float values[kWidth];
+    store(values, critical);
+    for (unsigned bits = bits_of(late); bits != 0; bits &= bits - 1) {
+        const int lane = __builtin_ctz(bits);
+        const unsigned before = bits_of(exists) & ((1u << lane) - 1);
+        out.late[placed.late++] = {
+            out.first_index + placed.dots + static_cast<std::size_t>(__builtin_popcount(before)),
+            values[lane]};
+    }
+}
+
+template <Source kSource, bool kCritical, bool kLate>
+inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) {
     const Block block = load_block(s.block);
-    std::size_t count = 0;
+    PlacedCount placed;
     for (std::size_t i = 0; s.birth[i] < s.none_from; i += kWidth) {
         const Lanes birth = load(s.birth + i), x = load(s.x + i), y = load(s.y + i);
         const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
         if (!kCritical && s.birth[i + kWidth - 1] < s.sure_below) {
-            store(out.x + count, page_x);
-            store(out.y + count, page_y);
-            store(out.threshold + count, threshold);
-            count += kWidth;
+            store(out.x + placed.dots, page_x);
+            store(out.y + placed.dots, page_y);
+            store(out.threshold + placed.dots, threshold);
+            placed.dots += kWidth;
             continue;
         }
         const Lanes density = kSource == Source::patch ? density_in_patch(s, x, y)
                                                        : density_from_pixels<kSource>(s, block, x, y);
         const Mask exists = density * Lanes(s.births_per_density) > birth;
-        pack(out.x + count, page_x, exists);
-        pack(out.y + count, page_y, exists);
-        if (kCritical) pack(out.critical + count, threshold / density, exists);
-        count += pack(out.threshold + count, threshold, exists);
+        if (kLate) {
+            const Mask late = without(exists, density * Lanes(s.early_per_density) > birth);
+            if (bits_of(late) != 0) list_late(late, exists, threshold / density, out, placed);
+        }
+        pack(out.x + placed.dots, page_x, exists);
+        pack(out.y + placed.dots, page_y, exists);
+        if (kCritical) pack(out.critical + placed.dots, threshold / density, exists);
+        placed.dots += pack(out.threshold + placed.dots, threshold, exists);
     }
-    return count;
+    return placed;
 }
 
-template <bool kCritical>
-inline std::size_t place_square(const KernelSquare& s, const KernelOutput& out) {
+template <bool kCritical, bool kLate>
+inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
         case Source::patch:
-            return place_points<Source::patch, kCritical>(s, out);
+            return place_points<Source::patch, kCritical, kLate>(s, out);
         case Source::block:
-            return place_points<Source::block, kCritical>(s, out);
+            return place_points<Source::block, kCritical, kLate>(s, out);
         case Source::picture:
-            return place_points<Source::picture, kCritical>(s, out);
+            return place_points<Source::picture, kCritical, kLate>(s, out);
         case Source::clamped:
-            return place_points<Source::clamped, kCritical>(s, out);
+            return place_points<Source::clamped, kCritical, kLate>(s, out);
     }
-    return 0;
+    return {};
 }
 
-inline std::size_t place_square(const KernelSquare& s, const KernelOutput& out) {
-    return out.critical ? place_square<true>(s, out) : place_square<false>(s, out);
+inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
+    if (out.late) return out.critical ? place_square<true, true>(s, out) : place_square<false, true>(s, out);
+    return out.critical ? place_square<true, false>(s, out) : place_square<false, false>(s, out);
 }
 
 }  // namespace

@@ -1,114 +1,135 @@
 #include "core/placing/placer.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <mutex>
+#include <shared_mutex>
 
-#include "core/placing/kernel.h"
-#include "core/placing/square_emitter.h"
-#include "core/placing/traversal.h"
+#include "core/placing/placer_memory.h"
 
 namespace dapple {
 
 namespace {
 
-// One piece of a placing, in the order of the recursion: a square's own dots, or all below it too.
-struct Piece {
-    Visit visit;
-    bool with_descendants;
-};
+constexpr double kPieceDots = 16384;       // 96 KiB: leaves most of a core's own cache to the density
+constexpr double kLeastPieceDots = 1024;   // smaller ones are not worth handing over
+constexpr double kPiecesPerThread = 16;    // so that threads finish together
+constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
 
-constexpr double kPiecesWanted = 64;  // enough that cores finish together, few enough to cost nothing
-
-// The recursion down to squares that hold a small part of the work.
-void divide_work(const Traversal& traversal, const Visit& visit, double share, std::vector<Piece>& pieces) {
-    const double side = std::ldexp(1.0, -visit.square.depth);
-    const bool divides = traversal.divides(visit);
-    const bool whole = visit.density.bounds.max * side * side <= share || !divides;
-    pieces.push_back({visit, whole});
-    if (whole) return;
-    Visit child;
-    for (int q = 0; q < 4; ++q) {
-        if (traversal.descend(visit, q, child)) divide_work(traversal, child, share, pieces);
-    }
-}
-
-bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& emitter,
-                const std::stop_token& stop) {
-    emitter.emit(visit);
-    if (!traversal.divides(visit)) return true;
-    if (stop.stop_requested()) return false;
-    Visit child;
-    for (int q = 0; q < 4; ++q) {
-        if (traversal.descend(visit, q, child) && !place_from(traversal, child, emitter, stop)) return false;
-    }
-    return true;
-}
-
-void copy_to(const FloatBuffer& from, FloatBuffer& to, std::size_t at) {
-    std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+void resize(Dots& dots, std::size_t count, bool critical) {
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(count);
+    dots.critical.resize(critical ? count : 0);
 }
 
 // Room for what is expected, so that columns need not grow, which takes twice the memory.
 void reserve(Dots& dots, double expected, bool critical) {
     const auto room = static_cast<std::size_t>(std::min(expected * 1.01, 1e12)) + 4096;
-    if (dots.x.capacity() >= room) return;
+    if (dots.x.capacity() >= room && (!critical || dots.critical.capacity() >= room)) return;
     dots = {};
     for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->reserve(room);
     if (critical) dots.critical.reserve(room);
 }
 
-constexpr std::size_t kKeptPartDots = std::size_t{1} << 22;  // parts larger than this give their memory back
+// Puts pieces into columns, each thread its own.
+class Collector : public PieceTaker {
+ public:
+    Collector(Dots& dots, LateDots& late, bool critical) : dots_(dots), late_(late), critical_(critical) {
+        late_.clear();
+        resize(dots_, dots_.x.capacity(), critical_);
+    }
+
+    bool take_in_turn(PieceMemory& piece) override {
+        piece.start = count_;
+        count_ += piece.dots.size();
+        for (const LateDot& dot : piece.emitter.late) {
+            late_.push_back({piece.start + dot.index, dot.critical});
+        }
+        if (count_ > dots_.x.size()) {
+            const std::unique_lock nobody_copies(copying_);
+            resize(dots_, std::max(count_, dots_.x.size() + dots_.x.size() / 2), critical_);
+        }
+        return true;
+    }
+
+    void take_beside(const PieceMemory& piece) override {
+        const std::shared_lock copies(copying_);
+        copy(piece.dots.x, dots_.x, piece.start);
+        copy(piece.dots.y, dots_.y, piece.start);
+        copy(piece.dots.threshold, dots_.threshold, piece.start);
+        copy(piece.dots.critical, dots_.critical, piece.start);
+    }
+
+    void finish() { resize(dots_, count_, critical_); }
+
+ private:
+    static void copy(const FloatBuffer& from, FloatBuffer& to, std::size_t at) {
+        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+
+    Dots& dots_;
+    LateDots& late_;
+    const bool critical_;
+    std::size_t count_ = 0;
+    std::shared_mutex copying_;
+};
+
+// Gives each piece to a function.
+class Stream : public PieceTaker {
+ public:
+    explicit Stream(const TakePiece& take) : take_(take) {}
+    bool take_in_turn(PieceMemory& piece) override { return piece.dots.size() == 0 || take_(piece.dots); }
+
+ private:
+    const TakePiece& take_;
+};
+
+double expected_dots(const Traversal& traversal) {
+    return 16 * traversal.request().scale * traversal.density().mean();
+}
 
 }  // namespace
 
-Placer::Placer(PlacingTable table) : table_(std::move(table)) {}
+std::size_t threads_for(int wanted) {
+    return static_cast<std::size_t>(wanted > 0 ? wanted : tbb::this_task_arena::max_concurrency());
+}
+
+bool hand_over_pieces(const Traversal& traversal, PlacerMemory& memory, PieceTaker& taker,
+                      const std::stop_token& stop) {
+    const std::size_t threads = threads_for(traversal.request().threads);
+    const double share = expected_dots(traversal) / (kPiecesPerThread * static_cast<double>(threads));
+    divide_into_pieces(traversal, std::clamp(share, kLeastPieceDots, kPieceDots), memory.pieces);
+    return place_pieces(traversal, memory.pieces, threads, memory.piece_memories, taker, stop);
+}
+
+bool place_columns(const Traversal& traversal, PlacerMemory& memory, Dots& dots,
+                   const std::stop_token& stop) {
+    const bool critical = traversal.request().critical, whole_page = traversal.root().in_window;
+    const double expected = expected_dots(traversal);
+    if (whole_page) reserve(dots, expected, critical);
+    if (threads_for(traversal.request().threads) == 1 || (whole_page && expected < kWorthSharing)) {
+        SquareEmitter emitter(traversal, dots, memory.emitter);
+        return place_all(traversal, emitter, stop);
+    }
+    Collector collector(dots, memory.emitter.late, critical);
+    const bool done = hand_over_pieces(traversal, memory, collector, stop);
+    collector.finish();
+    return done;
+}
+
+Placer::Placer(PlacingTable table) : table_(std::move(table)), memory_(std::make_unique<PlacerMemory>()) {}
+Placer::Placer(Placer&&) noexcept = default;
+Placer& Placer::operator=(Placer&&) noexcept = default;
+Placer::~Placer() = default;
 
 bool Placer::place(const Density& density, const PlacingRequest& request, Dots& dots, std::stop_token stop) {
-    const Traversal traversal(table_, density, request);
-    tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
-    if (arena.max_concurrency() == 1) {
-        if (traversal.root().in_window) reserve(dots, 16 * request.scale * density.mean(), request.critical);
-        SquareEmitter emitter(traversal, dots);
-        return !traversal.starts() || place_from(traversal, traversal.root(), emitter, stop);
-    }
+    return place_columns(Traversal(table_, density, request), *memory_, dots, stop);
+}
 
-    std::vector<Piece> pieces;
-    if (traversal.starts()) divide_work(traversal, traversal.root(), density.mean() / kPiecesWanted, pieces);
-    if (parts_.size() < pieces.size()) parts_.resize(pieces.size());
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-            SquareEmitter emitter(traversal, parts_[i]);
-            if (pieces[i].with_descendants) {
-                place_from(traversal, pieces[i].visit, emitter, stop);
-            } else {
-                emitter.emit(pieces[i].visit);
-            }
-        });
-    });
-    if (stop.stop_requested()) return false;
-
-    std::vector<std::size_t> start(pieces.size() + 1, 0);
-    for (std::size_t i = 0; i < pieces.size(); ++i) start[i + 1] = start[i] + parts_[i].size();
-    reserve(dots, static_cast<double>(start.back()), request.critical);
-    dots.x.resize(start.back());
-    dots.y.resize(start.back());
-    dots.threshold.resize(start.back());
-    dots.critical.resize(request.critical ? start.back() : 0);
-    const bool keep = start.back() <= kKeptPartDots;
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-            copy_to(parts_[i].x, dots.x, start[i]);
-            copy_to(parts_[i].y, dots.y, start[i]);
-            copy_to(parts_[i].threshold, dots.threshold, start[i]);
-            if (request.critical) copy_to(parts_[i].critical, dots.critical, start[i]);
-            if (!keep) parts_[i] = {};
-        });
-    });
-    return true;
+bool Placer::place_in_pieces(const Density& density, const PlacingRequest& request, const TakePiece& take,
+                             std::stop_token stop) {
+    Stream stream(take);
+    return hand_over_pieces(Traversal(table_, density, request), *memory_, stream, stop);
 }
 
 }  // namespace dapple

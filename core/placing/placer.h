@@ -7,6 +7,8 @@
 // are.
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -36,10 +38,38 @@ struct PlacingRequest {
     PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots have
 };
 
+/// A drawing of the whole page with exactly so many dots: those of lowest critical scale; where some are
+/// equal, a few of them spread evenly, always the same ones.
+struct ExactCount {
+    std::uint64_t count = 0;
+    bool critical = false;  // fill Dots::critical too
+    int threads = 1;        // as above
+};
+
+/// Where a drawing of exactly so many dots ends.
+struct CountCut {
+    double scale = 0;        // all of the dots exist there, and a few more
+    double early_scale = 0;  // below the critical scale of any dot that is dropped
+    float limit = 0;         // the highest critical scale of a dot that stays
+    std::size_t ties = 0;    // dots of just that critical scale
+    std::size_t kept = 0;    // as many of them stay
+
+    /// The lowest scale at which all of the dots exist.
+    double last_scale() const;
+};
+
+/// Gets a drawing piece by piece, in order. False ends the placing.
+using TakePiece = std::function<bool(const Dots& piece)>;
+
+struct PlacerMemory;
+
 /// Keeps its working memory between calls, so that a warm frame allocates nothing.
 class Placer {
  public:
     explicit Placer(PlacingTable table);
+    Placer(Placer&&) noexcept;
+    Placer& operator=(Placer&&) noexcept;
+    ~Placer();
 
     const PlacingTable& table() const { return table_; }
 
@@ -47,9 +77,26 @@ class Placer {
     /// unspecified state, if the stop token asked to stop first.
     bool place(const Density& density, const PlacingRequest& request, Dots& dots, std::stop_token stop = {});
 
+    /// The same dots in the same order, handed over in pieces of some thousands: a drawing of any size in
+    /// constant memory.
+    bool place_in_pieces(const Density& density, const PlacingRequest& request, const TakePiece& take,
+                         std::stop_token stop = {});
+
+    /// Places exactly request.count dots. Returns a scale at which all of them exist, or nothing if stopped.
+    /// Throws std::runtime_error if the density is 0 everywhere, or dark nowhere that so many dots fit.
+    std::optional<double> place_exactly(const Density& density, const ExactCount& request, Dots& dots,
+                                        std::stop_token stop = {});
+
+    /// The two halves of that, for drawings too large to be held: the search for the end, and the same dots
+    /// in the same order in pieces.
+    std::optional<CountCut> find_cut(const Density& density, const ExactCount& request,
+                                     std::stop_token stop = {});
+    bool place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,
+                         const TakePiece& take, std::stop_token stop = {});
+
  private:
     PlacingTable table_;
-    std::vector<Dots> parts_;  // one a task
+    std::unique_ptr<PlacerMemory> memory_;
 };
 
 /// A tile of the subdivision, for drawing its outline.
@@ -62,17 +109,5 @@ struct PlacedTile {
 /// The tiles of every level that the recursion goes into and that touch the window, parents before children.
 std::vector<PlacedTile> placed_tiles(const PlacingTable& table, const Density& density,
                                      const PlacingRequest& request);
-
-/// A drawing with exactly so many dots: those of lowest critical scale; where some are equal, a few of them
-/// spread evenly, always the same ones.
-struct ExactCount {
-    std::uint64_t count = 0;
-    int threads = 1;
-};
-
-/// Places exactly request.count dots of the whole page, with Dots::critical filled. Returns a scale at which
-/// all of them exist, or nothing if stopped. Throws std::runtime_error if the density is 0 everywhere.
-std::optional<double> place_exactly(Placer& placer, const Density& density, const ExactCount& request,
-                                    Dots& dots, std::stop_token stop = {});
 
 }  // namespace dapple

@@ -20,14 +20,16 @@ void resize_all(Dots& dots, std::size_t count, bool critical) {
 
 }  // namespace
 
-SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots)
-    : traversal_(traversal), dots_(dots), kernel_(best_kernel()) {
+SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory)
+    : traversal_(traversal), dots_(dots), memory_(memory), kernel_(best_kernel()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
     resize_all(dots_, capacity_, traversal_.request().critical);
+    if (traversal_.early_share()) memory_.late.resize(std::max(kFirstCapacity, memory_.late.capacity()));
 }
 
 SquareEmitter::~SquareEmitter() {
     resize_all(dots_, count_, traversal_.request().critical);
+    memory_.late.resize(late_);
 }
 
 void SquareEmitter::emit(const Visit& visit) {
@@ -57,7 +59,12 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
     square.half_y = square.sign_y * static_cast<float>(scale.half);
     square.births_per_density = static_cast<float>(scale.births_per_density);
     square.none_from = static_cast<float>(reached);
-    square.sure_below = static_cast<float>(scale.births_per_density * bounds.min);
+    double sure_per_density = scale.births_per_density;
+    if (const auto early = traversal_.early_share()) {
+        sure_per_density *= *early;
+        square.early_per_density = static_cast<float>(sure_per_density);
+    }
+    square.sure_below = static_cast<float>(sure_per_density * bounds.min);
     square.threshold_per_birth = scale.threshold_per_birth;
     const bool placed_here = set_density(visit, square);
 
@@ -74,7 +81,9 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
         square.birth = taken.birth.data();
     }
     const KernelOutput output = room_for(most + kKernelPadding);
-    count_ += placed_here ? emit_across_seam(square, output) : kernel_(square, output);
+    const PlacedCount placed = placed_here ? emit_across_seam(square, output) : kernel_(square, output);
+    count_ += placed.dots;
+    late_ += placed.late;
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
@@ -135,28 +144,29 @@ const CellPoints& SquareEmitter::filtered(const Visit& visit, const CellPoints& 
     const std::int64_t centre_x = (2 * visit.square.x + 1) << shift, centre_y = (2 * visit.square.y + 1)
                                                                                 << shift;
 
-    kept_.x.clear();
-    kept_.y.clear();
-    kept_.birth.clear();
+    CellPoints& kept = memory_.edge;
+    kept.x.clear();
+    kept.y.clear();
+    kept.birth.clear();
     for (std::size_t i = 0; i < points.count; ++i) {
         const std::int64_t x = centre_x + std::llround(half * (square.sign_x * square.x[i]));
         const std::int64_t y = centre_y + std::llround(half * (square.sign_y * square.y[i]));
         if (x < box.low_x || y < box.low_y || x >= box.high_x || y >= box.high_y) continue;
         if (static_cast<double>(x) * pixels_per_unit >= density.width()) continue;
         if (static_cast<double>(y) * pixels_per_unit >= density.height()) continue;
-        kept_.x.push_back(square.x[i]);
-        kept_.y.push_back(square.y[i]);
-        kept_.birth.push_back(square.birth[i]);
+        kept.x.push_back(square.x[i]);
+        kept.y.push_back(square.y[i]);
+        kept.birth.push_back(square.birth[i]);
     }
-    kept_.count = kept_.birth.size();
-    pad(kept_);
-    return kept_;
+    kept.count = kept.birth.size();
+    pad(kept);
+    return kept;
 }
 
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.
-std::size_t SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
+PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
     const Density& density = traversal_.density();
-    std::size_t count = 0;
+    PlacedCount placed;
     for (std::size_t i = 0; s.birth[i] < s.none_from; ++i) {
         const float u = s.pixel_centre_x + s.pixel_half_x * s.x[i],
                     v = s.pixel_centre_y + s.pixel_half_y * s.y[i];
@@ -168,13 +178,16 @@ std::size_t SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         const float upper = v00 + (v10 - v00) * fx, lower = v01 + (v11 - v01) * fx;
         const float d = upper + (lower - upper) * fy;
         if (!(d * s.births_per_density > s.birth[i])) continue;
-        output.x[count] = s.centre_x + s.half_x * s.x[i];
-        output.y[count] = s.centre_y + s.half_y * s.y[i];
-        output.threshold[count] = s.birth[i] * s.threshold_per_birth;
-        if (output.critical) output.critical[count] = output.threshold[count] / d;
-        ++count;
+        output.x[placed.dots] = s.centre_x + s.half_x * s.x[i];
+        output.y[placed.dots] = s.centre_y + s.half_y * s.y[i];
+        const float threshold = s.birth[i] * s.threshold_per_birth;
+        output.threshold[placed.dots] = threshold;
+        if (output.critical) output.critical[placed.dots] = threshold / d;
+        if (output.late && !(d * s.early_per_density > s.birth[i]))
+            output.late[placed.late++] = {output.first_index + placed.dots, threshold / d};
+        ++placed.dots;
     }
-    return count;
+    return placed;
 }
 
 KernelOutput SquareEmitter::room_for(std::size_t count) {
@@ -183,8 +196,16 @@ KernelOutput SquareEmitter::room_for(std::size_t count) {
         capacity_ = std::max(count_ + count, capacity_ + capacity_ / 2);
         resize_all(dots_, capacity_, critical);
     }
-    return {dots_.x.data() + count_, dots_.y.data() + count_, dots_.threshold.data() + count_,
-            critical ? dots_.critical.data() + count_ : nullptr};
+    const bool late = traversal_.early_share().has_value();
+    if (late && late_ + count > memory_.late.size()) {
+        memory_.late.resize(std::max(late_ + count, late_ + late_ / 2));
+    }
+    return {dots_.x.data() + count_,
+            dots_.y.data() + count_,
+            dots_.threshold.data() + count_,
+            critical ? dots_.critical.data() + count_ : nullptr,
+            late ? memory_.late.data() + late_ : nullptr,
+            count_};
 }
 
 }  // namespace dapple

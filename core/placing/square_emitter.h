@@ -7,10 +7,18 @@
 
 namespace dapple {
 
+/// Working memory that is kept from one emitter to the next.
+struct EmitterMemory {
+    CellPoints edge;  // points of the last square at an edge that take part
+    LateDots late;    // see SquareEmitter
+};
+
 /// Appends squares' dots to columns that it overwrites; they get their length when it is destroyed.
 class SquareEmitter {
  public:
-    SquareEmitter(const Traversal& traversal, Dots& dots);
+    /// Dots that do not exist yet at the traversal's early scale are listed in memory.late too, in their
+    /// order.
+    SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory);
     ~SquareEmitter();
     SquareEmitter(const SquareEmitter&) = delete;
     SquareEmitter& operator=(const SquareEmitter&) = delete;
@@ -22,14 +30,15 @@ class SquareEmitter {
     void emit_points(const Visit& visit, const CellPoints& points);
     const CellPoints& filtered(const Visit& visit, const CellPoints& points, const KernelSquare& square);
     bool set_density(const Visit& visit, KernelSquare& square) const;
-    std::size_t emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
+    PlacedCount emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
     KernelOutput room_for(std::size_t count);
 
     const Traversal& traversal_;
     Dots& dots_;
+    EmitterMemory& memory_;
     Kernel kernel_;
     std::size_t count_ = 0, capacity_ = 0;
-    CellPoints kept_;  // of the last square at an edge
+    std::size_t late_ = 0;
 };
 
 }  // namespace dapple

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kUnitsPerPage = 0x1p62;
 constexpr int kUnitBits = 62;
+// Far more than single precision errs: what is not late by so much has a lower critical scale, rounded or
+// not.
+constexpr double kSurelyEarly = 1 - 1e-5;
 
 // A window may reach over the page's ends; integers may not.
 std::int64_t window_end(std::int64_t start, double length) {
@@ -33,11 +36,13 @@ bool Traversal::Box::contains(const QuadSquare& s) const {
            (s.y + 1) << shift <= high_y;
 }
 
-Traversal::Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request)
+Traversal::Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request,
+                     std::optional<double> early_scale)
     : table_(table), density_(density), request_(request) {
     if (!(request.scale >= 0) || !std::isfinite(request.scale)) {
         throw std::runtime_error("the scale must be a number from 0 up");
     }
+    if (early_scale) early_share_ = request.scale > 0 ? kSurelyEarly * *early_scale / request.scale : 0;
     const PageWindow& w = request.window;
     window_ = {w.x, w.y, window_end(w.x, w.width), window_end(w.y, w.height)};
     if (request.origin == PlacingOrigin::window) {

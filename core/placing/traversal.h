@@ -9,7 +9,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 #include "core/image/density.h"
 #include "core/placing/placer.h"
@@ -39,12 +39,16 @@ struct DepthScale {
 
 class Traversal {
  public:
-    Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request);
+    /// Dots that do not exist at `early_scale`, or hardly, are late; see SquareEmitter.
+    Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request,
+              std::optional<double> early_scale = {});
 
     const PlacingTable& table() const { return table_; }
     const Density& density() const { return density_; }
     const PlacingRequest& request() const { return request_; }
     const DepthScale& at_depth(int depth) const { return depths_[depth]; }
+    /// The early scale as a share of the scale; nothing: no dot is late.
+    std::optional<double> early_share() const { return early_share_; }
 
     /// The root square; the recursion starts there if starts().
     Visit root() const;
@@ -76,6 +80,7 @@ class Traversal {
     const PlacingTable& table_;
     const Density& density_;
     PlacingRequest request_;
+    std::optional<double> early_share_;
     Box window_;
     std::int64_t origin_x_ = 0, origin_y_ = 0;
     double first_newborn_;  // the lowest birth of any newborn point

@@ -1,0 +1,190 @@
+#include "core/placing/pieces.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+
+namespace dapple {
+
+namespace {
+
+constexpr std::size_t kMemoriesPerThread = 4;
+
+// The cutting under way.
+struct Division {
+    const Traversal& traversal;
+    double dots;
+    Pieces& pieces;
+    double in_piece = 0;  // at most so many dots in the piece that is not ended yet
+
+    void add(const Visit& visit) {
+        const double side = std::ldexp(1.0, -visit.square.depth);
+        const double most = 16 * traversal.request().scale * visit.density.bounds.max * side * side;
+        const bool whole = most <= dots || !traversal.divides(visit);
+        pieces.squares.push_back({visit, whole});
+        if (whole) {
+            in_piece += most;
+            if (in_piece >= dots) end_piece();
+            return;
+        }
+        Visit child;
+        for (int q = 0; q < 4; ++q) {
+            if (traversal.descend(visit, q, child)) add(child);
+        }
+    }
+
+    void end_piece() {
+        pieces.ends.push_back(pieces.squares.size());
+        in_piece = 0;
+    }
+};
+
+bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& emitter,
+                const std::stop_token& stop) {
+    emitter.emit(visit);
+    if (!traversal.divides(visit)) return true;
+    if (stop.stop_requested()) return false;
+    Visit child;
+    for (int q = 0; q < 4; ++q) {
+        if (traversal.descend(visit, q, child) && !place_from(traversal, child, emitter, stop)) return false;
+    }
+    return true;
+}
+
+// One placing on several threads. A piece that is done before its turn waits, and its thread goes on to
+// another; who does the piece whose turn it is hands over those that wait behind it too.
+class Crew {
+ public:
+    Crew(const Traversal& traversal, const Pieces& pieces, std::vector<PieceMemory>& memories,
+         PieceTaker& taker, const std::stop_token& stop)
+        : traversal_(traversal), pieces_(pieces), memories_(memories), taker_(taker), stop_(stop) {
+        for (PieceMemory& memory : memories_) memory.state = PieceMemory::State::free;
+    }
+
+    void work() {
+        std::unique_lock lock(mutex_);
+        while (PieceMemory* memory = claim(lock)) {
+            lock.unlock();
+            const bool placed = place(*memory);
+            lock.lock();
+            if (!placed) end();
+            memory->state = PieceMemory::State::waits;
+            hand_over(lock);
+        }
+    }
+
+    // False if it ended early.
+    bool finish() const {
+        if (error_) std::rethrow_exception(error_);
+        return !ended_;
+    }
+
+ private:
+    // A free memory for the next piece; none if there are no more pieces.
+    PieceMemory* claim(std::unique_lock<std::mutex>& lock) {
+        const auto is_free = [](const PieceMemory& m) { return m.state == PieceMemory::State::free; };
+        while (!ended_ && next_ < pieces_.ends.size()) {
+            // Somebody works on the piece whose turn it is, or it could not lie before next_: this wait ends.
+            const auto memory = std::ranges::find_if(memories_, is_free);
+            if (memory != memories_.end()) {
+                memory->state = PieceMemory::State::is_placed;
+                memory->piece = next_++;
+                return &*memory;
+            }
+            freed_.wait(lock);
+        }
+        return nullptr;
+    }
+
+    void hand_over(std::unique_lock<std::mutex>& lock) {
+        const auto is_next = [this](const PieceMemory& m) {
+            return m.state == PieceMemory::State::waits && m.piece == turn_;
+        };
+        for (auto m = memories_.begin();
+             !ended_ && (m = std::ranges::find_if(memories_, is_next)) != memories_.end();) {
+            ++turn_;
+            m->state = PieceMemory::State::is_placed;
+            try {
+                if (!taker_.take_in_turn(*m)) end();
+            } catch (...) {
+                error_ = std::current_exception();
+                end();
+            }
+            lock.unlock();
+            taker_.take_beside(*m);
+            lock.lock();
+            m->state = PieceMemory::State::free;
+            freed_.notify_one();
+        }
+    }
+
+    bool place(PieceMemory& memory) {
+        try {
+            SquareEmitter emitter(traversal_, memory.dots, memory.emitter);
+            const std::size_t first = memory.piece == 0 ? 0 : pieces_.ends[memory.piece - 1];
+            for (std::size_t s = first; s < pieces_.ends[memory.piece]; ++s) {
+                const PieceSquare& square = pieces_.squares[s];
+                if (!square.with_descendants) {
+                    emitter.emit(square.visit);
+                } else if (!place_from(traversal_, square.visit, emitter, stop_)) {
+                    return false;
+                }
+            }
+            return !stop_.stop_requested();
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            error_ = std::current_exception();
+            return false;
+        }
+    }
+
+    void end() {
+        ended_ = true;
+        freed_.notify_all();
+    }
+
+    const Traversal& traversal_;
+    const Pieces& pieces_;
+    std::vector<PieceMemory>& memories_;
+    PieceTaker& taker_;
+    const std::stop_token& stop_;
+
+    std::mutex mutex_;
+    std::condition_variable freed_;
+    std::size_t next_ = 0, turn_ = 0;  // the piece to be claimed, and to be handed over
+    bool ended_ = false;               // early
+    std::exception_ptr error_;
+};
+
+}  // namespace
+
+void divide_into_pieces(const Traversal& traversal, double dots, Pieces& pieces) {
+    pieces.squares.clear();
+    pieces.ends.clear();
+    if (!traversal.starts()) return;
+    Division division{traversal, dots, pieces};
+    division.add(traversal.root());
+    if (pieces.ends.empty() || pieces.ends.back() < pieces.squares.size()) division.end_piece();
+}
+
+bool place_all(const Traversal& traversal, SquareEmitter& emitter, const std::stop_token& stop) {
+    return !traversal.starts() || place_from(traversal, traversal.root(), emitter, stop);
+}
+
+bool place_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
+                  std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop) {
+    memories.resize(kMemoriesPerThread * threads);
+    Crew crew(traversal, pieces, memories, taker, stop);
+    if (threads == 1) {
+        crew.work();
+    } else {
+        tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t) { crew.work(); });
+    }
+    return crew.finish();
+}
+
+}  // namespace dapple
