@@ -8,33 +8,11 @@
 
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
+#include "tests/densities.h"
 
 using namespace dapple;
 
 namespace {
-
-const Rule kTurning{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}};
-
-Tile random_tile(const Rule& rule, int points, unsigned seed) {
-    std::mt19937 random(seed);
-    while (true) {
-        std::string word;
-        for (int i = 0; i < points; ++i) word += static_cast<char>('0' + i % 4);
-        std::shuffle(word.begin(), word.end(), random);
-        try {
-            return make_tile(rule, {word});
-        } catch (const std::runtime_error&) {  // the word repeats itself: another one
-        }
-    }
-}
-
-Grid<float> blotches(int width, int height, unsigned seed) {
-    std::mt19937 random(seed);
-    Grid<float> grid(width, height);
-    for (float& v : grid.values) v = random() % 3 == 0 ? static_cast<float>(random() % 1000) / 999.0f : 0.0f;
-    grid.at(0, 0) = 0.8f;
-    return grid;
-}
 
 struct Expected {
     double x, y, margin;  // margin: scale * density / threshold - 1
@@ -219,26 +197,4 @@ TEST_CASE("birthplaces can be read off thresholds") {
             }
         }
     }
-}
-
-TEST_CASE("an exact count is exact, and each lighter drawing is part of the darker one") {
-    const Tile tile = make_tile(14217, 2895, 16);
-    Placer placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
-    const Density density(blotches(40, 30, 8));
-    std::set<std::pair<float, float>> darker;
-    for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
-        Dots dots;
-        const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, dots);
-        REQUIRE(scale);
-        CHECK(dots.size() == count);
-        CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
-        std::set<std::pair<float, float>> lighter;
-        for (std::size_t i = 0; i < dots.size(); ++i) lighter.emplace(dots.x[i], dots.y[i]);
-        CHECK(lighter.size() == count);
-        if (!darker.empty())
-            CHECK(std::includes(darker.begin(), darker.end(), lighter.begin(), lighter.end()));
-        darker = lighter;
-    }
-    Dots none;
-    CHECK_THROWS(placer.place_exactly(Density(Grid<float>(4, 4)), {100}, none));
 }

@@ -1,0 +1,125 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/placing/placer.h"
+#include "core/tile/ranking.h"
+#include "tests/densities.h"
+
+using namespace dapple;
+
+namespace {
+
+struct Dot {
+    float x, y, threshold, critical;
+    bool operator==(const Dot&) const = default;
+};
+
+std::vector<Dot> rows(const Dots& dots) {
+    std::vector<Dot> rows(dots.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i] = {dots.x[i], dots.y[i], dots.threshold[i], dots.critical[i]};
+    return rows;
+}
+
+Placer placer_of(const Tile& tile) {
+    return Placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+}
+
+}  // namespace
+
+TEST_CASE("an exact count is exact, and each lighter drawing is part of the darker one") {
+    const Tile tile = make_tile(14217, 2895, 16);
+    Placer placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    const Density density(blotches(40, 30, 8));
+    std::set<std::pair<float, float>> darker;
+    for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
+        Dots dots;
+        const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, dots);
+        REQUIRE(scale);
+        CHECK(dots.size() == count);
+        CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
+        std::set<std::pair<float, float>> lighter;
+        for (std::size_t i = 0; i < dots.size(); ++i) lighter.emplace(dots.x[i], dots.y[i]);
+        CHECK(lighter.size() == count);
+        if (!darker.empty())
+            CHECK(std::includes(darker.begin(), darker.end(), lighter.begin(), lighter.end()));
+        darker = lighter;
+    }
+    Dots none;
+    CHECK_THROWS(placer.place_exactly(Density(Grid<float>(4, 4)), {100}, none));
+}
+
+TEST_CASE("an exact count keeps the dots of lowest critical scale in their order") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 8));
+    const Density density(blotches(60, 45, 2));
+    Dots all;
+    placer.place(density, {.scale = 60000, .critical = true}, all);
+    const std::vector<Dot> every = rows(all);
+    for (const std::size_t count : {1u, 50u, 3000u, 40000u}) {
+        std::vector<float> scales;
+        for (const Dot& dot : every) scales.push_back(dot.critical);
+        std::ranges::nth_element(scales, scales.begin() + static_cast<std::ptrdiff_t>(count));
+        const float first_dropped = scales[count];
+        for (const int threads : {1, 2, 0}) {
+            Dots dots;
+            const auto scale =
+                placer.place_exactly(density, {.count = count, .critical = true, .threads = threads}, dots);
+            REQUIRE(scale);
+            const std::vector<Dot> kept = rows(dots);
+            REQUIRE(kept.size() == count);
+            // Those surely below stay, the rest are some of those that tie with the first that is dropped.
+            std::size_t at = 0;
+            for (const Dot& dot : every) {
+                const bool here = at < kept.size() && kept[at] == dot;
+                if (dot.critical < first_dropped) CHECK(here);
+                if (dot.critical > first_dropped) CHECK_FALSE(here);
+                at += here;
+            }
+            CHECK(at == kept.size());
+            CHECK(*scale >= std::ranges::max_element(kept, {}, &Dot::critical)->critical);
+        }
+    }
+}
+
+TEST_CASE("an exact count comes in pieces as it comes whole, on any number of threads") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 8));
+    for (const Density& density : {Density(blotches(60, 45, 2)), Density(Grid<float>(9, 9, 1.0f))}) {
+        for (const std::size_t count : {0u, 1u, 777u, 50000u}) {
+            Dots whole;
+            const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, whole);
+            for (const int threads : {1, 3}) {
+                const ExactCount request{.count = count, .critical = true, .threads = threads};
+                const auto cut = placer.find_cut(density, request);
+                REQUIRE(cut);
+                CHECK(cut->last_scale() == doctest::Approx(*scale));
+                std::vector<Dot> together;
+                const auto take = [&](const Dots& piece) {
+                    for (const Dot& dot : rows(piece)) together.push_back(dot);
+                    return true;
+                };
+                CHECK(placer.place_in_pieces(density, request, *cut, take));
+                CHECK(together == rows(whole));
+            }
+        }
+    }
+}
+
+TEST_CASE("where all dots tie, those that stay are spread over the whole page") {
+    // On black, whole levels of dots have critical scales alike: a few more than one level's.
+    Placer placer = placer_of(make_tile(14217, 2895, 16));
+    const Density black(Grid<float>(4, 4, 1.0f));
+    Dots level, more;
+    placer.place_exactly(black, {.count = 16384}, level);
+    placer.place_exactly(black, {.count = 16384 + 400}, more);
+    std::set<std::pair<float, float>> before;
+    for (std::size_t i = 0; i < level.size(); ++i) before.emplace(level.x[i], level.y[i]);
+    int quarters[4] = {};
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        if (!before.contains({more.x[i], more.y[i]})) ++quarters[(more.x[i] > 0.5f) + 2 * (more.y[i] > 0.5f)];
+    }
+    for (const int quarter : quarters) CHECK(std::abs(quarter - 100) <= 1);
+}

@@ -1,0 +1,103 @@
+// A placing in pieces: threads, hand-over, and what happens when somebody wants to end it.
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#include "core/placing/placer.h"
+#include "core/tile/ranking.h"
+#include "tests/counted_allocations.h"
+#include "tests/densities.h"
+
+using namespace dapple;
+
+namespace {
+
+Placer placer_of(const Tile& tile) {
+    return Placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+}
+
+bool same(const Dots& a, const Dots& b) {
+    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical;
+}
+
+void append(Dots& to, const Dots& piece) {
+    to.x.insert(to.x.end(), piece.x.begin(), piece.x.end());
+    to.y.insert(to.y.end(), piece.y.begin(), piece.y.end());
+    to.threshold.insert(to.threshold.end(), piece.threshold.begin(), piece.threshold.end());
+    to.critical.insert(to.critical.end(), piece.critical.begin(), piece.critical.end());
+}
+
+}  // namespace
+
+TEST_CASE("pieces one after another are the drawing, whichever part of it and on any number of threads") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 3));
+    const Density density(blotches(80, 70, 5));
+    const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
+    for (const PageWindow& window : {PageWindow{}, part}) {
+        PlacingRequest request{.scale = 40000, .window = window, .critical = true};
+        Dots whole;
+        REQUIRE(placer.place(density, request, whole));
+        CHECK(whole.size() > 20000);
+        for (const int threads : {1, 2, 5}) {
+            request.threads = threads;
+            Dots together, at_once;
+            std::size_t largest = 0, pieces = 0;
+            CHECK(placer.place_in_pieces(density, request, [&](const Dots& piece) {
+                append(together, piece);
+                largest = std::max(largest, piece.size());
+                ++pieces;
+                return true;
+            }));
+            CHECK(same(together, whole));
+            CHECK(pieces > 8);
+            CHECK(largest < 40000);
+            CHECK(placer.place(density, request, at_once));
+            CHECK(same(at_once, whole));
+        }
+    }
+}
+
+TEST_CASE("whoever takes the pieces can end the placing, and what it throws comes out") {
+    Placer placer = placer_of(make_tile(14217, 2895, 16));
+    const Density density(blotches(80, 70, 5));
+    for (const int threads : {1, 2, 3}) {
+        const PlacingRequest request{.scale = 40000, .threads = threads};
+        int taken = 0;
+        CHECK_FALSE(placer.place_in_pieces(density, request, [&](const Dots&) { return ++taken < 3; }));
+        CHECK(taken == 3);
+        const auto full = [](const Dots&) -> bool { throw std::runtime_error("the disk is full"); };
+        CHECK_THROWS_WITH(placer.place_in_pieces(density, request, full), "the disk is full");
+        Dots dots;
+        CHECK(placer.place(density, request, dots));  // nothing is left over
+        std::stop_source stop;
+        stop.request_stop();
+        CHECK_FALSE(placer.place(density, request, dots, stop.get_token()));
+    }
+}
+
+TEST_CASE("a frame like the last one allocates nothing") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 3));
+    const Density density(blotches(80, 70, 5));
+    Dots dots;
+    const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
+    const auto frames = [&](int threads) {
+        placer.place(density, {.scale = 30000, .threads = threads}, dots);
+        placer.place(density, {.scale = 30000, .window = part, .threads = threads}, dots);
+        placer.place_exactly(density, {.count = 40000, .threads = threads}, dots);
+    };
+    frames(1);
+    const std::size_t before = allocations();
+    frames(1);
+    CHECK(allocations() == before);
+    // With threads, which of them gets which piece is chance; memories grow until each has seen a large one.
+    std::size_t allocated = 1;
+    for (int i = 0; i < 1000 && allocated > 0; ++i) {
+        const std::size_t now = allocations();
+        frames(2);
+        allocated = allocations() - now;
+    }
+    CHECK(allocated == 0);
+}
