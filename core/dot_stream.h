@@ -5,12 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/placing/dots.h"
+#include "core/placing/placer.h"
 
 namespace dapple {
-
-/// Receives dots piece by piece, in order; false stops.
-using TakePiece = std::function<bool(const Dots& piece)>;
 
 struct DotStream {
     std::uint64_t count = 0;  // of dots in all

@@ -6,38 +6,6 @@
 
 namespace dapple {
 
-namespace {
-
-constexpr std::size_t kPieceDots = 10'000;
-
-void hand_over(const Dots& dots, const TakePiece& take) {
-    for (std::size_t from = 0; from < dots.size(); from += kPieceDots) {
-        const std::size_t to = std::min(dots.size(), from + kPieceDots);
-        const auto slice = [&](const FloatBuffer& column) {
-            return column.empty() ? FloatBuffer{} : FloatBuffer(column.begin() + from, column.begin() + to);
-        };
-        if (!take({slice(dots.x), slice(dots.y), slice(dots.threshold), slice(dots.critical)})) return;
-    }
-}
-
-bool place_in_pieces(Placer& placer, const Density& density, const PlacingRequest& request,
-                     const TakePiece& take) {
-    Dots dots;
-    placer.place(density, request, dots);
-    hand_over(dots, take);
-    return true;
-}
-
-bool place_exactly_in_pieces(Placer& placer, const Density& density, const ExactCount& request,
-                             const TakePiece& take) {
-    Dots dots;
-    place_exactly(placer, density, request, dots);
-    hand_over(dots, take);
-    return true;
-}
-
-}  // namespace
-
 std::string_view name_of(PlacerKind kind) {
     return kind == PlacerKind::exact ? "exact" : "figure8";
 }
@@ -100,14 +68,13 @@ std::uint64_t count_of(const Pieces& pieces) {
     return count;
 }
 
-// Each piece changed on its way.
-Pieces changed(const Pieces& pieces, const std::function<void(Dots&)>& change) {
-    return [pieces, change](const TakePiece& take) {
-        Dots copy;
+Pieces cut_to(const PagePart& part, const Pieces& pieces) {
+    return [part, pieces](const TakePiece& take) {
+        Dots cut;
         pieces([&](const Dots& piece) {
-            copy = piece;
-            change(copy);
-            return take(copy);
+            cut = piece;
+            dapple::cut_to(part, cut);
+            return take(cut);
         });
     };
 }
@@ -120,37 +87,28 @@ DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& 
         throw std::runtime_error("the figure8 placer cannot place piece by piece");
     DotStream result;
     Pieces pieces;
+    Placer& placer = tile.placer();
     if (stipple.count) {
-        Placer& placer = tile.placer();
-        const ExactCount exact{*stipple.count, stipple.threads};
-        Dots all;
-        result.scale = *place_exactly(placer, density, exact, all);
-        pieces = [&placer, &density, exact](const TakePiece& take) {
-            place_exactly_in_pieces(placer, density, exact, take);
+        const ExactCount exact{*stipple.count, stipple.critical, stipple.threads};
+        const CountCut cut = *placer.find_cut(density, exact);
+        result.scale = cut.last_scale();
+        pieces = [&placer, &density, exact, cut](const TakePiece& take) {
+            placer.place_in_pieces(density, exact, cut, take);
         };
     } else {
         result.scale = stipple.scale;
         const PlacingRequest placing{.scale = stipple.scale,
                                      .window = window_around(request.part),
+                                     .critical = stipple.critical,
                                      .threads = stipple.threads,
                                      .origin = PlacingOrigin::page};
-        pieces = [&placer = tile.placer(), &density, placing](const TakePiece& take) {
-            place_in_pieces(placer, density, placing, take);
+        pieces = [&placer, &density, placing](const TakePiece& take) {
+            placer.place_in_pieces(density, placing, take);
         };
     }
-    const Pieces cut = request.part == PagePart{}
-                           ? pieces
-                           : changed(pieces, [part = request.part](Dots& piece) { cut_to(part, piece); });
-    const bool all = stipple.count && request.part == PagePart{};
-    result.count = all ? *stipple.count : count_of(cut);
-    result.for_each_piece = cut;
-    if (request.critical && !stipple.count) {
-        // Before the cut: the density is looked up on the page.
-        result.for_each_piece = changed(pieces, [&density, part = request.part](Dots& piece) {
-            fill_critical_scales(piece, density);
-            cut_to(part, piece);
-        });
-    }
+    const bool whole_page = request.part == PagePart{};
+    result.for_each_piece = whole_page ? pieces : cut_to(request.part, pieces);
+    result.count = stipple.count && whole_page ? *stipple.count : count_of(result.for_each_piece);
     return result;
 }
 

@@ -68,7 +68,6 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
 struct StreamRequest {
     StippleRequest stipple;  // the exact placer only
     PagePart part;           // of the page; a count is that of the whole page
-    bool critical = false;   // fill Dots::critical too
 };
 
 /// The same dots in the same order, without holding them: finds the scale and the number of dots now, and
@@ -76,7 +75,7 @@ struct StreamRequest {
 /// stipple() does, and if Figure 8 is asked for: its duplicates are counted over all dots.
 DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& request);
 
-/// Fills Dots::critical if it isn't there. Positions have to be the page's.
+/// Fills Dots::critical if it isn't there, as Figure 8 does not. Positions have to be the page's.
 void fill_critical_scales(Dots& dots, const Density& density);
 
 /// The page, when the picture fills it.

@@ -298,11 +298,11 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         DrawingSettings settings;
         settings.stipple.count = count;
         settings.stipple.scale = 2500;
+        settings.stipple.critical = true;
         const Density density(density_of(read_picture(scene("cat.png")).light, settings.tone));
         RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
         Stippling drawn;
         REQUIRE(stipple(tile, density, settings.stipple, drawn));
-        fill_critical_scales(drawn.dots, density);
         for (const std::string ending : {".svg", ".csv", ".png"}) {
             CHECK(save_drawing(scene("window" + ending), settings,
                                {.dots = stream_of(drawn.dots, drawn.scale),

@@ -40,7 +40,6 @@ struct Scene {
     Dots whole(const StippleRequest& request, const PagePart& part, double& scale) {
         Stippling all;
         CHECK(stipple(tile, density, request, all));
-        fill_critical_scales(all.dots, density);
         cut_to(part, all.dots);
         scale = all.scale;
         return all.dots;
@@ -68,12 +67,12 @@ Grid<float> pixels_of(const DotStream& dots, const PageSize& page) {
     return all;
 }
 
-const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}},
-                                            {.scale = 3000, .count = {}},
-                                            {.scale = 3000, .count = {}, .threads = 3},
-                                            {.count = 1},
-                                            {.count = 25'000},
-                                            {.count = 25'000, .threads = 3}};
+const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}, .critical = true},
+                                            {.scale = 3000, .count = {}, .critical = true},
+                                            {.scale = 3000, .count = {}, .threads = 3, .critical = true},
+                                            {.count = 1, .critical = true},
+                                            {.count = 25'000, .critical = true},
+                                            {.count = 25'000, .threads = 3, .critical = true}};
 
 }  // namespace
 
@@ -85,8 +84,7 @@ TEST_CASE("a streamed drawing is the drawing in memory, byte for byte, in every 
         double scale = 0;
         const Dots whole = scene.whole(request, {}, scale);
         const DotStream in_memory = stream_of(whole, scale);
-        const DotStream dots =
-            stream(scene.tile, scene.density, {.stipple = request, .part = {}, .critical = true});
+        const DotStream dots = stream(scene.tile, scene.density, {.stipple = request, .part = {}});
         CHECK(dots.count == whole.size());
         CHECK(dots.scale == scale);
         CHECK(svg_of(dots, scene.page) == svg_of(in_memory, scene.page));
@@ -105,8 +103,8 @@ TEST_CASE("a sheet or region that is placed for itself is the one cut from the w
         for (const Excerpt& excerpt : excerpts) {
             double scale = 0;
             const Dots cut = scene.whole(request, excerpt.part, scale);
-            const DotStream dots = stream(scene.tile, scene.density,
-                                          {.stipple = request, .part = excerpt.part, .critical = true});
+            const DotStream dots =
+                stream(scene.tile, scene.density, {.stipple = request, .part = excerpt.part});
             CHECK(dots.count == cut.size());
             CHECK(dots.scale == scale);
             CHECK(csv_of(dots, excerpt.size) == csv_of(stream_of(cut), excerpt.size));

@@ -62,6 +62,8 @@ void check_files(const RenderOptions& options) {
 // The count or scale that is asked for, made sure to be possible.
 StippleRequest request_for(const RenderOptions& options, const Density& density) {
     StippleRequest request = options.drawing.stipple;
+    request.critical =
+        drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
     if (request.count && density.mean() == 0) {
         throw std::runtime_error(
             fmt::format("{}: nothing to draw, all of it is as light as the paper", name_of_image(options)));
@@ -99,7 +101,7 @@ bool can_stream(const RenderOptions& options) {
 DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRequest& request,
                         DotOrder order, Stippling& whole) {
     stipple(tile, density, request.stipple, whole);
-    if (request.critical || order == DotOrder::priority) fill_critical_scales(whole.dots, density);
+    if (request.stipple.critical) fill_critical_scales(whole.dots, density);
     sort_dots(whole.dots, order);
     cut_to(request.part, whole.dots);
     return stream_of(whole.dots, whole.scale);
@@ -172,9 +174,7 @@ void render(const RenderOptions& options) {
     const Excerpt excerpt = excerpt_of(page_size(density, settings.width_mm), options);
     // Better now than after the placing.
     if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
-    const StreamRequest request{.stipple = request_for(options, density),
-                                .part = excerpt.part,
-                                .critical = format == DrawingFormat::csv};
+    const StreamRequest request{.stipple = request_for(options, density), .part = excerpt.part};
 
     ProgressLine line;
     line.show(0, "placing the dots");

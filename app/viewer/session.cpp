@@ -36,9 +36,11 @@ void Session::save(const fs::path& path) {
     DensityChoice choice = settings.density;
     pane_.worker().save(path, [path, drawn, choice](Workbench& bench, std::stop_token stop) -> Worker::Write {
         PlacedDrawing drawing;
-        if (!bench.place(order_of(drawn, choice), drawing, stop)) return {};
+        PlaceOrder order = order_of(drawn, choice);
+        order.stipple.critical = drawing_format(path) == DrawingFormat::csv;
+        if (!bench.place(order, drawing, stop)) return {};
         const Density& density = bench.density(drawn.tone, choice);
-        if (drawing_format(path) == DrawingFormat::csv) fill_critical_scales(drawing.stippling.dots, density);
+        if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
         PageSize page = page_size(density, drawn.width_mm);
         std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
         return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
