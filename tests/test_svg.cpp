@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <pugixml.hpp>
@@ -121,6 +122,32 @@ TEST_CASE("tiles are the second layer, one colour a level") {
     }
     CHECK(strokes.size() == 2);
     CHECK(outlines == 3);
+}
+
+TEST_CASE("outlines end at the page's edges, and those beyond or all around it are none") {
+    const PageSize page{.width_mm = 50, .height_mm = 25, .mm_per_page_unit = 100};
+    const std::vector<PlacedTile> tiles{{.level = 0, .x = -0.25, .y = -0.5, .side = 1, .orientation = {}},
+                                        {.level = 1, .x = -0.25, .y = 0, .side = 0.5, .orientation = {}},
+                                        {.level = 1, .x = 0.25, .y = 0, .side = 0.5, .orientation = {}},
+                                        {.level = 1, .x = -0.25, .y = -0.5, .side = 0.5, .orientation = {}},
+                                        {.level = 2, .x = 0, .y = 0.25, .side = 0.25, .orientation = {}},
+                                        {.level = 2, .x = -0.25, .y = 0, .side = 0.25, .orientation = {}},
+                                        {.level = 2, .x = 0.25, .y = 0, .side = 0.25, .orientation = {}}};
+    SvgStyle style;
+    style.tiles = tiles;
+    const pugi::xml_document document = svg_of(dots_at({{0.1f, 0.1f}}), page, style);
+    std::set<std::string> outlines;
+    for (const pugi::xml_node& level : document.child("svg").child("g").next_sibling("g").children("g")) {
+        for (const pugi::xml_node& tile : level.children("rect")) {
+            const auto mm = [&](const char* name) {
+                return std::to_string(std::lround(tile.attribute(name).as_double() * 25.4 / 96));
+            };
+            outlines.insert(level.attribute("id").value() + (" " + mm("x") + "," + mm("y")) + " " +
+                            mm("width") + "x" + mm("height"));
+        }
+    }
+    // The first two of level 1 reach over the page's left, right and lower edges.
+    CHECK(outlines == std::set<std::string>{"level1 0,0 25x25", "level1 25,0 25x25", "level2 25,0 25x25"});
 }
 
 TEST_CASE("dots far apart on paper stay apart in an SVG, however many there are") {

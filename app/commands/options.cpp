@@ -143,7 +143,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         }
         stipple.count = *count;
     };
-    add_text(app, "--dots", "N", "Exactly so many dots", read_count)
+    add_text(app, "--dots", "N", "Exactly so many dots on the page", read_count)
         ->default_str(fmt::format("{}", kDefaultDots));
 
     // A scale takes the place of the count, whichever comes first; both are refused once all is read.
@@ -151,8 +151,8 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         stipple.scale = number_in("--scale", text, {.least = 0});
         stipple.count.reset();
     };
-    add_text(app, "--scale", "S", "Instead: as many dots as the picture is dark, about 16 S if all is black",
-             read_scale);
+    add_text(app, "--scale", "S",
+             "Instead of --dots: a darker picture gets more dots, an all black one about 16 S", read_scale);
 
     const auto read_placer = [&stipple](const std::string& text) {
         stipple.placer = one_of("--placer", text, {PlacerKind::exact, PlacerKind::figure8});
@@ -173,9 +173,9 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
     add_number(app, "--dot-radius", settings.dot_radius_mm,
                {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
-               "Radius of a dot; without it, the one that gives the photograph's tone");
+               "Radius of a dot on paper; without it, the one that gives the picture's tone");
     add_whole_number(app, "--threads", stipple.threads, {.least = 0, .most = 1024},
-                     "Processor cores to use, 0 for all; the dots are the same");
+                     "Processor cores to use, 0 for all; the dots are the same with any number");
 }
 
 void add_tone_options(CLI::App& app, Tone& tone) {
@@ -191,7 +191,7 @@ void add_tone_options(CLI::App& app, Tone& tone) {
     add_number(app, "--gamma", tone.gamma, {.least = 0.1, .most = 10}, "0.1..10",
                "Over 1: lighter middle tones");
     add_number(app, "--blur", tone.blur, {.least = 0, .most = 100}, "0..100",
-               "Softens, in thousandths of the longer side");
+               "Softens the picture first, in thousandths of its longer side");
     app.add_flag("--invert", tone.invert, "Dots where the picture is light, for white ink on black paper");
 }
 
@@ -199,7 +199,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     add_number(app, "--width", settings.width_mm,
                {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
-               "Width of the page, which the picture fills");
+               "Width of the page; the picture fills it, so its shape gives the height");
     add_colour(app, "--ink", settings.ink, "Colour of the dots");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
@@ -209,12 +209,13 @@ void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::
     const auto read_order = [&order](const std::string& text) {
         order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
     };
-    add_text(
-        app, "--order", "NAME",
-        "Order of the dots in the file: recursion, as they are placed; space, each near the one before, for "
-        "plotters; priority, the first n dots being the drawing with n dots. The last two, and --placer "
-        "figure8, keep all dots in memory",
-        read_order)
+    add_text(app, "--order", "NAME",
+             "Order of the dots in the file, which is the order they are plotted in: recursion, as they are "
+             "placed; "
+             "space, each near the one before, for short pen moves; priority, the first n being the drawing "
+             "with n "
+             "dots. space, priority and --placer figure8 hold all dots in memory, about 30 bytes each",
+             read_order)
         ->default_str(std::string(name_of(order)));
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
         return [name, parse, &target](const std::string& text) {

@@ -209,8 +209,9 @@ void render(const RenderOptions& options) {
 }
 
 RenderCommand::RenderCommand(CLI::App& program) {
-    CLI::App* const command =
-        program.add_subcommand("render", "Stipple a picture into an SVG, PNG or CSV file");
+    CLI::App* const command = program.add_subcommand("render",
+                                                     "Stipple a picture into a file: SVG for plotters and "
+                                                     "drawing programs, PNG as pixels, CSV as a table");
     command->add_option("image", options_.image, "The picture; without one, the built-in sample")
         ->type_name("IMAGE");
     command->add_option("-o,--output", options_.output, "The drawing; its name ends in .svg, .png or .csv")
@@ -235,7 +236,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
         "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
+        "  dapple render cat.jpg -o cat.svg --order space      short ways for a plotter's pen\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
+        "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {

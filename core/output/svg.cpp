@@ -51,12 +51,14 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     const double width = page.width_mm * kPxPerMm, height = page.height_mm * kPxPerMm;
     // Tiles cover a square, the page need not be one and may be a part of another: what lies over its edges
-    // is cut off.
+    // is cut off, and an outline that lies all around it is none.
     std::map<int, std::vector<PlacedTile>> by_level;
     for (const PlacedTile& tile : tiles) {
-        const bool on_page = tile.x * px_per_unit < width && tile.y * px_per_unit < height &&
-                             tile.x + tile.side > 0 && tile.y + tile.side > 0;
-        if (on_page) by_level[tile.level].push_back(tile);
+        const double left = tile.x * px_per_unit, right = (tile.x + tile.side) * px_per_unit;
+        const double top = tile.y * px_per_unit, bottom = (tile.y + tile.side) * px_per_unit;
+        const bool beside = left >= width || top >= height || right <= 0 || bottom <= 0;
+        const bool around = left < 0 && top < 0 && right > width && bottom > height;
+        if (!beside && !around) by_level[tile.level].push_back(tile);
     }
     begin_layer(text, 2, "Tiles");
     text << R"( fill="none" stroke-width="0.3">)" << '\n';
