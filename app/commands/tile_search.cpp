@@ -162,8 +162,8 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
             if (progress.best < lowest.best) lowest = progress;
             std::string words = fmt::format("lowest energy a point so far {:.5f}", lowest.best);
             if (!options.rule)
-                words =
-                    fmt::format("rule {}; {}, rule {}", text_of(progress.rule), words, text_of(lowest.rule));
+                words = fmt::format("trying rule {}; {}, with rule {}", text_of(progress.rule), words,
+                                    text_of(lowest.rule));
             line.show(tried / (static_cast<double>(settings.moves) * options.runs), words);
             // Whatever happens to the machine, no more than a minute's work is lost.
             const auto now = std::chrono::steady_clock::now();
