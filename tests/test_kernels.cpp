@@ -54,16 +54,12 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const std::size_t count = random() % 70;
-        std::vector<float> x(96), y(96), birth(96, std::numeric_limits<float>::infinity());
-        for (std::size_t i = 0; i < count; ++i) {
-            x[i] = 2 * unit() - 1;
-            y[i] = 2 * unit() - 1;
-            birth[i] = 16 + static_cast<float>(i);
-        }
+        CellPoints points;
+        for (std::size_t i = 0; i < count; ++i)
+            points.add({2 * unit() - 1, 2 * unit() - 1, 16 + static_cast<float>(i)});
         KernelSquare square;
-        square.x = x.data();
-        square.y = y.data();
-        square.birth = birth.data();
+        square.points = points.blocks();
+        square.swap = random() % 2;
         square.centre_x = unit();
         square.centre_y = unit();
         square.half_x = square.half_y = 0.01f * unit();

@@ -31,9 +31,9 @@ std::vector<glm::vec2> points_by_birth(const PlacingTable& table) {
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         const glm::vec2 corner = corner_of_cell(c, table.cell_depth);
         const CellPoints& own = table.cells[c].own;
-        for (std::size_t i = 0; i < own.count; ++i) {
-            const glm::vec2 in_cell = glm::vec2(own.x[i], own.y[i]) * 0.5f + 0.5f;
-            born.emplace_back(own.birth[i], (corner + in_cell) * side);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const CellPoint point = own[i];
+            born.emplace_back(point.birth, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
         }
     }
     std::ranges::stable_sort(born, {}, &std::pair<float, glm::vec2>::first);

@@ -8,16 +8,15 @@
 #include <cstdint>
 
 #include "core/placing/dots.h"
+#include "core/placing/placing_table.h"
 
 namespace dapple {
 
 /// A square of the page, ready for its points to be tested. Points are given about its centre in half sides,
 /// -1..1.
 struct KernelSquare {
-    // Points by ascending birth, padded to a multiple of kKernelPadding with births of infinity.
-    const float* x = nullptr;
-    const float* y = nullptr;
-    const float* birth = nullptr;
+    const PointBlock* points = nullptr;  // by ascending birth, up to a birth of infinity
+    bool swap = false;                   // x and y
 
     float centre_x = 0, centre_y = 0;  // in the window
     float half_x = 0, half_y = 0;      // half sides; the signs mirror the points
@@ -62,7 +61,7 @@ struct PlacedCount {
     std::size_t dots = 0, late = 0;
 };
 
-inline constexpr std::size_t kKernelPadding = 16;
+inline constexpr std::size_t kKernelPadding = kBlockPoints;
 
 /// Writes the square's dots, in the order of their births.
 using Kernel = PlacedCount (*)(const KernelSquare& square, const KernelOutput& output);

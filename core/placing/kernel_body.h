@@ -7,9 +7,11 @@
 
 namespace {
 
+using dapple::kBlockPoints;
 using dapple::KernelOutput;
 using dapple::KernelSquare;
 using dapple::PlacedCount;
+using dapple::PointBlock;
 using Source = KernelSquare::Source;
 
 inline Lanes density_in_patch(const KernelSquare& s, Lanes x, Lanes y) {
@@ -48,12 +50,16 @@ template <Source kSource, bool kCritical, bool kLate>
 inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) {
     const Block block = load_block(s.block);
     PlacedCount placed;
-    for (std::size_t i = 0; s.birth[i] < s.none_from; i += kWidth) {
-        const Lanes birth = load(s.birth + i), x = load(s.x + i), y = load(s.y + i);
+    for (std::size_t i = 0;; i += kWidth) {
+        const PointBlock& points = s.points[i / kBlockPoints];
+        const std::size_t at = i % kBlockPoints;
+        if (!(points.birth[at] < s.none_from)) return placed;
+        const Lanes birth = load(points.birth + at);
+        const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
         const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
-        if (!kCritical && s.birth[i + kWidth - 1] < s.sure_below) {
+        if (!kCritical && points.birth[at + kWidth - 1] < s.sure_below) {
             store(out.x + placed.dots, page_x);
             store(out.y + placed.dots, page_y);
             store(out.threshold + placed.dots, threshold);
@@ -72,7 +78,6 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
         if (kCritical) pack(out.critical + placed.dots, threshold / density, exists);
         placed.dots += pack(out.threshold + placed.dots, threshold, exists);
     }
-    return placed;
 }
 
 template <bool kCritical, bool kLate>

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-
-#include "core/placing/kernel.h"
+#include <utility>
 
 namespace dapple {
 
@@ -25,32 +23,50 @@ InCell find_cell(BinaryPoint p, int depth) {
     return {cell, 2.0 * to_unit_square(p) - 1.0};
 }
 
-void add(CellPoints& points, glm::dvec2 offset, float birth) {
-    points.x.push_back(static_cast<float>(offset.x));
-    points.y.push_back(static_cast<float>(offset.y));
-    points.birth.push_back(birth);
+PointBlock empty_block() {
+    PointBlock block{};
+    std::ranges::fill(block.birth, std::numeric_limits<float>::infinity());
+    return block;
 }
 
-CellPoints sorted_and_padded(const CellPoints& points) {
-    std::vector<std::size_t> order(points.birth.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return points.birth[a] < points.birth[b]; });
+CellPoints by_birth(std::vector<CellPoint> points) {
+    std::ranges::stable_sort(points, {}, &CellPoint::birth);
     CellPoints sorted;
-    for (const std::size_t i : order) add(sorted, {points.x[i], points.y[i]}, points.birth[i]);
-    sorted.count = order.size();
-    pad(sorted);
+    for (const CellPoint& point : points) sorted.add(point);
     return sorted;
+}
+
+// Each cell's points, of these tile points and births.
+std::vector<std::vector<CellPoint>> share_out(const PlacingTable& table, const auto& position_of,
+                                              const std::vector<float>& births) {
+    std::vector<std::vector<CellPoint>> points(table.cells.size());
+    for (std::size_t i = 0; i < births.size(); ++i) {
+        const InCell in = find_cell(position_of(i), table.cell_depth);
+        points[in.cell].push_back(
+            {static_cast<float>(in.offset.x), static_cast<float>(in.offset.y), births[i]});
+    }
+    return points;
 }
 
 }  // namespace
 
-void pad(CellPoints& points) {
-    // A kernel that starts on the last point reads to the end of its lanes, and then looks one further.
-    const std::size_t padded = (points.count / kKernelPadding + 2) * kKernelPadding;
-    points.x.resize(padded, 0.0f);
-    points.y.resize(padded, 0.0f);
-    points.birth.resize(padded, std::numeric_limits<float>::infinity());
+void CellPoints::clear() {
+    blocks_.assign(1, empty_block());
+    size_ = 0;
+}
+
+void CellPoints::add(const CellPoint& point) {
+    const std::size_t i = size_ % kBlockPoints;
+    if (i == 0) blocks_.push_back(empty_block());
+    PointBlock& block = blocks_[size_++ / kBlockPoints];
+    block.at[0][i] = point.x;
+    block.at[1][i] = point.y;
+    block.birth[i] = point.birth;
+}
+
+CellPoint CellPoints::operator[](std::size_t i) const {
+    const PointBlock& block = blocks_[i / kBlockPoints];
+    return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
 }
 
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
@@ -60,20 +76,16 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     for (std::size_t points = tile.size(); points >= 64; points /= 4) ++table.cell_depth;
     table.cells.resize(std::size_t{1} << (2 * table.cell_depth));
 
-    for (std::size_t i = 0; i < tile.size(); ++i) {
-        const InCell in = find_cell(tile.points[i], table.cell_depth);
-        add(table.cells[in.cell].own, in.offset, ranking.tile[i]);
-    }
     const std::vector<Newborn> newborns = newborns_of(tile);
-    for (std::size_t i = 0; i < newborns.size(); ++i) {
-        const InCell in = find_cell(newborns[i].position, table.cell_depth);
-        add(table.cells[in.cell].newborn, in.offset, ranking.newborn[i]);
-    }
+    const auto own = share_out(
+        table, [&](std::size_t i) { return tile.points[i]; }, ranking.tile);
+    const auto newborn = share_out(
+        table, [&](std::size_t i) { return newborns[i].position; }, ranking.newborn);
 
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Cell& cell = table.cells[c];
-        cell.own = sorted_and_padded(cell.own);
-        cell.newborn = sorted_and_padded(cell.newborn);
+        cell.own = by_birth(own[c]);
+        cell.newborn = by_birth(newborn[c]);
         // A quadrant of a cell is a cell of the child tile in the cell's outermost quadrant: drop the first
         // digit, append the quadrant, and see the digits from the child's frame.
         for (int q = 0; q < 4; ++q) {
@@ -87,6 +99,14 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
             cell.next_cell[q] = static_cast<std::uint16_t>(next);
             cell.next_turn[q] = turn;
         }
+    }
+    for (Cell& cell : table.cells) {
+        for (std::size_t q = 0; q < 4; ++q) {
+            // Its own newborn points come before those of its quadrants, if it has any.
+            const float last = 4 * static_cast<float>(tile.size());
+            cell.next_birth[q] = std::min(table.cells[cell.next_cell[q]].newborn[0].birth, last);
+        }
+        cell.first_next_birth = *std::ranges::min_element(cell.next_birth);
     }
     return table;
 }

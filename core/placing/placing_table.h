@@ -18,21 +18,43 @@
 
 namespace dapple {
 
-/// Points relative to a cell's centre in half sides, -1..1, by ascending birth; padded for the kernels with
-/// births of infinity.
-struct CellPoints {
-    std::size_t count = 0;  // without the padding
-    std::vector<float> x, y, birth;
+struct CellPoint {
+    float x, y;   // from the cell's centre in half sides, -1..1
+    float birth;  // in ranks
 };
 
-/// Appends the padding to columns of `count` points.
-void pad(CellPoints& points);
+inline constexpr std::size_t kBlockPoints = 16;
+
+/// Points as the kernels read them, one cache line after the other. What is not used has a birth of infinity.
+struct alignas(64) PointBlock {
+    float at[2][kBlockPoints];  // x, y
+    float birth[kBlockPoints];
+};
+
+/// Points by ascending birth.
+class CellPoints {
+ public:
+    CellPoints() { clear(); }
+    void clear();
+    void add(const CellPoint& point);
+
+    std::size_t size() const { return size_; }
+    CellPoint operator[](std::size_t i) const;
+    const PointBlock* blocks() const { return blocks_.data(); }
+
+ private:
+    std::size_t size_ = 0;
+    std::vector<PointBlock> blocks_;  // the last is empty: there a kernel stops
+};
 
 struct Cell {
-    CellPoints newborn;
-    CellPoints own;                            // the tile's own points: placed once, in the root
-    std::array<std::uint16_t, 4> next_cell{};  // by quadrant in the tile's frame
+    // Where the cell's quadrants lead to, by quadrant in the tile's frame.
+    std::array<std::uint16_t, 4> next_cell{};
     std::array<Orientation, 4> next_turn{};
+    std::array<float, 4> next_birth{};  // nothing is born in there before
+    float first_next_birth = 0;         // the lowest of these
+    CellPoints newborn;
+    CellPoints own;  // the tile's own points: placed once, in the root
 };
 
 struct PlacingTable {

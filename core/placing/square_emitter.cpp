@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace dapple {
 
@@ -43,14 +43,11 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
     const DepthScale& scale = traversal_.at_depth(visit.square.depth);
     const Bounds& bounds = visit.density.bounds;
     const double reached = scale.births_per_density * bounds.max;
-    if (!(points.birth.front() < reached)) return;
-
     const SwapAndSigns steps = steps_of(visit.orientation);
     const glm::dvec2 centre = traversal_.corner_in_window(visit.square) + scale.half;
     KernelSquare square;
-    square.x = steps.swap ? points.y.data() : points.x.data();
-    square.y = steps.swap ? points.x.data() : points.y.data();
-    square.birth = points.birth.data();
+    square.points = points.blocks();
+    square.swap = steps.swap;
     square.sign_x = steps.negate_x ? -1.0f : 1.0f;
     square.sign_y = steps.negate_y ? -1.0f : 1.0f;
     square.centre_x = static_cast<float>(centre.x);
@@ -72,13 +69,12 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
     const Density& density = traversal_.density();
     const bool in_picture = static_cast<double>(visit.square.x + 1) * scale.side_pixels <= density.width() &&
                             static_cast<double>(visit.square.y + 1) * scale.side_pixels <= density.height();
-    std::size_t most = points.count;
+    std::size_t most = points.size();
     if (!visit.in_window || !in_picture) {
         const CellPoints& taken = filtered(visit, points, square);
-        most = taken.count;
-        square.x = taken.x.data();
-        square.y = taken.y.data();
-        square.birth = taken.birth.data();
+        most = taken.size();
+        square.points = taken.blocks();
+        square.swap = false;
     }
     const KernelOutput output = room_for(most + kKernelPadding);
     const PlacedCount placed = placed_here ? emit_across_seam(square, output) : kernel_(square, output);
@@ -145,21 +141,17 @@ const CellPoints& SquareEmitter::filtered(const Visit& visit, const CellPoints& 
                                                                                 << shift;
 
     CellPoints& kept = memory_.edge;
-    kept.x.clear();
-    kept.y.clear();
-    kept.birth.clear();
-    for (std::size_t i = 0; i < points.count; ++i) {
-        const std::int64_t x = centre_x + std::llround(half * (square.sign_x * square.x[i]));
-        const std::int64_t y = centre_y + std::llround(half * (square.sign_y * square.y[i]));
+    kept.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        CellPoint point = points[i];
+        if (square.swap) std::swap(point.x, point.y);
+        const std::int64_t x = centre_x + std::llround(half * (square.sign_x * point.x));
+        const std::int64_t y = centre_y + std::llround(half * (square.sign_y * point.y));
         if (x < box.low_x || y < box.low_y || x >= box.high_x || y >= box.high_y) continue;
         if (static_cast<double>(x) * pixels_per_unit >= density.width()) continue;
         if (static_cast<double>(y) * pixels_per_unit >= density.height()) continue;
-        kept.x.push_back(square.x[i]);
-        kept.y.push_back(square.y[i]);
-        kept.birth.push_back(square.birth[i]);
+        kept.add(point);
     }
-    kept.count = kept.birth.size();
-    pad(kept);
     return kept;
 }
 
@@ -167,9 +159,12 @@ const CellPoints& SquareEmitter::filtered(const Visit& visit, const CellPoints& 
 PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
     const Density& density = traversal_.density();
     PlacedCount placed;
-    for (std::size_t i = 0; s.birth[i] < s.none_from; ++i) {
-        const float u = s.pixel_centre_x + s.pixel_half_x * s.x[i],
-                    v = s.pixel_centre_y + s.pixel_half_y * s.y[i];
+    for (std::size_t i = 0;; ++i) {
+        const PointBlock& points = s.points[i / kBlockPoints];
+        const std::size_t at = i % kBlockPoints;
+        const float x = points.at[s.swap][at], y = points.at[!s.swap][at], birth = points.birth[at];
+        if (!(birth < s.none_from)) return placed;
+        const float u = s.pixel_centre_x + s.pixel_half_x * x, v = s.pixel_centre_y + s.pixel_half_y * y;
         const float left = std::floor(u), top = std::floor(v), fx = u - left, fy = v - top;
         const std::int64_t column = s.first_column + static_cast<std::int64_t>(left);
         const std::int64_t row = s.first_row + static_cast<std::int64_t>(top);
@@ -177,17 +172,16 @@ PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         const float v01 = density.pixel(column, row + 1), v11 = density.pixel(column + 1, row + 1);
         const float upper = v00 + (v10 - v00) * fx, lower = v01 + (v11 - v01) * fx;
         const float d = upper + (lower - upper) * fy;
-        if (!(d * s.births_per_density > s.birth[i])) continue;
-        output.x[placed.dots] = s.centre_x + s.half_x * s.x[i];
-        output.y[placed.dots] = s.centre_y + s.half_y * s.y[i];
-        const float threshold = s.birth[i] * s.threshold_per_birth;
+        if (!(d * s.births_per_density > birth)) continue;
+        output.x[placed.dots] = s.centre_x + s.half_x * x;
+        output.y[placed.dots] = s.centre_y + s.half_y * y;
+        const float threshold = birth * s.threshold_per_birth;
         output.threshold[placed.dots] = threshold;
         if (output.critical) output.critical[placed.dots] = threshold / d;
-        if (output.late && !(d * s.early_per_density > s.birth[i]))
+        if (output.late && !(d * s.early_per_density > birth))
             output.late[placed.late++] = {output.first_index + placed.dots, threshold / d};
         ++placed.dots;
     }
-    return placed;
 }
 
 KernelOutput SquareEmitter::room_for(std::size_t count) {

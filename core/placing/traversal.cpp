@@ -50,9 +50,6 @@ Traversal::Traversal(const PlacingTable& table, const Density& density, const Pl
         origin_y_ = w.y;
     }
 
-    float first = std::numeric_limits<float>::infinity();
-    for (const Cell& cell : table.cells) first = std::min(first, cell.newborn.birth.front());
-    first_newborn_ = first;
     for (int depth = 0; depth <= kMaxDepth; ++depth) {
         const int level = depth - table.cell_depth;
         depths_[depth] = {std::ldexp(0.5, -depth), std::ldexp(density.longer_side(), -depth),
@@ -81,7 +78,8 @@ bool Traversal::starts() const {
 bool Traversal::divides(const Visit& visit) const {
     const int depth = visit.square.depth;
     if (depth < table_.cell_depth) return true;
-    return depths_[depth].births_per_density * visit.density.bounds.max > 4 * first_newborn_ &&
+    return depths_[depth].births_per_density * visit.density.bounds.max >
+               4 * table_.cells[visit.cell].first_next_birth &&
            depth < kMaxDepth;
 }
 
@@ -99,23 +97,24 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
     } else {
         child.density = density_.look(child.square);
     }
-    // Cells of the root tile have the tile's own points as well, born from the first on.
-    const double needed = depth <= table_.cell_depth ? 0 : first_newborn_;
-    if (!(depths_[depth].births_per_density * child.density.bounds.max > needed)) return false;
-
-    child.in_window = parent.in_window;
-    if (!parent.in_window) {
-        if (!window_.touches(child.square)) return false;
-        child.in_window = window_.contains(child.square);
-    }
+    const double reached = depths_[depth].births_per_density * child.density.bounds.max;
     if (depth <= table_.cell_depth) {
+        // Cells of the root tile have the tile's own points as well, born from the first on.
+        if (!(reached > 0)) return false;
         child.cell = static_cast<std::uint16_t>(parent.cell * 4 + page_quadrant);
         child.orientation = {};
     } else {
         const Cell& cell = table_.cells[parent.cell];
         const int q = from_page_[parent.orientation.index][page_quadrant];
+        if (!(reached > cell.next_birth[q])) return false;
         child.cell = cell.next_cell[q];
         child.orientation = compose_[parent.orientation.index][cell.next_turn[q].index];
+    }
+
+    child.in_window = parent.in_window;
+    if (!parent.in_window) {
+        if (!window_.touches(child.square)) return false;
+        child.in_window = window_.contains(child.square);
     }
     return true;
 }

@@ -83,7 +83,6 @@ class Traversal {
     std::optional<double> early_share_;
     Box window_;
     std::int64_t origin_x_ = 0, origin_y_ = 0;
-    double first_newborn_;  // the lowest birth of any newborn point
     std::array<DepthScale, kMaxDepth + 1> depths_;
     std::array<std::array<Orientation, 8>, 8> compose_;     // [second][first]
     std::array<std::array<std::uint8_t, 4>, 8> from_page_;  // [orientation][page quadrant]
