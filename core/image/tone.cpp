@@ -43,8 +43,9 @@ class ToneCurve {
     }
 
     float operator()(float light) const {
-        // Written so that NaN becomes paper.
-        const float clamped = light < 1 ? (light > 0 ? light : 0.0f) : 1.0f;
+        // In this order NaN becomes paper, and neither step is a branch.
+        const float at_most_1 = light < 1 ? light : 1.0f;
+        const float clamped = at_most_1 > 0 ? at_most_1 : 0.0f;
         const float at = std::sqrt(clamped) * kSteps;
         const int i = static_cast<int>(at);
         return density_[i] + (density_[i + 1] - density_[i]) * (at - static_cast<float>(i));
