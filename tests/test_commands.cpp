@@ -252,7 +252,8 @@ TEST_CASE("a mural's sheets, made one by one, have the dots of the whole, each o
 
 TEST_CASE("a region is what the page shows there, at its place and in its size") {
     const Scene scene;
-    const std::string from = "render " + scene("cat.png") + " --width 300 --dots 5000 --dpi 60 -o ";
+    const std::string from =
+        "render " + scene("cat.png") + " --width 300 --tile paper16 --dots 5000 --dpi 60 -o ";
     REQUIRE(run_dapple(from + scene("page.svg")).status == 0);
     // The second of three columns, the first of two rows.
     for (const std::string ending : {".svg", ".csv", ".png"}) {

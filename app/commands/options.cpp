@@ -211,10 +211,8 @@ void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::
     };
     add_text(app, "--order", "NAME",
              "Order of the dots in the file, which is the order they are plotted in: recursion, as they are "
-             "placed; "
-             "space, each near the one before, for short pen moves; priority, the first n being the drawing "
-             "with n "
-             "dots. space, priority and --placer figure8 hold all dots in memory, about 30 bytes each",
+             "placed; space, each near the one before, for short pen moves; priority, the first n being the "
+             "drawing with n dots. space, priority and --placer figure8 hold all dots in memory",
              read_order)
         ->default_str(std::string(name_of(order)));
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
