@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
             settings.tile = map->tile;
             settings.stops = map->exposure.value_or(0);
             settings.turn_degrees = map->rotation_degrees;
-            status = dapple::run_light_viewer({map->map, settings});
+            status = dapple::run_light_viewer({map->map, settings, viewer.log_status});
             return;
         }
         if (!program.get_subcommands().empty()) return;

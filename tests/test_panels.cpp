@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
@@ -264,6 +265,53 @@ TEST_CASE("the view panel shows tiles, fades the photograph in and picks colours
     CHECK(settings.drawing.ink == before);
 }
 
+TEST_CASE("the density is chosen in the view's section, and its grey is a slider") {
+    ViewerSettings settings;
+    HeadlessUi ui([&] { draw_view_panel(settings); });
+    CHECK(settings.density == DensityChoice{});
+    CHECK_FALSE(ui.has("Grey"));
+    ui.click("ramp");
+    CHECK(settings.density.source == DensitySource::ramp);
+    ui.click("grey");
+    CHECK(settings.density.source == DensitySource::grey);
+    ui.drag("Grey", 0.5f, 1.0f);
+    CHECK(settings.density.grey == 1);
+    ui.click("photo");
+    CHECK(settings.density.source == DensitySource::photograph);
+}
+
+TEST_CASE(
+    "the split view starts with the paper's tile beside the default one, and the default beside the "
+    "paper's") {
+    ViewerSettings settings;
+    HeadlessUi ui([&] { draw_compare_panel(settings, kTiles); });
+    CHECK_FALSE(ui.has("Right tile"));
+    ui.click("Split view");
+    CHECK(settings.comparison.on);
+    CHECK(settings.comparison.tile == "paper16");
+    ui.click("same count");
+    CHECK(settings.comparison.by == CompareBy::count);
+    ui.click("Split view");
+    CHECK_FALSE(settings.comparison.on);
+    settings.drawing.tile = "paper16";
+    ui.click("Split view");
+    CHECK(settings.comparison.tile == kDefaultTile);
+}
+
+TEST_CASE("Figure 8 on the right side gets a tile that it knows, and says that it cannot count") {
+    ViewerSettings settings;
+    settings.comparison.on = true;
+    settings.comparison.tile = kDefaultTile;
+    HeadlessUi ui([&] { draw_compare_panel(settings, kTiles); });
+    ui.click("Right placer");
+    ui.click("Figure 8");
+    CHECK(settings.comparison.placer == PlacerKind::figure8);
+    CHECK(settings.comparison.tile == "paper16");
+    CHECK_FALSE(ui.has("same count"));
+    ui.click("about the count");
+    CHECK(settings.comparison.by == CompareBy::count);
+}
+
 TEST_CASE("the banner stays until its cross is clicked") {
     Banner banner{BannerKind::error, "cat.png: not a picture"};
     HeadlessUi ui([&] { draw_banner(banner, {0, 0}, {400, 300}); });
@@ -300,12 +348,14 @@ TEST_CASE("every panel fits its column without cutting a label") {
         draw_tone_panel(settings.drawing.tone);
         draw_dots_panel(settings.drawing, {}, kTiles);
         draw_view_panel(settings);
+        draw_compare_panel(settings, kTiles);
     });
+    settings.comparison.on = true;
     ImGui::GetIO().DisplaySize.x = 340;
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Page, mm", "Photograph"}) {
+                              "Page, mm", "Photograph", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);

@@ -52,6 +52,8 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(GLFW_KEY_Z, true, true) == Actions{Action::redo});
     CHECK(keyboard.press(GLFW_KEY_TAB) == Actions{Action::toggle_panels});
     CHECK(keyboard.press(GLFW_KEY_B, true) == Actions{Action::toggle_panels});
+    CHECK(keyboard.press(GLFW_KEY_C) == Actions{Action::compare});
+    CHECK(keyboard.press(GLFW_KEY_L) == Actions{Action::loupe});
     CHECK(keyboard.press(GLFW_KEY_F11) == Actions{Action::full_screen});
     CHECK(keyboard.press(GLFW_KEY_O).empty());
 }

@@ -24,9 +24,8 @@ ViewAnalysis some_analysis() {
 
 struct SpectrumUi {
     SpectrumFacts facts;
-    DensityChoice density;
     bool open = false;
-    HeadlessUi ui{[this] { open = draw_spectrum_panel(density, facts); }};
+    HeadlessUi ui{[this] { open = draw_spectrum_panel(facts); }};
 };
 
 }  // namespace
@@ -79,21 +78,6 @@ TEST_CASE("spectrum plots lie below each other within the panel") {
         CHECK(place.max.x <= 400);
         CHECK(place.max.y - place.min.y > 100);
     }
-}
-
-TEST_CASE("the density is chosen in the spectrum's section, and its grey is a slider") {
-    SpectrumUi panel;
-    panel.ui.click("Spectrum");
-    CHECK(panel.density == DensityChoice{});
-    CHECK_FALSE(panel.ui.has("Grey"));
-    panel.ui.click("ramp");
-    CHECK(panel.density.source == DensitySource::ramp);
-    panel.ui.click("grey");
-    CHECK(panel.density.source == DensitySource::grey);
-    panel.ui.drag("Grey", 0.5f, 1.0f);
-    CHECK(panel.density.grey == 1);
-    panel.ui.click("photo");
-    CHECK(panel.density.source == DensitySource::photograph);
 }
 
 TEST_CASE("words for a periodicity go from none to exact") {

@@ -6,7 +6,7 @@
 #include <semaphore>
 #include <vector>
 
-#include "app/viewer/analyst.h"
+#include "app/viewer/background.h"
 #include "app/viewer/view_analysis.h"
 #include "tests/point_sets.h"
 
@@ -99,11 +99,11 @@ TEST_CASE("an empty view is measured without an error") {
     CHECK(analysis->error.empty());
 }
 
-TEST_CASE("the analyst wakes the window with a result, and is free again") {
+TEST_CASE("work in the background wakes the window with a result, and is free again") {
     std::binary_semaphore woken(0);
-    Analyst analyst([&] { woken.release(); });
+    Background<ViewAnalysis> analyst([&] { woken.release(); });
     for (const int m : {20, 30}) {
-        analyst.begin({.view = points_in_view(dots_of(square_lattice(m)), {})});
+        analyst.begin(analysis_work({.view = points_in_view(dots_of(square_lattice(m)), {})}));
         woken.acquire();
         CHECK_FALSE(analyst.busy());
         const auto result = analyst.result();
@@ -113,10 +113,10 @@ TEST_CASE("the analyst wakes the window with a result, and is free again") {
     }
 }
 
-TEST_CASE("an analyst that is told to stop wakes the window without a wrong result") {
+TEST_CASE("work in the background that is told to stop wakes the window without a wrong result") {
     std::binary_semaphore woken(0);
-    Analyst analyst([&] { woken.release(); });
-    analyst.begin({.view = points_in_view(dots_of(white_noise(20'000, 7)), {})});
+    Background<ViewAnalysis> analyst([&] { woken.release(); });
+    analyst.begin(analysis_work({.view = points_in_view(dots_of(white_noise(20'000, 7)), {})}));
     analyst.stop();
     woken.acquire();
     CHECK_FALSE(analyst.busy());

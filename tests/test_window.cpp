@@ -30,6 +30,13 @@ void run(std::vector<std::string> command) {
     REQUIRE(ChildProcess(std::move(command)).wait() == 0);
 }
 
+/// An environment map of one colour, in Radiance's format.
+void write_even_map(const fs::path& file) {
+    std::ofstream out(file, std::ios::binary);
+    out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
+    for (int pixel = 0; pixel < 8 * 16; ++pixel) out << "\x80\x80\x80\x81";
+}
+
 /// A display with nothing on it.
 class Display {
  public:
@@ -57,9 +64,9 @@ class Display {
 /// The program on it.
 class RunningViewer {
  public:
-    explicit RunningViewer(const fs::path& working_folder = {})
+    explicit RunningViewer(const fs::path& working_folder = {}, std::vector<std::string> arguments = {})
         : log_(folder_ / "log"),
-          program_({DAPPLE_PROGRAM, "--log-status"}, {.folder = working_folder, .output = log_}) {
+          program_(command(std::move(arguments)), {.folder = working_folder, .output = log_}) {
         REQUIRE(shows([&] { return text_of(log_).starts_with("ready\n") && !status().is_null(); }));
     }
 
@@ -112,6 +119,11 @@ class RunningViewer {
     int wait_for_end() { return program_.wait(); }
 
  private:
+    static std::vector<std::string> command(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {DAPPLE_PROGRAM, "--log-status"});
+        return arguments;
+    }
+
     TemporaryFolder folder_;
     fs::path log_;
     ChildProcess program_;
@@ -189,6 +201,139 @@ TEST_CASE("what the window exports is what the command writes, to the byte") {
     REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
     run({DAPPLE_PROGRAM, "render", "-o", (folder / "command.svg").string()});
     CHECK(text_of(folder / "Still life.svg") == text_of(folder / "command.svg"));
+}
+
+TEST_CASE(
+    "the split view shows why one tile repeats, its divider can be dragged, and undo takes it all back") {
+    Display display;
+    RunningViewer viewer;
+    viewer.click("Tone");
+    viewer.click("grey");
+    viewer.move(300, 300);
+    viewer.key("c");
+    REQUIRE(viewer.shows([&] {
+        const json right = viewer.status()["right"];
+        return right.is_object() && right["repetition"].is_number() && right["left_repetition"].is_number();
+    }));
+    json right = viewer.status()["right"];
+    // The same tile everywhere on an even grey against one that never repeats.
+    CHECK(right["repetition"] > 0.9);
+    CHECK(right["left_repetition"] < 0.3);
+    const double scale = viewer.status()["scale"];
+    CHECK(right["scale"].get<double>() == doctest::Approx(scale).epsilon(1e-6));
+
+    const auto divider = [&] { return viewer.status()["right"]["divider"].get<double>(); };
+    CHECK(divider() == 0.5);
+    viewer.point_at("Divider");
+    viewer.press();
+    viewer.move(200, 300);
+    viewer.move(150, 300);
+    CHECK(viewer.shows([&] { return std::abs(divider() - 150.0 / 940) < 0.01; }));
+    // Not out of the canvas.
+    viewer.move(2, 300);
+    CHECK(viewer.shows([&] { return divider() < 150.0 / 940 - 0.05; }));
+    CHECK(divider() > 0);
+    viewer.release();
+    CHECK(viewer.dots() == 40'000);
+
+    viewer.move(300, 300);
+    viewer.key("ctrl+z");
+    CHECK(viewer.shows([&] { return divider() == 0.5; }));
+    viewer.key("ctrl+z");
+    CHECK(viewer.shows([&] { return !viewer.status().contains("right"); }));
+    viewer.key("ctrl+z");
+    CHECK(viewer.shows([&] { return !viewer.status()["widgets"].contains("Grey"); }));
+}
+
+TEST_CASE("Figure 8 on the right comes near the left side's count") {
+    Display display;
+    RunningViewer viewer;
+    for (const char* section : {"Tone", "View"}) viewer.click(section);
+    viewer.click("Split view");
+    viewer.click("same count");
+    const json before = viewer.status()["widgets"]["Figure 8"];
+    viewer.click("Right placer");
+    // The list's entry has the name of a choice further up.
+    REQUIRE(viewer.shows([&] { return viewer.status()["widgets"]["Figure 8"] != before; }));
+    viewer.click("Figure 8");
+    CHECK(viewer.shows([&] {
+        const json right = viewer.status()["right"];
+        if (!right.is_object() || right["duplicates"] == 0) return false;
+        const double different = right["dots"].get<double>() - right["duplicates"].get<double>();
+        return std::abs(different / 40'000 - 1) < 0.02;
+    }));
+}
+
+TEST_CASE("the samples of an environment map follow their slider") {
+    TemporaryFolder folder;
+    write_even_map(folder / "even.hdr");
+    Display display;
+    RunningViewer viewer({}, {"lights", (folder / "even.hdr").string()});
+    const auto status = [&] { return viewer.status(); };
+    CHECK(status()["samples"] == 1024);
+    CHECK(status()["difference"] > 0);
+    CHECK(status()["difference"] < 0.2);
+    viewer.point_at("Samples", 0.7);
+    viewer.press();
+    viewer.point_at("Samples", 0.5);
+    viewer.release();
+    CHECK(viewer.shows([&] { return status()["samples"] < 300 && status()["samples"] > 50; }));
+    // The exposure shows the same samples.
+    const int samplings = status()["samplings"];
+    viewer.point_at("Exposure", 0.5);
+    viewer.press();
+    viewer.point_at("Exposure", 0.6);
+    viewer.release();
+    CHECK(status()["samplings"] == samplings);
+    viewer.key("ctrl+q");
+    CHECK(viewer.wait_for_end() == 0);
+}
+
+TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile that never repeats nowhere") {
+    Display display;
+    RunningViewer viewer;
+    viewer.click("Tone");
+    viewer.click("grey");
+    viewer.move(300, 300);
+    viewer.key("l");
+    REQUIRE(viewer.shows([&] { return viewer.status().contains("loupe"); }));
+    const auto repetition = [&] { return viewer.status()["loupe"]["repetition"].get<double>(); };
+    CHECK(repetition() < 0.1);
+    CHECK(viewer.status()["loupe"]["layers"] >= 9);
+    // Off the page there is nothing to look at.
+    viewer.move(20, 20);
+    CHECK(viewer.shows([&] { return !viewer.status().contains("loupe"); }));
+
+    viewer.key("c");
+    REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
+    viewer.move(700, 300);
+    CHECK(viewer.shows([&] { return viewer.status().contains("loupe") && repetition() > 0.9; }));
+    viewer.move(250, 300);
+    CHECK(viewer.shows([&] { return viewer.status().contains("loupe") && repetition() < 0.1; }));
+    viewer.key("l");
+    CHECK(viewer.shows([&] { return !viewer.status().contains("loupe"); }));
+}
+
+TEST_CASE("a grey is saved as it is shown, and the split view does not change it") {
+    TemporaryFolder folder;
+    Display display;
+    RunningViewer viewer(folder.path());
+    viewer.click("Tone");
+    viewer.click("grey");
+    const auto save = [&](const std::string& name) {
+        viewer.move(300, 300);
+        viewer.key("ctrl+e");
+        viewer.click("Accept");
+        REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
+        fs::rename(folder / "Still life.svg", folder / name);
+    };
+    save("alone.svg");
+    viewer.key("c");
+    REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
+    save("split.svg");
+    const std::string alone = text_of(folder / "alone.svg");
+    CHECK(alone.size() > 40'000);
+    CHECK(alone == text_of(folder / "split.svg"));
 }
 
 TEST_CASE("a picture that is not there ends the program with a sentence") {

@@ -49,6 +49,13 @@ void act(Action action, const Stage& stage) {
             return stage.canvas.zoom(0.8);
         case Action::toggle_tiles:
             return toggle(session.settings.drawing.show_tiles);
+        case Action::compare: {
+            ViewerSettings& settings = session.settings;
+            settings.comparison = toggled(settings.comparison, settings.drawing);
+            return;
+        }
+        case Action::loupe:
+            return toggle(session.settings.loupe.on);
         case Action::toggle_panels:
             return toggle(stage.shown.panels);
         case Action::full_screen:

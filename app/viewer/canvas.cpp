@@ -7,21 +7,17 @@
 
 namespace dapple {
 
-void Canvas::set_drawing(const PlacedDrawing& drawing) {
-    renderer_.set_dots(drawing.stippling.dots, drawing.window);
-    renderer_.set_tiles(drawing.outlines, drawing.window);
-    page_size_ = drawing.page_size;
-    drawn_camera_.reset();
-    ++drawings_;
-}
-
-void Canvas::set_dot_colours(std::span<const glm::u8vec4> colours) {
-    renderer_.set_dot_colours(colours);
+void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
+    Renderer& renderer = renderers_[static_cast<int>(side)];
+    renderer.set_dots(drawing.stippling.dots, drawing.window);
+    renderer.set_dot_colours(drawing.colours);
+    renderer.set_tiles(drawing.outlines, drawing.window);
+    if (side == Side::left) page_size_ = drawing.page_size;
     drawn_camera_.reset();
 }
 
-void Canvas::set_picture(const Grid<glm::u8vec4>& picture) {
-    renderer_.set_picture(picture);
+void Canvas::set_picture(Side side, const Grid<glm::u8vec4>& picture) {
+    renderers_[static_cast<int>(side)].set_picture(picture);
     drawn_camera_.reset();
 }
 
@@ -61,20 +57,31 @@ void Canvas::handle_mouse(const CanvasPlace& place) {
     if (dragging_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
-void Canvas::show(const CanvasPlace& place, CanvasLook look, Redraw redraw) {
+void Canvas::draw_side(Side side, int from, int to) const {
+    if (from >= to) return;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(from, 0, to - from, static_cast<GLsizei>(camera_.canvas.y));
+    const int index = static_cast<int>(side);
+    renderers_[index].draw(camera_, drawn_look_.sides[index]);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     timer_.ready(draw_ms_);
     glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
     camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
-    look.page_size = page_size_;
+    for (CanvasLook& side : look.sides) side.page_size = page_size_;
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
+        drawn_camera_ = camera_;
+        drawn_look_ = look;
         picture_.resize(pixels);
         picture_.bind();
         timer_.begin();
-        renderer_.draw(camera_, look);
+        const int middle = static_cast<int>(std::lround(look.divider * static_cast<float>(pixels.x)));
+        draw_side(Side::left, 0, middle);
+        draw_side(Side::right, middle, pixels.x);
         timer_.end();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        drawn_camera_ = camera_;
-        drawn_look_ = look;
     }
     auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.texture()));
     glm::vec2 far = place.corner + place.size;

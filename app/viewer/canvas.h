@@ -2,10 +2,9 @@
 // The part of the window that shows the page: keeps what was drawn as a picture and draws it again only when
 // something in it changed, so that moving over the panels costs nothing.
 
-#include <cstdint>
+#include <array>
 #include <glm/vec2.hpp>
 #include <optional>
-#include <span>
 
 #include "app/viewer/camera.h"
 #include "app/viewer/gl_objects.h"
@@ -25,14 +24,23 @@ enum class Redraw {
     always,
 };
 
+/// Of the split view; a view that is not split is the left side alone.
+enum class Side { left, right };
+inline constexpr std::array kSides{Side::left, Side::right};
+
+/// How both sides look, and where they meet.
+struct SplitLook {
+    std::array<CanvasLook, 2> sides;
+    float divider = 1;  // the left side's share of the width; 1: there is no right one
+
+    bool operator==(const SplitLook&) const = default;
+};
+
 class Canvas {
  public:
-    void set_drawing(const PlacedDrawing& drawing);
-    /// One colour a dot, or none for the ink; until the next set_drawing().
-    void set_dot_colours(std::span<const glm::u8vec4> colours);
-    /// How many drawings were set.
-    std::uint64_t drawings() const { return drawings_; }
-    void set_picture(const Grid<glm::u8vec4>& picture);
+    /// The page is as large as the left side's.
+    void set_drawing(Side side, const PlacedDrawing& drawing);
+    void set_picture(Side side, const Grid<glm::u8vec4>& picture);
 
     void fit();
     /// So many pixels for the page's longer side, about the middle.
@@ -46,7 +54,7 @@ class Canvas {
     void handle_mouse(const CanvasPlace& place);
 
     /// Puts the drawing behind ImGui's windows.
-    void show(const CanvasPlace& place, CanvasLook look, Redraw redraw);
+    void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
     /// Of the newest drawing measured.
     double draw_ms() const { return draw_ms_; }
@@ -54,7 +62,9 @@ class Canvas {
     bool measuring() const { return timer_.waiting(); }
 
  private:
-    Renderer renderer_;
+    void draw_side(Side side, int from, int to) const;
+
+    std::array<Renderer, 2> renderers_;
     GlFramebuffer picture_;
     GlTimer timer_;
     Camera camera_;
@@ -62,9 +72,8 @@ class Canvas {
     bool fitted_ = true;  // until the person zooms or moves
     bool dragging_ = false;
     std::optional<Camera> drawn_camera_;  // none: the drawing changed
-    CanvasLook drawn_look_;
+    SplitLook drawn_look_;
     double draw_ms_ = 0;
-    std::uint64_t drawings_ = 0;
 };
 
 }  // namespace dapple

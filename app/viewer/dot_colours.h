@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/output/colour.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
 #include "core/tile/tile.h"
@@ -13,6 +14,17 @@
 namespace dapple {
 
 enum class DotColouring { ink, level, rank, orientation };
+
+/// Where stepping through the levels ends: this is all of them.
+inline constexpr int kDeepestStep = 8;
+
+struct DotColourChoice {
+    DotColouring colouring = DotColouring::ink;
+    int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
+    glm::vec3 ink = kBlack;            // sRGB-encoded 0..1; looked at if levels are left out only
+
+    bool operator==(const DotColourChoice&) const = default;
+};
 
 /// What the colours are looked up in: the tile that the dots were placed with, and their window.
 struct DotOrigins {
@@ -26,13 +38,14 @@ struct DotOrigins {
 /// its tile's edge may get the neighbour's orientation.
 std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins, DotColouring colouring);
 
-/// Where stepping through the levels ends: this is all of them.
-inline constexpr int kDeepestStep = 8;
-
-/// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become the
-/// ink's first. From kDeepestStep on nothing is hidden.
+/// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become
+/// the ink's first. From kDeepestStep on nothing is hidden.
 std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
                                                std::size_t tile_size, int deepest, glm::vec3 ink);
+
+/// Both of these, as chosen; empty: all dots in ink.
+std::vector<glm::u8vec4> chosen_colours(const Dots& dots, const DotOrigins& origins,
+                                        const DotColourChoice& choice);
 
 /// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,
 /// so it reads without colours too.

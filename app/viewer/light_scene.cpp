@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <utility>
 
 #include "app/files/tile_library.h"
 #include "app/viewer/theme.h"
@@ -58,35 +60,62 @@ LitMap::LitMap(EnvironmentMap environment)
       natural_exposure(dapple::natural_exposure(map)),
       preview(preview_of(map)) {}
 
-void LightScene::take_samples(const LitMap& lit, const LightsSettings& settings) {
-    RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
-    const LightSamples lights = light_samples(lit.map, tile, settings.request);
-    std::vector<DistantLight> distant;
-    glm::dvec3 sum{};
-    places_.clear();
-    for (const LightSample& sample : lights.samples) {
-        places_.push_back(sample.uv);
-        distant.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
-        sum += sample.weight;
+SampledMap sampled(const LitMap& lit, const LightsSettings& settings) {
+    SampledMap result;
+    result.settings = settings;
+    try {
+        RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
+        const LightSamples lights = light_samples(lit.map, tile, settings.request);
+        std::vector<DistantLight> distant;
+        glm::dvec3 sum{};
+        for (const LightSample& sample : lights.samples) {
+            result.places.push_back(sample.uv);
+            distant.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
+            sum += sample.weight;
+        }
+        result.found.emplace(distant);
+        result.facts = {lights.place_ms, lights.share_ms, difference(*result.found, lit.exact),
+                        std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+    } catch (const std::exception& error) {
+        result.error = error.what();
     }
-    found_.assign(1, IrradianceMap(distant));
-    facts_ = {lights.place_ms, lights.share_ms, difference(found_.front(), lit.exact),
-              std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+    return result;
 }
 
-void LightScene::update(const LitMap& lit, const LightsSettings& settings) {
-    const bool same_samples = sampled_ && shown_.request == settings.request && shown_.tile == settings.tile;
-    if (!same_samples) take_samples(lit, settings);
-    const double exposure = lit.natural_exposure * std::exp2(settings.stops);
-    const bool same_exposure = drawn_ && shown_.stops == settings.stops;
-    if (!same_exposure) map_texture_.write(tone_mapped_picture(lit.preview, exposure));
-    if (!same_samples || !same_exposure || shown_.turn_degrees != settings.turn_degrees) {
-        const SphereLook look{kSphereSize, settings.turn_degrees, exposure};
-        spheres_[0].write(sphere_picture(found_.front(), look));
-        spheres_[1].write(sphere_picture(lit.exact, look));
+LightScene::LightScene(std::unique_ptr<const LitMap> lit, std::function<void()> wake)
+    : lit_(std::move(lit)), background_(std::move(wake)) {}
+
+std::string LightScene::update(const LightsSettings& settings) {
+    std::string error;
+    if (std::optional<SampledMap> result = background_.result()) {
+        if (result->error.empty()) {
+            shown_ = std::move(*result);
+            ++samplings_;
+        } else {
+            error = std::move(result->error);
+        }
     }
-    shown_ = settings;
-    sampled_ = drawn_ = true;
+    const bool asked = asked_ && asked_->request == settings.request && asked_->tile == settings.tile;
+    if (!asked && !background_.busy()) {
+        background_.begin([lit = lit_.get(), settings](const std::stop_token&) {
+            return std::optional(sampled(*lit, settings));
+        });
+        asked_ = settings;
+    }
+    if (samplings_ > 0) draw_textures(settings);
+    return error;
+}
+
+void LightScene::draw_textures(const LightsSettings& settings) {
+    const Drawn wanted{samplings_, settings.stops, settings.turn_degrees};
+    if (drawn_ == wanted) return;
+    const double exposure = lit_->natural_exposure * std::exp2(settings.stops);
+    if (!drawn_ || drawn_->stops != wanted.stops)
+        map_texture_.write(tone_mapped_picture(lit_->preview, exposure));
+    const SphereLook look{kSphereSize, settings.turn_degrees, exposure};
+    spheres_[0].write(sphere_picture(*shown_.found, look));
+    spheres_[1].write(sphere_picture(lit_->exact, look));
+    drawn_ = wanted;
 }
 
 void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& settings) const {
@@ -107,7 +136,7 @@ void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& se
     if (settings.samples_shown) {
         const float radius = 1.6f * unit;
         const auto discs = [&](float r, ImU32 colour) {
-            for (const glm::dvec2 p : places_) {
+            for (const glm::dvec2 p : shown_.places) {
                 const glm::dvec2 at(wrapped(p.x - settings.turn_degrees / 360), p.y);
                 const glm::vec2 place = map_corner + glm::vec2(at) * map_size;
                 list->AddCircleFilled({place.x, place.y}, r, colour, 8);

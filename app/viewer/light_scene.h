@@ -2,9 +2,15 @@
 // The canvas of an environment map: the map with its samples, and two spheres in their light.
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "app/viewer/background.h"
 #include "app/viewer/gl_objects.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "core/image/environment.h"
@@ -22,30 +28,52 @@ struct LitMap {
     Grid<glm::vec3> preview;  // at most 1,024 wide
 };
 
+/// A map's samples and what they light.
+struct SampledMap {
+    LightsSettings settings;         // that they were taken with
+    std::vector<glm::dvec2> places;  // on the map, 0..1
+    std::optional<IrradianceMap> found;
+    LightsFacts facts;
+    std::string error;  // why there are none
+};
+SampledMap sampled(const LitMap& lit, const LightsSettings& settings);
+
 class LightScene {
  public:
-    /// Takes samples anew and draws textures anew where the settings ask for it. Throws std::runtime_error as
-    /// light_samples() does; what was shown stays then.
-    void update(const LitMap& lit, const LightsSettings& settings);
+    /// `wake` is called from another thread when samples are there.
+    LightScene(std::unique_ptr<const LitMap> lit, std::function<void()> wake);
+
+    /// Has samples taken anew, in the background, and draws textures anew where the settings ask for it.
+    /// Returns why there are no samples, once; what was shown stays then.
+    std::string update(const LightsSettings& settings);
 
     /// Into the current ImGui window's draw list.
     void show(glm::vec2 corner, glm::vec2 size, const LightsSettings& settings) const;
 
-    const LightsFacts& facts() const { return facts_; }
-
-    /// Another map: nothing shown is valid any more.
-    void forget() { *this = LightScene(); }
+    const EnvironmentMap& map() const { return lit_->map; }
+    /// Of the samples shown.
+    const LightsFacts& facts() const { return shown_.facts; }
+    std::size_t samples() const { return shown_.places.size(); }
+    /// How many times samples were taken.
+    std::uint64_t samplings() const { return samplings_; }
 
  private:
-    void take_samples(const LitMap& lit, const LightsSettings& settings);
+    void draw_textures(const LightsSettings& settings);
 
-    bool sampled_ = false, drawn_ = false;
-    LightsSettings shown_;
-    LightsFacts facts_;
-    std::vector<glm::dvec2> places_;
-    std::vector<IrradianceMap> found_;  // one, once there are samples
+    std::unique_ptr<const LitMap> lit_;
+    std::optional<LightsSettings> asked_;
+    SampledMap shown_;
+    std::uint64_t samplings_ = 0;
+
+    struct Drawn {
+        std::uint64_t sampling = 0;
+        double stops = 0, turn_degrees = 0;
+        bool operator==(const Drawn&) const = default;
+    };
+    std::optional<Drawn> drawn_;
     GlTexture map_texture_;
     std::array<GlTexture, 2> spheres_;
+    Background<SampledMap> background_;  // last: it reads the map
 };
 
 }  // namespace dapple

@@ -10,10 +10,12 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "app/files/environment.h"
 #include "app/viewer/light_scene.h"
 #include "app/viewer/panels/banner.h"
+#include "app/viewer/status_log.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 #include "app/viewer/window.h"
@@ -31,7 +33,7 @@ constexpr double kStopsAPress = 0.5;
 class LightViewer {
  public:
     explicit LightViewer(const LightViewerOptions& options)
-        : settings_(options.settings), window_("Dapple"), name_("Sky") {
+        : settings_(options.settings), log_status_(options.log_status), window_("Dapple"), name_("Sky") {
         ImGui::GetIO().UserData = &widgets_;
         if (options.map)
             open(*options.map);
@@ -79,12 +81,11 @@ class LightViewer {
         const auto patience = std::chrono::milliseconds(20);
         if (reading_.wait_for(patience) != std::future_status::ready) return;
         try {
-            lit_ = reading_.get();
-            scene_.forget();
+            scene_ = std::make_unique<LightScene>(reading_.get(), &Window::wake);
             window_.set_title(name_ + " - Dapple");
             banner_ = {};
         } catch (const std::exception& error) {
-            if (!lit_) throw;
+            if (!scene_) throw;
             banner_ = {BannerKind::error, error.what()};
         }
     }
@@ -113,11 +114,23 @@ class LightViewer {
         draw_panel({screen.x - panel, 0}, {panel, screen.y});
         draw_banner(banner_, {0, 0}, {screen.x - panel, screen.y});
         window_.end_frame();
-        if (lit_ && !ready_) {
-            std::puts("ready");
-            std::fflush(stdout);
-            ready_ = true;
+        report_outside();
+    }
+
+    void report_outside() {
+        if (!scene_ || scene_->samplings() == 0) return;
+        if (!std::exchange(ready_, true)) std::puts("ready");
+        if (log_status_) {
+            const ImGuiIO& io = ImGui::GetIO();
+            const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
+            std::string line = light_status_json({.samples = scene_->samples(),
+                                                  .samplings = scene_->samplings(),
+                                                  .difference = scene_->facts().difference},
+                                                 mouse, widgets_);
+            if (line != logged_) std::puts(line.c_str());
+            logged_ = std::move(line);
         }
+        std::fflush(stdout);
     }
 
     static constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
@@ -130,13 +143,10 @@ class LightViewer {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
         ImGui::PushStyleColor(ImGuiCol_WindowBg, colour_of(ThemeColour::surround));
         ImGui::Begin("##canvas", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
-        if (lit_) {
-            try {
-                scene_.update(*lit_, settings_);
-            } catch (const std::runtime_error& error) {
-                banner_ = {BannerKind::error, error.what()};
-            }
-            scene_.show({0, 0}, size, settings_);
+        if (scene_) {
+            if (std::string error = scene_->update(settings_); !error.empty())
+                banner_ = {BannerKind::error, std::move(error)};
+            scene_->show({0, 0}, size, settings_);
         } else {
             ImGui::TextUnformatted("Reading the map...");
         }
@@ -153,23 +163,24 @@ class LightViewer {
         push_title_font();
         ImGui::TextUnformatted(name_.c_str());
         pop_title_font();
-        if (lit_) {
-            hint((std::to_string(lit_->map.width()) + " x " + std::to_string(lit_->map.height()) + " pixels")
-                     .c_str());
+        if (scene_) {
+            const EnvironmentMap& map = scene_->map();
+            hint((std::to_string(map.width()) + " x " + std::to_string(map.height()) + " pixels").c_str());
         }
-        draw_lights_panel(settings_, scene_.facts());
+        draw_lights_panel(settings_, scene_ ? scene_->facts() : LightsFacts{});
         ImGui::End();
         ImGui::PopStyleVar();
     }
 
     LightsSettings settings_;
+    bool log_status_;
+    WidgetPlaces widgets_;
     Window window_;
     std::string name_;
     std::future<std::unique_ptr<LitMap>> reading_;
-    std::unique_ptr<LitMap> lit_;
-    LightScene scene_;
+    std::unique_ptr<LightScene> scene_;
     Banner banner_;
-    WidgetPlaces widgets_;
+    std::string logged_;
     bool ready_ = false;
 };
 

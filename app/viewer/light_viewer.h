@@ -11,11 +11,14 @@ namespace dapple {
 struct LightViewerOptions {
     std::optional<std::filesystem::path> map;  // none: a sky of our own
     LightsSettings settings;
+    /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes:
+    /// {"samples": .., "samplings": .., "difference": .., "widgets": {..}}, as the picture's window does.
+    bool log_status = false;
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
-/// map is on screen. A map dropped on the window takes the place of the one shown. Throws std::runtime_error
-/// if there is no display or if the first map cannot be read.
+/// map's first samples are on screen. A map dropped on the window takes the place of the one shown. Throws
+/// std::runtime_error if there is no display or if the first map cannot be read.
 int run_light_viewer(const LightViewerOptions& options);
 
 }  // namespace dapple

@@ -48,6 +48,10 @@ bool Pane::order(PlaceOrder page, const Zoom& zoom, Reorder reorder) {
 }
 
 void Pane::take(PlacedNews& news) {
+    if (news.tile) {
+        tile_ = std::move(*news.tile);
+        ++tiles_;
+    }
     if (news.order.close) {
         if (close_ordered_) {
             std::swap(close_, news.drawing);

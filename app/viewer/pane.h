@@ -1,6 +1,8 @@
 #pragma once
 // The dots of one side of the canvas: what was ordered of a worker, what came back, and what of it is shown.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,7 +36,7 @@ class Pane {
     /// or too much, what is in view of it. True if it ordered something: nothing twice, unless told to.
     bool order(PlaceOrder page, const Zoom& zoom, Reorder reorder);
 
-    /// Takes the drawing out of the news.
+    /// Takes drawing and tile out of the news.
     void take(PlacedNews& news);
 
     /// The whole page; what is shown: that or a part of it placed for the zoom.
@@ -42,9 +44,19 @@ class Pane {
     const PlacedDrawing& shown() const { return shows_close_ ? close_ : page_; }
     bool shows_close() const { return shows_close_; }
 
+    /// What the whole page was placed for last; none before the first.
+    const std::optional<PlaceOrder>& page_order() const { return page_placed_; }
+
     /// A number that changes with what is shown, and one of drawings that came.
     std::uint64_t version() const { return version_; }
     std::uint64_t placings() const { return placings_; }
+
+    /// The tile it is placed with; none before the first dots.
+    const TileView& tile() const { return tile_; }
+    /// Its size, at least 1.
+    std::size_t tile_size() const { return std::max<std::size_t>(tile_.points.size(), 1); }
+    /// How many tiles there have been.
+    int tiles() const { return tiles_; }
 
     /// The dots fade in below this scale while they multiply with the zoom; 0: none does.
     double fade_scale(const Zoom& zoom) const;
@@ -56,6 +68,8 @@ class Pane {
     std::optional<PlaceOrder> page_ordered_, page_placed_;
     std::optional<PlaceOrder> close_ordered_;
     PlacedDrawing page_, close_;
+    TileView tile_;
+    int tiles_ = 0;
     bool shows_close_ = false;
     std::uint64_t version_ = 0, placings_ = 0;
 };

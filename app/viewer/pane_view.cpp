@@ -32,21 +32,4 @@ PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) 
     return points_in_view(shown.stippling.dots, {low, high - low});
 }
 
-DotColoursKey colours_key(const Session& session, const Pane& pane) {
-    return {pane.version(), session.settings.colouring, session.settings.deepest_level,
-            session.settings.drawing.ink};
-}
-
-std::vector<glm::u8vec4> colours_of(const Session& session, const Pane& pane) {
-    const ViewerSettings& settings = session.settings;
-    const TileView& tile = session.tile();
-    const bool turns = settings.drawing.stipple.placer == PlacerKind::exact;
-    const DotOrigins origins{.tile_size = std::max<std::size_t>(tile.points.size(), 1),
-                             .rule = turns ? tile.rule : Rule{},
-                             .window = pane.shown().window};
-    const Dots& dots = pane.shown().stippling.dots;
-    return without_deeper_levels(dot_colours(dots, origins, settings.colouring), dots, origins.tile_size,
-                                 settings.deepest_level, settings.drawing.ink);
-}
-
 }  // namespace dapple

@@ -127,7 +127,6 @@ void Renderer::set_picture(const Grid<glm::u8vec4>& picture) {
 
 void Renderer::draw(const Camera& camera, const CanvasLook& look) const {
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     draw_page(camera, look);

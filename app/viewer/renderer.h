@@ -39,7 +39,7 @@ class Renderer {
 
     std::size_t dot_count() const { return dot_count_; }
 
-    /// camera.canvas must be the framebuffer's size.
+    /// camera.canvas must be the framebuffer's size. Keeps to the scissor box, if that is on.
     void draw(const Camera& camera, const CanvasLook& look) const;
 
  private:

@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kLongPatience(2000);
 }  // namespace
 
 Session::Session(const DrawingSettings& drawing, std::function<void()> wake)
-    : settings{.drawing = drawing}, history_(settings), pane_(std::move(wake)) {}
+    : settings{.drawing = drawing}, history_(settings), wake_(std::move(wake)), pane_(wake_) {}
 
 void Session::open_sample() {
     pane_.worker().open("Still life", [] { return sample_picture(); });
@@ -56,12 +56,39 @@ void Session::save(const fs::path& path) {
 
 void Session::order_dots(const Zoom& zoom) {
     const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
-    if (pane_.order(order_of(settings.drawing, settings.density), zoom, reorder))
+    if (pane_.order(order_of(settings), zoom, reorder))
         take_news(settings.every_frame ? kLongPatience : kPatience);
+    if (settings.comparison.on) order_right(zoom, reorder);
+}
+
+void Session::order_right(const Zoom& zoom, Reorder reorder) {
+    const std::optional<PlaceOrder>& left = pane_.page_order();
+    if (!left) return;
+    if (!right_) right_.emplace(wake_);
+    // Its worker has a picture of its own, so that neither ever waits for the other.
+    if (right_pictures_asked_ != pictures_) right_->worker().open(picture_.name, picture_.read);
+    right_pictures_asked_ = pictures_;
+    right_->order(right_order(settings.comparison, *left, pane_.page().stippling), zoom, reorder);
+}
+
+const Pane* Session::right() const {
+    const bool there = settings.comparison.on && right_ && right_pictures_ == pictures_;
+    return there ? &*right_ : nullptr;
 }
 
 void Session::take_news(std::chrono::milliseconds patience) {
     for (WorkerNews& news : pane_.worker().news(patience)) std::visit([this](auto& n) { take(n); }, news);
+    if (!right_) return;
+    for (WorkerNews& news : right_->worker().news()) {
+        if (auto* placed = std::get_if<PlacedNews>(&news)) take_right(*placed);
+        if (auto* failed = std::get_if<FailedNews>(&news)) take(*failed);
+    }
+}
+
+void Session::take_right(PlacedNews& news) {
+    if (news.picture) right_pictures_ = right_pictures_asked_;
+    if (!news.error.empty() && settings.comparison.on) banner = {BannerKind::error, news.error};
+    right_->take(news);
 }
 
 void Session::take(PlacedNews& news) {
@@ -69,10 +96,6 @@ void Session::take(PlacedNews& news) {
         picture_ = std::move(*news.picture);
         ++pictures_;
         if (banner.kind == BannerKind::notice) banner = {};
-    }
-    if (news.tile) {
-        tile_ = std::move(*news.tile);
-        ++tiles_;
     }
     if (!news.error.empty()) banner = {BannerKind::error, news.error};
     pane_.take(news);

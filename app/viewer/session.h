@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/viewer/history.h"
@@ -29,7 +30,7 @@ class Session {
     void take_news(std::chrono::milliseconds patience);
 
     /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
-    /// frame.
+    /// frame. For the right side nobody waits.
     void order_dots(const Zoom& zoom);
 
     /// Remembers the settings for undo, unless they are still being edited.
@@ -40,8 +41,11 @@ class Session {
     ViewerSettings settings;  // the panels edit them
     Banner banner;
 
+    /// The drawing: what is edited and saved; the left side of the split view.
     Pane& pane() { return pane_; }
     const Pane& pane() const { return pane_; }
+    /// The right side; none unless comparing, and before its first dots.
+    const Pane* right() const;
     bool placed_once() const { return pane_.placings() > 0; }
 
     const OpenedPicture& picture() const { return picture_; }
@@ -49,25 +53,24 @@ class Session {
     int pictures() const { return pictures_; }
     const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
     const std::filesystem::path& saved_path() const { return saved_path_; }
-    /// That of the dots; none before the first.
-    const TileView& tile() const { return tile_; }
-    /// How many tiles there have been.
-    int tiles() const { return tiles_; }
 
     DrawnFacts drawn(const Pane& pane) const;
 
  private:
+    void order_right(const Zoom& zoom, Reorder reorder);
+    void take_right(PlacedNews& news);
     void take(PlacedNews& news);
     void take(FailedNews& news);
     void take(SavedNews& news);
     void take(CancelledNews& news);
 
     History<ViewerSettings> history_;
+    std::function<void()> wake_;
     Pane pane_;
+    std::optional<Pane> right_;  // once it was asked for
+    int right_pictures_asked_ = 0, right_pictures_ = 0;
     OpenedPicture picture_;
     int pictures_ = 0;
-    TileView tile_;
-    int tiles_ = 0;
     std::filesystem::path picture_path_, saved_path_;
 };
 

@@ -17,6 +17,8 @@ constexpr Shortcut kShortcuts[] = {
     {Action::zoom_in, "+", "Zoom in"},
     {Action::zoom_out, "-", "Zoom out"},
     {Action::toggle_tiles, "T", "Tile boundaries"},
+    {Action::compare, "C", "Split view: beside another tile or placer"},
+    {Action::loupe, "L", "Loupe: tiles laid on one another"},
     {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
     {Action::help, "?, F1", "These keys"},
@@ -61,6 +63,8 @@ std::vector<Action> pressed_actions() {
     } else {
         when(pressed(GLFW_KEY_F), Action::fit);
         when(pressed(GLFW_KEY_T), Action::toggle_tiles);
+        when(pressed(GLFW_KEY_C), Action::compare);
+        when(pressed(GLFW_KEY_L), Action::loupe);
         when(pressed(GLFW_KEY_TAB), Action::toggle_panels);
         when(typed('+'), Action::zoom_in);
         when(typed('-'), Action::zoom_out);

@@ -17,6 +17,8 @@ enum class Action {
     zoom_in,
     zoom_out,
     toggle_tiles,
+    compare,
+    loupe,
     toggle_panels,
     full_screen,
     help,

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/files/tile_library.h"
+#include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/panels/view_panel.h"
@@ -47,10 +48,12 @@ void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::functi
     draw_tone_panel(settings.drawing.tone);
     draw_dots_panel(settings.drawing, session.drawn(session.pane()), built_in_tile_names());
     draw_view_panel(settings);
-    spectrum.draw(settings.density);
-    if (tiles_seen_ != session.tiles()) tile_ = {};
-    tiles_seen_ = session.tiles();
-    draw_tile_panel(session.tile(), tile_);
+    draw_compare_panel(settings, built_in_tile_names());
+    spectrum.draw();
+    const Pane& pane = session.pane();
+    if (tiles_seen_ != pane.tiles()) tile_ = {};
+    tiles_seen_ = pane.tiles();
+    draw_tile_panel(pane.tile(), tile_);
     ImGui::End();
     ImGui::PopStyleVar();
 }

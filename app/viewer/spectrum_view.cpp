@@ -6,14 +6,14 @@
 
 namespace dapple {
 
-void SpectrumView::draw(DensityChoice& density) {
+void SpectrumView::draw() {
     SpectrumFacts facts;
     if (analysis_) {
         facts.analysis = &*analysis_;
         if (!analysis_->picture.empty())
             facts.picture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.get()));
     }
-    open_ = draw_spectrum_panel(density, facts);
+    open_ = draw_spectrum_panel(facts);
 }
 
 void SpectrumView::update(const ViewKey& key, const std::function<ViewAnalysisRequest()>& request) {
@@ -27,7 +27,7 @@ void SpectrumView::update(const ViewKey& key, const std::function<ViewAnalysisRe
         return;
     }
     if (measured_ == key || analyst_.busy()) return;
-    analyst_.begin(request());
+    analyst_.begin(analysis_work(request()));
     measured_ = key;
 }
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "app/viewer/analyst.h"
+#include "app/viewer/background.h"
 #include "app/viewer/camera.h"
-#include "app/viewer/density_choice.h"
 #include "app/viewer/gl_objects.h"
+#include "app/viewer/view_analysis.h"
 
 namespace dapple {
 
@@ -23,15 +23,15 @@ class SpectrumView {
  public:
     explicit SpectrumView(std::function<void()> wake) : analyst_(std::move(wake)) {}
 
-    /// Draws the section, which edits what the dots are placed on.
-    void draw(DensityChoice& density);
+    /// Draws the section.
+    void draw();
 
     /// To be called each frame after draw(). `request` is asked for the dots on screen when they are to be
-    /// measured: the section is open, they are others than before, and the analyst is free.
+    /// measured: the section is open, they are others than before, and the last measuring is over.
     void update(const ViewKey& key, const std::function<ViewAnalysisRequest()>& request);
 
  private:
-    Analyst analyst_;
+    Background<ViewAnalysis> analyst_;
     GlTexture picture_;
     std::optional<ViewAnalysis> analysis_;
     std::optional<ViewKey> measured_;

@@ -3,21 +3,48 @@
 #include <nlohmann/json.hpp>
 
 namespace dapple {
+namespace {
 
-std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
-                        const WidgetPlaces& widgets) {
-    nlohmann::ordered_json line{{"dots", facts.dots},
-                                {"duplicates", facts.duplicates},
-                                {"scale", facts.scale},
-                                {"zoom", facts.zoom},
-                                {"placings", placings},
-                                {"place_ms", facts.place_ms},
-                                {"draw_ms", facts.draw_ms},
-                                {"mouse", {mouse.position.x, mouse.position.y}},
-                                {"mouse_down", mouse.down}};
+void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const WidgetPlaces& widgets) {
+    line["mouse"] = {mouse.position.x, mouse.position.y};
+    line["mouse_down"] = mouse.down;
     auto& places = line["widgets"] = nlohmann::ordered_json::object();
     for (const auto& [label, place] : widgets)
         places[label] = {place.min.x, place.min.y, place.max.x, place.max.y};
+}
+
+}  // namespace
+
+std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
+                        const WidgetPlaces& widgets) {
+    nlohmann::ordered_json line{{"dots", facts.dots},      {"duplicates", facts.duplicates},
+                                {"scale", facts.scale},    {"zoom", facts.zoom},
+                                {"placings", placings},    {"place_ms", facts.place_ms},
+                                {"draw_ms", facts.draw_ms}};
+    if (facts.right) {
+        const auto number = [](const std::optional<double>& value) {
+            return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+        };
+        line["right"] = {{"dots", facts.right->dots},
+                         {"duplicates", facts.right->duplicates},
+                         {"scale", facts.right->scale},
+                         {"divider", facts.right->divider},
+                         {"repetition", number(facts.right->repetition)},
+                         {"left_repetition", number(facts.right->left_repetition)}};
+    }
+    if (facts.loupe)
+        line["loupe"] = {{"repetition", facts.loupe->repetition},
+                         {"layers", facts.loupe->layers},
+                         {"level", facts.loupe->level}};
+    add_input(line, mouse, widgets);
+    return line.dump();
+}
+
+std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
+                              const WidgetPlaces& widgets) {
+    nlohmann::ordered_json line{
+        {"samples", status.samples}, {"samplings", status.samplings}, {"difference", status.difference}};
+    add_input(line, mouse, widgets);
     return line.dump();
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 // What the window tells programs that drive it.
 
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "app/viewer/panels/status_line.h"
@@ -15,9 +18,23 @@ struct MouseFacts {
 };
 
 /// One line of JSON: {"dots": .., "duplicates": .., "scale": .., "zoom": .., "placings": .., "place_ms": ..,
-/// "draw_ms": .., "mouse": [x, y], "mouse_down": .., "widgets": {"Scale": [x0, y0, x1, y1], ..}}; placings
-/// counts since the start, widgets are in window coordinates.
+/// "draw_ms": .., "mouse": [x, y], "mouse_down": .., "right": {"dots": .., "duplicates": .., "scale": ..,
+/// "divider": .., "repetition": .., "left_repetition": ..}, "loupe": {"repetition": .., "layers": ..,
+/// "level": ..}, "widgets": {"Scale": [x0, y0, x1, y1], ..}}. placings counts since the start, widgets are in
+/// window coordinates. "right" is there while the split view shows dots (an unknown repetition is null),
+/// "loupe" while the lens shows something.
 std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
                         const WidgetPlaces& widgets);
+
+struct LightStatus {
+    std::size_t samples = 0;
+    std::uint64_t samplings = 0;  // since the map was opened
+    double difference = 0;        // LightsFacts::difference
+};
+
+/// The same of the window of an environment map: {"samples": .., "samplings": .., "difference": ..,
+/// "mouse": [x, y], "mouse_down": .., "widgets": {..}}.
+std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
+                              const WidgetPlaces& widgets);
 
 }  // namespace dapple

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "core/output/spectrum_picture.h"
 
@@ -43,21 +45,6 @@ bool collect(const Dots& dots, const ViewRectangle& view, std::size_t most, std:
     return true;
 }
 
-void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain) {
-    if (points.empty()) return;
-    const double near = kSamePlace * std::sqrt(domain.area() / static_cast<double>(points.size()));
-    std::ranges::sort(points,
-                      [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    std::vector<glm::dvec2> kept;
-    for (const glm::dvec2 p : points) {
-        bool seen = false;
-        for (auto at = kept.rbegin(); at != kept.rend() && p.x - at->x <= near && !seen; ++at)
-            seen = std::abs(p.y - at->y) <= near;
-        if (!seen) kept.push_back(p);
-    }
-    points = std::move(kept);
-}
-
 std::optional<double> tile_side(const Domain& domain, std::size_t points, std::size_t tile_size) {
     const double tiles = static_cast<double>(points) / domain.area() / static_cast<double>(tile_size);
     if (!(tiles > 0)) return std::nullopt;
@@ -80,6 +67,9 @@ ViewAnalysis analysed(const ViewAnalysisRequest& request, const std::stop_token&
     result.dots = points.size();
     result.all = request.view.all;
     if (points.size() < 2) return result;
+    if (const auto side = tile_side(domain, points.size(), request.tile_size))
+        result.periodicity = periodicity(points, domain, glm::dvec2(*side), {}, stop);
+    if (request.measure == Measure::repetition || stop.stop_requested()) return result;
     result.nearest = nearest_summary(points, domain, stop);
     const Periodogram spectrum = periodogram(points, domain, {}, stop);
     if (stop.stop_requested()) return result;
@@ -87,12 +77,25 @@ ViewAnalysis analysed(const ViewAnalysisRequest& request, const std::stop_token&
     result.low_frequency_power = low_frequency_power(spectrum, 0.5);
     result.peaks = spectral_peaks(spectrum);
     result.picture = with_alpha(spectrum_picture(spectrum, kPictureSide));
-    if (const auto side = tile_side(domain, points.size(), request.tile_size))
-        result.periodicity = periodicity(points, domain, glm::dvec2(*side), {}, stop);
     return result;
 }
 
 }  // namespace
+
+void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain) {
+    if (points.empty()) return;
+    const double near = kSamePlace * std::sqrt(domain.area() / static_cast<double>(points.size()));
+    std::ranges::sort(points,
+                      [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<glm::dvec2> kept;
+    for (const glm::dvec2 p : points) {
+        bool seen = false;
+        for (auto at = kept.rbegin(); at != kept.rend() && p.x - at->x <= near && !seen; ++at)
+            seen = std::abs(p.y - at->y) <= near;
+        if (!seen) kept.push_back(p);
+    }
+    points = std::move(kept);
+}
 
 PointsInView points_in_view(const Dots& dots, const ViewRectangle& view, std::size_t most) {
     PointsInView result;
@@ -114,6 +117,19 @@ std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_
     ViewAnalysis result = own_thread.execute([&] { return analysed(request, stop); });
     if (stop.stop_requested()) return std::nullopt;
     return result;
+}
+
+std::function<std::optional<ViewAnalysis>(const std::stop_token&)> analysis_work(
+    ViewAnalysisRequest request) {
+    return [request = std::move(request)](const std::stop_token& stop) mutable {
+        try {
+            return analyse_view(std::move(request), stop);
+        } catch (const std::exception& error) {
+            std::optional<ViewAnalysis> failed(std::in_place);
+            failed->error = error.what();
+            return failed;
+        }
+    };
 }
 
 }  // namespace dapple

@@ -2,6 +2,7 @@
 // What is measured of the dots on screen: few enough of them that the answer is there in a moment.
 
 #include <cstddef>
+#include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -36,10 +37,19 @@ struct PointsInView {
 /// Of a million dots it takes some milliseconds. No points if the rectangle is empty.
 PointsInView points_in_view(const Dots& dots, const ViewRectangle& view, std::size_t most = kMostAnalysed);
 
+/// Leaves one of those that lie within a thousandth of the mean spacing of one another. Sorts them.
+void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain);
+
+enum class Measure {
+    everything,
+    repetition,  // ViewAnalysis::periodicity alone, which is quicker
+};
+
 struct ViewAnalysisRequest {
     PointsInView view;
     std::size_t tile_size = 16;   // points
     bool has_duplicates = false;  // as Figure 8 emits them: each dot is to count once
+    Measure measure = Measure::everything;
 };
 
 struct ViewAnalysis {
@@ -58,5 +68,8 @@ struct ViewAnalysis {
 
 /// Uses one processor, about a third of a second for kMostAnalysed dots. Nothing if stopped.
 std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_token stop = {});
+
+/// The same for Background: what it throws comes back as ViewAnalysis::error.
+std::function<std::optional<ViewAnalysis>(const std::stop_token&)> analysis_work(ViewAnalysisRequest request);
 
 }  // namespace dapple

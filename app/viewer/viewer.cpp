@@ -1,8 +1,10 @@
 #include "app/viewer/viewer.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <string>
@@ -11,15 +13,19 @@
 #include "app/viewer/actions.h"
 #include "app/viewer/canvas.h"
 #include "app/viewer/frame_rate.h"
+#include "app/viewer/loupe.h"
 #include "app/viewer/pane_view.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/status_line.h"
+#include "app/viewer/repetition_meter.h"
 #include "app/viewer/session.h"
 #include "app/viewer/shortcuts.h"
 #include "app/viewer/side_panel.h"
 #include "app/viewer/spectrum_view.h"
+#include "app/viewer/split_divider.h"
 #include "app/viewer/status_log.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
@@ -48,7 +54,8 @@ class Viewer {
  private:
     struct Layout {
         CanvasPlace canvas;
-        glm::vec2 panel, status;  // sizes; the panel is to the right, the status line below the canvas
+        // Sizes: the panel is to the right; below the canvas are the captions and then the status line.
+        glm::vec2 panel, captions, status;
     };
 
     void frame();
@@ -56,9 +63,16 @@ class Viewer {
     Zoom zoom() const { return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()}; }
     void draw_dialogs();
     void draw_over_canvas(const CanvasPlace& place);
+    void draw_split(const CanvasPlace& place);
+    void draw_loupe(const CanvasPlace& place);
+    SplitLook look(const CanvasPlace& place) const;
+    SideCaption caption(const Pane& pane, const RepetitionMeter& meter) const;
     void show_news();
+    void show_news(Side side, const Pane* pane);
     StatusFacts status() const;
+    std::optional<StatusFacts::RightSide> right_status() const;
     void measure_dots();
+    ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
     void report_outside();
 
     ViewerOptions options_;
@@ -67,13 +81,18 @@ class Viewer {
     Canvas canvas_;
     Session session_;
     SpectrumView spectrum_;
+    RepetitionMeter left_repetition_, right_repetition_;
     SidePanel side_panel_;
+    Loupe loupe_;
     Shown shown_;
     FrameRate frame_rate_;
 
-    int pictures_shown_ = 0;
-    std::uint64_t version_shown_ = 0;
-    DotColoursKey coloured_;
+    struct SeenSide {
+        int pictures = 0;
+        std::uint64_t version = 0;
+    };
+    std::array<SeenSide, 2> seen_;  // by the canvas
+    int pictures_titled_ = 0;
     bool ready_ = false;
     std::string logged_;
 };
@@ -82,7 +101,9 @@ Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
       window_("Dapple"),
       session_(options.settings, &Window::wake),
-      spectrum_(&Window::wake) {
+      spectrum_(&Window::wake),
+      left_repetition_(&Window::wake),
+      right_repetition_(&Window::wake) {
     ImGui::GetIO().UserData = &widgets_;
     if (options.image)
         session_.open(*options.image);
@@ -95,8 +116,9 @@ Viewer::Layout Viewer::layout() const {
     const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
     const glm::vec2 panel{shown_.panels ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0, screen.y};
     const float status = shown_.panels ? kStatusHeight * scale : 0;
-    const glm::vec2 canvas{screen.x - panel.x, screen.y - status};
-    return {{{0, 0}, canvas, window_.pixels_per_point()}, panel, {canvas.x, status}};
+    const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
+    const glm::vec2 canvas{screen.x - panel.x, screen.y - status - captions};
+    return {{{0, 0}, canvas, window_.pixels_per_point()}, panel, {canvas.x, captions}, {canvas.x, status}};
 }
 
 void Viewer::frame() {
@@ -109,18 +131,21 @@ void Viewer::frame() {
     session_.take_news(std::chrono::milliseconds(0));
     show_news();
 
-    const auto [place, panel, status_size] = layout();
+    const auto [place, panel, captions, status_size] = layout();
     if (shown_.panels) side_panel_.draw(session_, spectrum_, do_this, {place.size.x, 0}, panel);
     draw_dialogs();
+    draw_split(place);
     session_.remember(ImGui::IsAnyItemActive());
     session_.order_dots(zoom());
     show_news();
-    if (shown_.panels) draw_status_line({0, place.size.y}, status_size, status());
+    if (shown_.panels) draw_status_line({0, place.size.y + captions.y}, status_size, status());
     draw_over_canvas(place);
     canvas_.handle_mouse(place);
-    const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
-    canvas_.show(place, look_of(session_, session_.pane(), zoom(), pixel_scale),
-                 session_.settings.every_frame ? Redraw::always : Redraw::when_changed);
+    canvas_.show(place, look(place), session_.settings.every_frame ? Redraw::always : Redraw::when_changed);
+    if (const Pane* right = session_.right())
+        draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
+                           session_.settings.comparison.divider, {0, place.size.y}, captions);
+    draw_loupe(place);
     measure_dots();
     window_.end_frame();
     report_outside();
@@ -145,17 +170,70 @@ void Viewer::draw_over_canvas(const CanvasPlace& place) {
             worker.cancel_saving();
 }
 
+void Viewer::draw_split(const CanvasPlace& place) {
+    Comparison& comparison = session_.settings.comparison;
+    if (comparison.on) draw_split_divider(comparison.divider, place);
+}
+
+void Viewer::draw_loupe(const CanvasPlace& place) {
+    const ViewerSettings& settings = session_.settings;
+    if (!settings.loupe.on || !session_.placed_once()) return loupe_.hide();
+    const Pane *pane = &session_.pane(), *right = session_.right();
+    const float divider = place.corner.x + place.size.x * settings.comparison.divider;
+    const bool on_right = right && ImGui::GetIO().MousePos.x >= divider;
+    // Both sides by the smaller tile, so that they compare.
+    const std::size_t size = right ? std::min(pane->tile_size(), right->tile_size()) : pane->tile_size();
+    if (on_right) pane = right;
+    loupe_.draw({.shown = pane->shown(),
+                 .side = on_right ? Side::right : Side::left,
+                 .version = pane->version(),
+                 .tile_size = size,
+                 .step = settings.loupe.step,
+                 .ink = settings.drawing.ink,
+                 .paper = settings.drawing.paper,
+                 .mm_per_page_unit = settings.drawing.width_mm / pane->page().page_size.x},
+                canvas_.camera(), place);
+}
+
+SplitLook Viewer::look(const CanvasPlace& place) const {
+    const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
+    SplitLook look;
+    look.sides[0] = look.sides[1] = look_of(session_, session_.pane(), zoom(), pixel_scale);
+    if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
+    if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
+    return look;
+}
+
+SideCaption Viewer::caption(const Pane& pane, const RepetitionMeter& meter) const {
+    const Stippling& stippling = pane.page().stippling;
+    const PlaceOrder order = pane.page_order().value_or(PlaceOrder{});
+    SideCaption caption;
+    caption.title = drawn_with(order);
+    if (&pane == &session_.pane()) caption.title += " - this side is saved";
+    caption.facts = dots_in_words({.dots = stippling.dots.size(),
+                                   .duplicates = stippling.duplicates,
+                                   .figure8 = order.stipple.placer == PlacerKind::figure8});
+    if (const auto value = meter.value())
+        caption.facts += fmt::format("; periodicity {:.2f}", std::clamp(*value, 0.0, 1.0));
+    return caption;
+}
+
 void Viewer::show_news() {
-    if (pictures_shown_ != session_.pictures()) {
-        pictures_shown_ = session_.pictures();
-        canvas_.set_picture(session_.picture().preview);
+    if (std::exchange(pictures_titled_, session_.pictures()) != session_.pictures()) {
         canvas_.fit();
         window_.set_title(session_.picture().name + " - Dapple");
     }
-    const Pane& pane = session_.pane();
-    if (std::exchange(version_shown_, pane.version()) != pane.version()) canvas_.set_drawing(pane.shown());
-    const DotColoursKey colours = colours_key(session_, pane);
-    if (std::exchange(coloured_, colours) != colours) canvas_.set_dot_colours(colours_of(session_, pane));
+    show_news(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
+    show_news(Side::right, session_.right());
+}
+
+void Viewer::show_news(Side side, const Pane* pane) {
+    SeenSide& seen = seen_[static_cast<int>(side)];
+    const std::uint64_t version = pane ? pane->version() : 0;
+    if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
+        canvas_.set_picture(side, session_.picture().preview);
+    if (std::exchange(seen.version, version) != version)
+        canvas_.set_drawing(side, pane ? pane->shown() : PlacedDrawing{});
 }
 
 StatusFacts Viewer::status() const {
@@ -169,17 +247,40 @@ StatusFacts Viewer::status() const {
             .place_ms = stippling.place_ms,
             .draw_ms = canvas_.draw_ms(),
             .frames_per_second = frame_rate_.per_second(),
-            .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side};
+            .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
+            .right = right_status(),
+            .loupe = loupe_.facts()};
+}
+
+std::optional<StatusFacts::RightSide> Viewer::right_status() const {
+    const Pane* right = session_.right();
+    if (!right) return std::nullopt;
+    const Stippling& stippling = right->shown().stippling;
+    return StatusFacts::RightSide{.dots = stippling.dots.size(),
+                                  .duplicates = stippling.duplicates,
+                                  .scale = stippling.scale,
+                                  .divider = session_.settings.comparison.divider,
+                                  .left_repetition = left_repetition_.value(),
+                                  .repetition = right_repetition_.value()};
+}
+
+ViewAnalysisRequest Viewer::dots_on_screen(const Pane& pane, std::size_t tile_size) const {
+    return {.view = points_on_screen(pane.shown(), canvas_.camera()),
+            .tile_size = tile_size,
+            .has_duplicates = pane.page().stippling.duplicates > 0};
 }
 
 void Viewer::measure_dots() {
     if (!session_.placed_once()) return;
     const Pane& pane = session_.pane();
-    spectrum_.update({pane.placings(), canvas_.camera()}, [&] {
-        return ViewAnalysisRequest{.view = points_on_screen(pane.shown(), canvas_.camera()),
-                                   .tile_size = std::max<std::size_t>(session_.tile().points.size(), 1),
-                                   .has_duplicates = pane.page().stippling.duplicates > 0};
-    });
+    const Camera& camera = canvas_.camera();
+    spectrum_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, pane.tile_size()); });
+    const Pane* right = session_.right();
+    if (!right) return;
+    // Both by the smaller tile, so that the numbers compare.
+    const std::size_t size = std::min(pane.tile_size(), right->tile_size());
+    left_repetition_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, size); });
+    right_repetition_.update({right->placings(), camera}, [&] { return dots_on_screen(*right, size); });
 }
 
 void Viewer::report_outside() {

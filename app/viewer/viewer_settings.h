@@ -2,6 +2,7 @@
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
 #include "app/drawing_settings.h"
+#include "app/viewer/comparison.h"
 #include "app/viewer/density_choice.h"
 #include "app/viewer/dot_colours.h"
 
@@ -12,6 +13,14 @@ enum class ZoomMode {
     constant_density,  // dots keep their size on screen, and more of them appear
 };
 
+/// The lens over the canvas; see loupe_square().
+struct LoupeChoice {
+    bool on = false;
+    int step = 0;  // levels deeper than its own choice
+
+    bool operator==(const LoupeChoice&) const = default;
+};
+
 struct ViewerSettings {
     DrawingSettings drawing;
     DensityChoice density = {};
@@ -19,9 +28,14 @@ struct ViewerSettings {
     ZoomMode zoom_mode = ZoomMode::drawing;
     DotColouring colouring = DotColouring::ink;
     int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
-    bool every_frame = false;          // place anew and draw without rest, to see the honest cost
+    Comparison comparison = {};
+    LoupeChoice loupe = {};
+    bool every_frame = false;  // place anew and draw without rest, to see the honest cost
 
     bool operator==(const ViewerSettings&) const = default;
 };
+
+/// What the whole page is ordered with.
+PlaceOrder order_of(const ViewerSettings& settings);
 
 }  // namespace dapple

@@ -1,7 +1,9 @@
 #include "app/viewer/workbench.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 
 #include "app/drawing_steps.h"
 #include "app/files/tile_library.h"
@@ -10,8 +12,14 @@
 namespace dapple {
 
 PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& density) {
-    return {settings.tone, tile_in_use(settings), settings.ranking, settings.stipple, settings.show_tiles, {},
-            density};
+    return {settings.tone,
+            tile_in_use(settings),
+            settings.ranking,
+            settings.stipple,
+            settings.show_tiles,
+            {},
+            density,
+            {}};
 }
 
 void Workbench::set_picture(Grid<float> light) {
@@ -45,6 +53,34 @@ RankedTile& Workbench::tile(const std::string& name, std::optional<RankingOrder>
 
 namespace {
 
+// Figure 8's count for a scale is known once it is placed; a few rounds come within a hundredth.
+bool stipple_about(RankedTile& tile, const Density& page, StippleRequest request, Stippling& result,
+                   const std::stop_token& stop) {
+    constexpr int kRounds = 4;
+    const auto wanted = static_cast<double>(*request.count);
+    request.count.reset();
+    request.scale = wanted / (16 * std::max(page.mean(), 1e-9));
+    for (int round = 0; round < kRounds; ++round) {
+        if (!stipple(tile, page, request, result, stop)) return false;
+        const double found = static_cast<double>(result.dots.size() - result.duplicates);
+        if (std::abs(found / wanted - 1) < 0.01) break;
+        request.scale *= std::clamp(wanted / std::max(found, 1.0), 0.25, 4.0);
+    }
+    return true;
+}
+
+bool place_page(RankedTile& ranked, const Density& page, const PlaceOrder& order, PlacedDrawing& drawing,
+                const std::stop_token& stop) {
+    const bool about = order.stipple.placer == PlacerKind::figure8 && order.stipple.count;
+    if (!(about ? stipple_about(ranked, page, order.stipple, drawing.stippling, stop)
+                : stipple(ranked, page, order.stipple, drawing.stippling, stop)))
+        return false;
+    drawing.outlines.clear();
+    if (order.outlines)
+        drawing.outlines = tiles_of(ranked, page, order.stipple.placer, drawing.stippling.scale);
+    return true;
+}
+
 bool place_close(RankedTile& ranked, const Density& page, const PlaceOrder& order, PlacedDrawing& drawing,
                  const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
@@ -52,7 +88,6 @@ bool place_close(RankedTile& ranked, const Density& page, const PlaceOrder& orde
                                  .window = order.close->window,
                                  .critical = true,
                                  .threads = order.stipple.threads};
-    drawing.window = request.window;
     drawing.stippling.scale = request.scale;
     drawing.stippling.duplicates = 0;
     if (!ranked.placer().place(page, request, drawing.stippling.dots, stop)) return false;
@@ -74,11 +109,14 @@ bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop
     drawing.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
     RankedTile& ranked = tile(order.tile, order.ranking);
     drawing.window = {};
-    if (order.close) return place_close(ranked, page, order, drawing, stop);
-    if (!stipple(ranked, page, order.stipple, drawing.stippling, stop)) return false;
-    drawing.outlines.clear();
-    if (order.outlines)
-        drawing.outlines = tiles_of(ranked, page, order.stipple.placer, drawing.stippling.scale);
+    if (order.close) drawing.window = order.close->window;
+    const auto place_dots = order.close ? place_close : place_page;
+    if (!place_dots(ranked, page, order, drawing, stop)) return false;
+    // Figure 8 turns no tile.
+    const bool turns = order.stipple.placer == PlacerKind::exact;
+    drawing.colours = chosen_colours(
+        drawing.stippling.dots, {ranked.tile().size(), turns ? ranked.tile().rule : Rule{}, drawing.window},
+        order.colours);
     return true;
 }
 

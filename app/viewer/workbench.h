@@ -12,6 +12,7 @@
 #include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "app/viewer/density_choice.h"
+#include "app/viewer/dot_colours.h"
 #include "core/image/density.h"
 #include "core/stipple.h"
 
@@ -30,10 +31,11 @@ struct PlaceOrder {
     Tone tone;
     std::string tile;
     std::optional<RankingOrder> ranking;
-    StippleRequest stipple;
+    StippleRequest stipple;               // Figure 8 with a count: about so many different dots
     bool outlines = false;                // the tiles too
     std::optional<CloseView> close = {};  // instead of the whole page; the exact placer only
     DensityChoice density = {};
+    DotColourChoice colours = {};
 
     bool operator==(const PlaceOrder&) const = default;
 };
@@ -42,9 +44,10 @@ PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& densit
 struct PlacedDrawing {
     Stippling stippling;
     std::vector<PlacedTile> outlines;
-    glm::dvec2 page_size{1, 1};  // page units
-    PageWindow window;           // dots and outlines are relative to its corner
-    double tone_ms = 0;          // density and its pyramid, 0 if they were still there
+    std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
+    glm::dvec2 page_size{1, 1};        // page units
+    PageWindow window;                 // dots and outlines are relative to its corner
+    double tone_ms = 0;                // density and its pyramid, 0 if they were still there
 };
 
 class Workbench {

@@ -130,7 +130,8 @@ void Worker::run_task(OpenTask& task) {
         Picture picture = task.open();
         int longer = std::max(picture.light.width, picture.light.height);
         workbench_.set_picture(std::move(picture.light));
-        arrived_ = OpenedPicture{task.name, picture.description, longer, std::move(picture.preview)};
+        arrived_ =
+            OpenedPicture{task.name, picture.description, longer, std::move(picture.preview), task.open};
         std::scoped_lock lock(mutex_);
         if (!next_order_ || next_order_->close) next_order_ = last_order_;
     } catch (...) {
@@ -220,6 +221,7 @@ void Worker::run_order(const PlaceOrder& order) {
         placed.error = words_of_exception();
         placed.drawing.stippling = {};
         placed.drawing.outlines.clear();
+        placed.drawing.colours.clear();
     }
     if (placed.error.empty() && !(tile_told_ && same_tile(*tile_told_, order))) {
         placed.tile = view_of(order.tile, workbench_.tile(order.tile, order.ranking), order.stipple.placer);

@@ -26,6 +26,7 @@ struct OpenedPicture {
     std::string description;  // "512 x 512 pixels, ..."
     int longer_side = 1;      // pixels
     Grid<glm::u8vec4> preview;
+    std::function<Picture()> read;  // reads it again
 };
 
 /// What the worker has to tell. A new picture comes together with its first dots.

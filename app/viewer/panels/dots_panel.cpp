@@ -84,6 +84,17 @@ bool draw_radius(DrawingSettings& settings, const DrawnFacts& drawn) {
 
 }  // namespace
 
+bool ranking_row(const char* label, std::optional<RankingOrder>& ranking) {
+    // The tile's own comes first, then RankingOrder's.
+    int chosen = ranking ? static_cast<int>(*ranking) + 1 : 0;
+    if (!choice_row(label, chosen,
+                    std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"}))
+        return false;
+    ranking.reset();
+    if (chosen > 0) ranking = static_cast<RankingOrder>(chosen - 1);
+    return true;
+}
+
 bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::span<const char* const> tiles) {
     if (!section("Dots")) return false;
     bool changed = draw_amount(settings.stipple, drawn);
@@ -102,16 +113,7 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::sp
         settings.tile = tiles[tile];
         changed = true;
     }
-    if (settings.stipple.placer == PlacerKind::exact) {
-        // The tile's own comes first, then RankingOrder's.
-        int ranking = settings.ranking ? static_cast<int>(*settings.ranking) + 1 : 0;
-        if (choice_row("Order", ranking,
-                       std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"})) {
-            settings.ranking.reset();
-            if (ranking > 0) settings.ranking = static_cast<RankingOrder>(ranking - 1);
-            changed = true;
-        }
-    }
+    if (settings.stipple.placer == PlacerKind::exact) changed |= ranking_row("Order", settings.ranking);
     return changed;
 }
 

@@ -15,6 +15,9 @@ struct DrawnFacts {
     double dot_radius_mm = 0;
 };
 
+/// The order of a tile's dots. True when another was chosen.
+bool ranking_row(const char* label, std::optional<RankingOrder>& ranking);
+
 /// Placer, tile, how many dots and how large. True while something changes.
 bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::span<const char* const> tiles);
 

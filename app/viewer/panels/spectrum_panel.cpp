@@ -59,15 +59,6 @@ void frequency_labels(const PlotArea& area, double least) {
             "waves per mean distance of dots");
 }
 
-void draw_density(DensityChoice& density) {
-    int source = static_cast<int>(density.source);
-    if (segmented_row("Density", source, std::array{"photo", "grey", "ramp"}))
-        density.source = static_cast<DensitySource>(source);
-    if (density.source == DensitySource::grey)
-        slider_row("Grey", density.grey,
-                   {.min = 0.01, .max = 1, .neutral = 0.5, .hard_min = 0, .hard_max = 1});
-}
-
 void draw_picture(ImTextureID picture) {
     const float available = ImGui::GetContentRegionAvail().x;
     const float side = std::floor(std::min(available - 8 * pixel(), kLargestSide * pixel()));
@@ -147,9 +138,8 @@ const char* repetition_in_words(double periodicity) {
     return "no repetition";
 }
 
-bool draw_spectrum_panel(DensityChoice& density, const SpectrumFacts& facts) {
+bool draw_spectrum_panel(const SpectrumFacts& facts) {
     if (!section("Spectrum", false)) return false;
-    draw_density(density);
     if (!facts.analysis) {
         hint("Measuring the dots on screen...");
         return true;

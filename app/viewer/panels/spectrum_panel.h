@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include "app/viewer/density_choice.h"
 #include "app/viewer/view_analysis.h"
 
 namespace dapple {
@@ -12,10 +11,10 @@ struct SpectrumFacts {
     ImTextureID picture = nullptr;           // of its spectrum
 };
 
-/// Section "Spectrum", folded at first: what the dots are placed on, the spectrum of the dots on screen as a
+/// Section "Spectrum", folded at first: the spectrum of the dots on screen as a
 /// picture and as a curve, how much they repeat and how far apart they are, each with a sentence that says
 /// what it means. True while it is open, for only then is there anything to measure.
-bool draw_spectrum_panel(DensityChoice& density, const SpectrumFacts& facts);
+bool draw_spectrum_panel(const SpectrumFacts& facts);
 
 /// "repeats itself" .. "no repetition", for a periodicity (core/analysis/autocorrelation.h).
 const char* repetition_in_words(double periodicity);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 
 namespace dapple {
@@ -13,7 +14,20 @@ struct StatusFacts {
     double scale = 0;
     double tone_ms = 0, place_ms = 0, draw_ms = 0;
     double frames_per_second = 0;
-    double zoom = 1;         // screen pixels a picture pixel
+    double zoom = 1;  // screen pixels a picture pixel
+    /// The right side of the split view, for which the line has no room: its captions tell.
+    struct RightSide {
+        std::uint64_t dots = 0, duplicates = 0;
+        double scale = 0, divider = 0;
+        std::optional<double> left_repetition, repetition;
+    };
+    std::optional<RightSide> right{};
+    /// What the loupe found, while it shows something.
+    struct Lens {
+        double repetition = 0;  // see core/analysis/folding.h
+        int layers = 0, level = 0;
+    };
+    std::optional<Lens> loupe{};
 };
 
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.

@@ -7,9 +7,24 @@
 
 namespace dapple {
 
+namespace {
+
+bool draw_density(DensityChoice& density) {
+    int source = static_cast<int>(density.source);
+    const bool chosen = segmented_row("Density", source, std::array{"photo", "grey", "ramp"});
+    density.source = static_cast<DensitySource>(source);
+    if (density.source != DensitySource::grey) return chosen;
+    return slider_row("Grey", density.grey,
+                      {.min = 0.01, .max = 1, .neutral = 0.5, .hard_min = 0, .hard_max = 1}) ||
+           chosen;
+}
+
+}  // namespace
+
 bool draw_view_panel(ViewerSettings& settings) {
     if (!section("View")) return false;
-    bool changed = slider_row("Photograph", settings.picture_opacity, {.min = 0, .max = 1, .neutral = 0});
+    bool changed = draw_density(settings.density);
+    changed |= slider_row("Photograph", settings.picture_opacity, {.min = 0, .max = 1, .neutral = 0});
     changed |= switch_row("Tile boundaries", settings.drawing.show_tiles);
     // Figure 8 places whole drawings only.
     if (settings.drawing.stipple.placer == PlacerKind::exact) {

@@ -1,0 +1,68 @@
+#pragma once
+// Work in a thread of its own, one piece at a time: whoever has newer work waits until it is free and gives
+// it the newest, so that nothing piles up while a slider moves.
+
+#include <cassert>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace dapple {
+
+template <class Result>
+class Background {
+ public:
+    /// Nothing if stopped; must not throw.
+    using Work = std::function<std::optional<Result>(const std::stop_token&)>;
+
+    /// `wake` is called from the thread when the work is done.
+    explicit Background(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+    bool busy() const {
+        std::scoped_lock lock(mutex_);
+        return busy_;
+    }
+
+    /// Not while busy.
+    void begin(Work work) {
+        {
+            std::scoped_lock lock(mutex_);
+            assert(!busy_);
+            busy_ = true;
+            result_.reset();
+        }
+        thread_ =
+            std::jthread([this, work = std::move(work)](const std::stop_token& stop) { run(work, stop); });
+    }
+
+    /// Gives up what is under way.
+    void stop() { thread_.request_stop(); }
+
+    /// The result, once.
+    std::optional<Result> result() {
+        std::scoped_lock lock(mutex_);
+        return std::exchange(result_, std::nullopt);
+    }
+
+ private:
+    void run(const Work& work, const std::stop_token& stop) {
+        std::optional<Result> result = work(stop);
+        {
+            std::scoped_lock lock(mutex_);
+            busy_ = false;
+            result_ = std::move(result);
+        }
+        wake_();
+    }
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    bool busy_ = false;
+    std::optional<Result> result_;
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace dapple

@@ -1,0 +1,83 @@
+#include "app/viewer/panels/compare_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+
+namespace {
+
+bool draw_split(ViewerSettings& settings, std::span<const char* const> tiles) {
+    Comparison& right = settings.comparison;
+    bool on = right.on, changed = false;
+    if (switch_row("Split view", on)) {
+        right = toggled(right, settings.drawing);
+        changed = true;
+    }
+    if (!right.on) {
+        hint("Two tiles or placers side by side on the same picture.");
+        return changed;
+    }
+    int tile = static_cast<int>(std::ranges::find(tiles, right.tile) - tiles.begin());
+    if (choice_row("Right tile", tile, tiles)) {
+        right.tile = tiles[tile];
+        changed = true;
+    }
+    int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
+    if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"})) {
+        right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
+        DrawingSettings drawing;
+        drawing.tile = right.tile;
+        drawing.stipple.placer = right.placer;
+        right.tile = tile_in_use(drawing);
+        changed = true;
+    }
+    if (right.placer == PlacerKind::exact) changed |= ranking_row("Right order", right.ranking);
+    int by = static_cast<int>(right.by);
+    const bool counted = right.placer == PlacerKind::exact;
+    if (segmented_row("Right side has", by,
+                      std::array{"same scale", counted ? "same count" : "about the count"})) {
+        right.by = static_cast<CompareBy>(by);
+        changed = true;
+    }
+    if (!counted && right.by == CompareBy::count)
+        hint("Figure 8 cannot count: it gets the scale that gives about as many different dots.");
+    else
+        hint("Drag the divider. Repetition shows best on an even grey or a ramp: Density, under View.");
+    return changed;
+}
+
+bool draw_loupe(LoupeChoice& loupe) {
+    bool changed = switch_row("Loupe", loupe.on);
+    if (!loupe.on) {
+        hint("A lens that lays tiles on one another: what repeats stays crisp.");
+        return changed;
+    }
+    double step = loupe.step;
+    if (slider_row("Its tiles", step,
+                   {.min = -3,
+                    .max = 3,
+                    .neutral = 0,
+                    .format = loupe.step == 0  ? "fitting"
+                              : loupe.step > 0 ? "smaller"
+                                               : "larger"})) {
+        changed |= loupe.step != static_cast<int>(std::lround(step));
+        loupe.step = static_cast<int>(std::lround(step));
+    }
+    hint("Move the pointer over the page. One step to the right halves the tiles' side.");
+    return changed;
+}
+
+}  // namespace
+
+bool draw_compare_panel(ViewerSettings& settings, std::span<const char* const> tiles) {
+    if (!section("Compare")) return false;
+    const bool changed = draw_split(settings, tiles);
+    return draw_loupe(settings.loupe) || changed;
+}
+
+}  // namespace dapple
