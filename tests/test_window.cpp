@@ -30,13 +30,6 @@ void run(std::vector<std::string> command) {
     REQUIRE(ChildProcess(std::move(command)).wait() == 0);
 }
 
-/// An environment map of one colour, in Radiance's format.
-void write_even_map(const fs::path& file) {
-    std::ofstream out(file, std::ios::binary);
-    out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
-    for (int pixel = 0; pixel < 8 * 16; ++pixel) out << "\x80\x80\x80\x81";
-}
-
 /// A display with nothing on it.
 class Display {
  public:
@@ -264,31 +257,6 @@ TEST_CASE("Figure 8 on the right comes near the left side's count") {
     }));
 }
 
-TEST_CASE("the samples of an environment map follow their slider") {
-    TemporaryFolder folder;
-    write_even_map(folder / "even.hdr");
-    Display display;
-    RunningViewer viewer({}, {"lights", (folder / "even.hdr").string()});
-    const auto status = [&] { return viewer.status(); };
-    CHECK(status()["samples"] == 1024);
-    CHECK(status()["difference"] > 0);
-    CHECK(status()["difference"] < 0.2);
-    viewer.point_at("Samples", 0.7);
-    viewer.press();
-    viewer.point_at("Samples", 0.5);
-    viewer.release();
-    CHECK(viewer.shows([&] { return status()["samples"] < 300 && status()["samples"] > 50; }));
-    // The exposure shows the same samples.
-    const int samplings = status()["samplings"];
-    viewer.point_at("Exposure", 0.5);
-    viewer.press();
-    viewer.point_at("Exposure", 0.6);
-    viewer.release();
-    CHECK(status()["samplings"] == samplings);
-    viewer.key("ctrl+q");
-    CHECK(viewer.wait_for_end() == 0);
-}
-
 TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile that never repeats nowhere") {
     Display display;
     RunningViewer viewer;
@@ -312,28 +280,6 @@ TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile tha
     CHECK(viewer.shows([&] { return viewer.status().contains("loupe") && repetition() < 0.1; }));
     viewer.key("l");
     CHECK(viewer.shows([&] { return !viewer.status().contains("loupe"); }));
-}
-
-TEST_CASE("a grey is saved as it is shown, and the split view does not change it") {
-    TemporaryFolder folder;
-    Display display;
-    RunningViewer viewer(folder.path());
-    viewer.click("Tone");
-    viewer.click("grey");
-    const auto save = [&](const std::string& name) {
-        viewer.move(300, 300);
-        viewer.key("ctrl+e");
-        viewer.click("Accept");
-        REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
-        fs::rename(folder / "Still life.svg", folder / name);
-    };
-    save("alone.svg");
-    viewer.key("c");
-    REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
-    save("split.svg");
-    const std::string alone = text_of(folder / "alone.svg");
-    CHECK(alone.size() > 40'000);
-    CHECK(alone == text_of(folder / "split.svg"));
 }
 
 TEST_CASE("a picture that is not there ends the program with a sentence") {
