@@ -30,9 +30,10 @@ std::vector<glm::vec2> points_by_birth(const PlacingTable& table) {
     const auto side = std::ldexp(1.0f, -table.cell_depth);
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         const glm::vec2 corner = corner_of_cell(c, table.cell_depth);
-        const CellPoints& own = table.cells[c].own;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            const CellPoint point = own[i];
+        const CellPoints& points = table.cells[c].all;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const CellPoint point = points[i];
+            if (point.birth >= static_cast<float>(table.tile_size)) break;  // newborn
             born.emplace_back(point.birth, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
         }
     }

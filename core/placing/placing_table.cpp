@@ -84,8 +84,10 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
 
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Cell& cell = table.cells[c];
-        cell.own = by_birth(own[c]);
         cell.newborn = by_birth(newborn[c]);
+        std::vector<CellPoint> all = own[c];
+        all.insert(all.end(), newborn[c].begin(), newborn[c].end());
+        cell.all = by_birth(std::move(all));
         // A quadrant of a cell is a cell of the child tile in the cell's outermost quadrant: drop the first
         // digit, append the quadrant, and see the digits from the child's frame.
         for (int q = 0; q < 4; ++q) {

@@ -54,7 +54,7 @@ struct Cell {
     std::array<float, 4> next_birth{};  // nothing is born in there before
     float first_next_birth = 0;         // the lowest of these
     CellPoints newborn;
-    CellPoints own;  // the tile's own points: placed once, in the root
+    CellPoints all;  // the tile's own points, and after them the newborn ones: what the root tile brings
 };
 
 struct PlacingTable {

@@ -35,8 +35,7 @@ SquareEmitter::~SquareEmitter() {
 void SquareEmitter::emit(const Visit& visit) {
     if (traversal_.level(visit) < 0) return;
     const Cell& cell = traversal_.table().cells[visit.cell];
-    if (traversal_.level(visit) == 0) emit_points(visit, cell.own);
-    emit_points(visit, cell.newborn);
+    emit_points(visit, traversal_.level(visit) == 0 ? cell.all : cell.newborn);
 }
 
 void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
