@@ -56,6 +56,8 @@ class LightScene {
     std::size_t samples() const { return shown_.places.size(); }
     /// How many times samples were taken.
     std::uint64_t samplings() const { return samplings_; }
+    /// They are being taken anew.
+    bool sampling() const { return background_.busy(); }
 
  private:
     void draw_textures(const LightsSettings& settings);

@@ -15,6 +15,7 @@
 #include "app/files/environment.h"
 #include "app/viewer/light_scene.h"
 #include "app/viewer/panels/banner.h"
+#include "app/viewer/shortcuts.h"
 #include "app/viewer/status_log.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
@@ -97,7 +98,10 @@ class LightViewer {
             if (letter == 'e') settings_.stops += kStopsAPress;
             if (letter == 'E') settings_.stops -= kStopsAPress;
         }
-        if (io.KeyCtrl && ImGui::IsKeyPressed('Q')) window_.close();
+        for (const Action action : pressed_actions()) {
+            if (action == Action::full_screen) window_.toggle_full_screen();
+            if (action == Action::quit) window_.close();
+        }
     }
 
     void frame() {
@@ -125,6 +129,8 @@ class LightViewer {
             const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
             std::string line = light_status_json({.samples = scene_->samples(),
                                                   .samplings = scene_->samplings(),
+                                                  .sampling = scene_->sampling(),
+                                                  .stops = settings_.stops,
                                                   .difference = scene_->facts().difference},
                                                  mouse, widgets_);
             if (line != logged_) std::puts(line.c_str());

@@ -12,7 +12,7 @@ struct LightViewerOptions {
     std::optional<std::filesystem::path> map;  // none: a sky of our own
     LightsSettings settings;
     /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes:
-    /// {"samples": .., "samplings": .., "difference": .., "widgets": {..}}, as the picture's window does.
+    /// see light_status_json().
     bool log_status = false;
 };
 

@@ -29,11 +29,13 @@ std::string status_json(const StatusFacts& facts, std::uint64_t placings, const 
 struct LightStatus {
     std::size_t samples = 0;
     std::uint64_t samplings = 0;  // since the map was opened
+    bool sampling = false;        // another is under way
+    double stops = 0;             // LightsSettings::stops
     double difference = 0;        // LightsFacts::difference
 };
 
-/// The same of the window of an environment map: {"samples": .., "samplings": .., "difference": ..,
-/// "mouse": [x, y], "mouse_down": .., "widgets": {..}}.
+/// The same of the window of an environment map: {"samples": .., "samplings": .., "sampling": ..,
+/// "stops": .., "difference": .., "mouse": [x, y], "mouse_down": .., "widgets": {..}}.
 std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
                               const WidgetPlaces& widgets);
 
