@@ -68,4 +68,15 @@ void Pane::take(PlacedNews& news) {
     ++placings_;
 }
 
+void Pane::clear() {
+    worker_.clear();
+    page_ordered_.reset();
+    page_placed_.reset();
+    close_ordered_.reset();
+    page_ = {};
+    close_ = {};
+    shows_close_ = false;
+    ++version_;
+}
+
 }  // namespace dapple

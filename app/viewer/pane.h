@@ -39,6 +39,9 @@ class Pane {
     /// Takes drawing and tile out of the news.
     void take(PlacedNews& news);
 
+    /// Forgets picture and dots and gives their memory back. The numbers below go on.
+    void clear();
+
     /// The whole page; what is shown: that or a part of it placed for the zoom.
     const PlacedDrawing& page() const { return page_; }
     const PlacedDrawing& shown() const { return shows_close_ ? close_ : page_; }

@@ -58,7 +58,16 @@ void Session::order_dots(const Zoom& zoom) {
     const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
     if (pane_.order(order_of(settings), zoom, reorder))
         take_news(settings.every_frame ? kLongPatience : kPatience);
-    if (settings.comparison.on) order_right(zoom, reorder);
+    if (settings.comparison.on)
+        order_right(zoom, reorder);
+    else
+        forget_right();
+}
+
+void Session::forget_right() {
+    if (right_pictures_asked_ == 0) return;
+    right_->clear();
+    right_pictures_asked_ = right_pictures_ = 0;
 }
 
 void Session::order_right(const Zoom& zoom, Reorder reorder) {
@@ -86,8 +95,9 @@ void Session::take_news(std::chrono::milliseconds patience) {
 }
 
 void Session::take_right(PlacedNews& news) {
+    if (!settings.comparison.on) return;  // too late
     if (news.picture) right_pictures_ = right_pictures_asked_;
-    if (!news.error.empty() && settings.comparison.on) banner = {BannerKind::error, news.error};
+    if (!news.error.empty()) banner = {BannerKind::error, news.error};
     right_->take(news);
 }
 

@@ -30,7 +30,7 @@ class Session {
     void take_news(std::chrono::milliseconds patience);
 
     /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
-    /// frame. For the right side nobody waits.
+    /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
     void order_dots(const Zoom& zoom);
 
     /// Remembers the settings for undo, unless they are still being edited.
@@ -58,6 +58,7 @@ class Session {
 
  private:
     void order_right(const Zoom& zoom, Reorder reorder);
+    void forget_right();
     void take_right(PlacedNews& news);
     void take(PlacedNews& news);
     void take(FailedNews& news);

@@ -55,6 +55,15 @@ void Worker::place(PlaceOrder order) {
     changed_.notify_all();
 }
 
+void Worker::clear() {
+    std::scoped_lock lock(mutex_);
+    last_order_.reset();
+    next_order_.reset();
+    placing_stop_.request_stop();
+    tasks_.push_back(ClearTask{});
+    changed_.notify_all();
+}
+
 void Worker::save(std::filesystem::path path, Prepare prepare) {
     std::scoped_lock lock(mutex_);
     if (saves_++ == 0) {
@@ -155,6 +164,13 @@ void Worker::run_task(SaveTask& task) {
     } catch (...) {
         end_saving(FailedNews{words_of_exception()});
     }
+}
+
+void Worker::run_task(ClearTask&) {
+    workbench_ = {};
+    arrived_.reset();
+    std::scoped_lock lock(mutex_);
+    spare_.clear();
 }
 
 void Worker::run_writes(std::stop_token stop) {

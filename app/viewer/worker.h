@@ -73,6 +73,10 @@ class Worker {
     /// short one may finish so that something moves under a slider that never rests.
     void place(PlaceOrder order);
 
+    /// Forgets picture, dots and orders and gives their memory back, after what is under way. Only news that
+    /// was there already may still come.
+    void clear();
+
     /// Runs `prepare` after what is under way, then what it returns beside further placing.
     void save(std::filesystem::path path, Prepare prepare);
     void cancel_saving();
@@ -97,13 +101,15 @@ class Worker {
         std::filesystem::path path;
         Write write;
     };
-    using Task = std::variant<OpenTask, SaveTask>;
+    struct ClearTask {};
+    using Task = std::variant<OpenTask, SaveTask, ClearTask>;
 
     void run(std::stop_token stop);
     void run_writes(std::stop_token stop);
     void end_saving(WorkerNews outcome);
     void run_task(OpenTask& task);
     void run_task(SaveTask& task);
+    void run_task(ClearTask& task);
     void run_write(const WriteTask& task);
     void run_order(const PlaceOrder& order);
     void publish(WorkerNews news);

@@ -1,0 +1,165 @@
+// The window's state without the window: both sides of the split view, at any zoom.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/viewer/session.h"
+#include "tests/wait_until.h"
+
+namespace dapple {
+namespace {
+
+constexpr glm::dvec2 kCanvas{800, 600};
+
+/// A grey beside the paper's tile on the same grey.
+struct SplitSession {
+    Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    Session session{DrawingSettings{}, [] {}};
+
+    explicit SplitSession(std::uint64_t dots) {
+        session.settings.density.source = DensitySource::grey;
+        session.settings.drawing.stipple.count = dots;
+        session.settings.comparison.on = true;
+        session.open_sample();
+        REQUIRE(brings([&] { return session.right() != nullptr; }));
+    }
+
+    /// Goes on as the window does, frame by frame.
+    template <class Done>
+    bool brings(Done done) {
+        return wait_until([&] {
+            session.take_news(std::chrono::milliseconds(0));
+            session.order_dots(zoom);
+            return done();
+        });
+    }
+
+    void zoom_in(ZoomMode mode, double times) {
+        const Camera fit = fitted(kCanvas, {1, 1});
+        // Not about the middle, and not about a corner of a tile.
+        zoom = {mode, zoomed_at(fit, kCanvas * glm::dvec2(0.37, 0.61), times), times};
+        REQUIRE(brings([&] {
+            const Pane* right = session.right();
+            const PageWindow window = window_in_view(zoom.camera, 0.3);
+            return session.pane().shows_close() && right && right->shows_close() &&
+                   session.pane().shown().window == window && right->shown().window == window;
+        }));
+    }
+};
+
+/// Of a close view's dots, on the page; in order.
+std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
+    const glm::dvec2 corner = in_page_units({shown.window.x, shown.window.y});
+    std::vector<glm::dvec2> places;
+    const Dots& dots = shown.stippling.dots;
+    for (std::size_t i = 0; i < dots.size(); ++i) places.push_back(corner + glm::dvec2(dots.x[i], dots.y[i]));
+    return places;
+}
+
+/// Those of the whole page at a scale that lie in a window, on the page; in the same order.
+std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, const PageWindow& window) {
+    Workbench bench;
+    bench.set_picture(Grid<float>(8, 8, 0.5f));
+    PlaceOrder order;
+    order.tile = tile;
+    order.density.source = DensitySource::grey;
+    order.stipple.scale = scale;
+    PlacedDrawing page;
+    bench.place(order, page);
+    const glm::dvec2 low = in_page_units({window.x, window.y});
+    const glm::dvec2 high = low + glm::dvec2(window.width, window.height);
+    std::vector<glm::dvec2> places = places_of(page);
+    std::erase_if(places,
+                  [&](glm::dvec2 p) { return p.x < low.x || p.y < low.y || p.x >= high.x || p.y >= high.y; });
+    return places;
+}
+
+void check_same(const std::vector<glm::dvec2>& found, const std::vector<glm::dvec2>& expected) {
+    REQUIRE(found.size() == expected.size());
+    double furthest = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        furthest =
+            std::max({furthest, std::abs(found[i].x - expected[i].x), std::abs(found[i].y - expected[i].y)});
+    CHECK(furthest < 1e-6);
+}
+
+}  // namespace
+
+TEST_CASE("zooming in with more dots, both sides show the dots that the page has at the larger scale") {
+    SplitSession split(2000);
+    const Session& session = split.session;
+    const double scale = session.pane().page().stippling.scale;
+    split.zoom_in(ZoomMode::constant_density, 12);
+    for (const Pane* pane : {&session.pane(), session.right()}) {
+        const PlacedDrawing& shown = pane->shown();
+        // 7 per cent more than in proportion, as the newest of them fade in.
+        CHECK(shown.stippling.scale == doctest::Approx(scale * 144 * 1.07).epsilon(1e-4));
+        CHECK(shown.stippling.dots.size() > 1000);
+        check_same(places_of(shown),
+                   places_in_window(pane->tile().name, shown.stippling.scale, shown.window));
+    }
+    CHECK(session.pane().tile().name == kDefaultTile);
+    CHECK(session.right()->tile().name == "paper16");
+}
+
+TEST_CASE("deep in the page with larger dots, both sides show the dots that the page has there") {
+    SplitSession split(200'000);
+    const Session& session = split.session;
+    split.zoom_in(ZoomMode::drawing, 64);
+    for (const Pane* pane : {&session.pane(), session.right()}) {
+        const PlacedDrawing& shown = pane->shown();
+        CHECK(shown.stippling.scale == doctest::Approx(pane->page().stippling.scale).epsilon(1e-6));
+        CHECK(shown.stippling.dots.size() > 50);
+        check_same(places_of(shown),
+                   places_in_window(pane->tile().name, shown.stippling.scale, shown.window));
+    }
+}
+
+TEST_CASE("zoomed out again, both sides show the whole page as it was") {
+    SplitSession split(2000);
+    split.zoom_in(ZoomMode::constant_density, 12);
+    const Session& session = split.session;
+    const auto placings = session.pane().placings();
+    split.zoom = {.mode = ZoomMode::drawing, .camera = fitted(kCanvas, {1, 1})};
+    split.session.order_dots(split.zoom);
+    CHECK_FALSE(session.pane().shows_close());
+    CHECK_FALSE(session.right()->shows_close());
+    CHECK(session.pane().shown().stippling.dots.size() == 2000);
+    CHECK(session.pane().placings() == placings);
+}
+
+TEST_CASE("a split view that is switched off keeps nothing of its right side, and shows it anew when asked") {
+    SplitSession split(2000);
+    Session& session = split.session;
+    const std::size_t dots = session.right()->shown().stippling.dots.size();
+    const auto version = session.right()->version();
+    session.settings.comparison.on = false;
+    session.order_dots(split.zoom);
+    CHECK(session.right() == nullptr);
+    session.settings.comparison.on = true;
+    CHECK(session.right() == nullptr);
+    REQUIRE(split.brings([&] { return session.right() != nullptr; }));
+    CHECK(session.right()->shown().stippling.dots.size() == dots);
+    // Whoever goes by the number sees that these are other dots.
+    CHECK(session.right()->version() > version);
+    CHECK(session.pane().shown().stippling.dots.size() == 2000);
+}
+
+TEST_CASE("a split view switched on and off without waiting ends as it was asked for last") {
+    SplitSession split(2000);
+    Session& session = split.session;
+    for (int i = 0; i < 20; ++i) {
+        session.settings.comparison.on = i % 2 == 1;
+        session.take_news(std::chrono::milliseconds(0));
+        session.order_dots(split.zoom);
+    }
+    session.settings.comparison.tile = "28433,5791/16";
+    REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
+    const double dots = static_cast<double>(session.right()->shown().stippling.dots.size());
+    CHECK(dots == doctest::Approx(2000).epsilon(0.05));
+}
+
+}  // namespace dapple
