@@ -4,11 +4,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "tests/child_process.h"
@@ -28,6 +31,26 @@ std::string text_of(const fs::path& file) {
 void run(std::vector<std::string> command) {
     CAPTURE(command.front());
     REQUIRE(ChildProcess(std::move(command)).wait() == 0);
+}
+
+/// An environment map of one colour, in Radiance's format.
+void write_even_map(const fs::path& file) {
+    std::ofstream out(file, std::ios::binary);
+    out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
+    for (int pixel = 0; pixel < 8 * 16; ++pixel) out << "\x80\x80\x80\x81";
+}
+
+/// How many of an SVG's circles lie in each of 4 x 4 parts of a page of that many px.
+std::array<int, 16> circles_by_part(const std::string& svg, double page) {
+    std::array<int, 16> counts{};
+    std::istringstream lines(svg);
+    for (std::string line; std::getline(lines, line);) {
+        double x = 0, y = 0;
+        if (std::sscanf(line.c_str(), "<circle cx=\"%lf\" cy=\"%lf\"", &x, &y) != 2) continue;
+        const auto part = [&](double at) { return std::clamp(static_cast<int>(4 * at / page), 0, 3); };
+        ++counts[static_cast<std::size_t>(4 * part(y) + part(x))];
+    }
+    return counts;
 }
 
 /// A display with nothing on it.
@@ -280,6 +303,65 @@ TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile tha
     CHECK(viewer.shows([&] { return viewer.status().contains("loupe") && repetition() < 0.1; }));
     viewer.key("l");
     CHECK(viewer.shows([&] { return !viewer.status().contains("loupe"); }));
+}
+
+TEST_CASE("a grey is saved as it is shown, and the split view does not change it") {
+    TemporaryFolder folder;
+    Display display;
+    RunningViewer viewer(folder.path());
+    viewer.click("Tone");
+    viewer.click("grey");
+    REQUIRE(viewer.shows([&] { return viewer.has("Grey"); }));
+    const auto save = [&](const std::string& name) {
+        viewer.move(300, 300);
+        viewer.key("ctrl+e");
+        viewer.click("Accept");
+        REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
+        fs::rename(folder / "Still life.svg", folder / name);
+    };
+    save("alone.svg");
+    viewer.move(300, 300);
+    viewer.key("c");
+    REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
+    save("split.svg");
+    const std::string alone = text_of(folder / "alone.svg");
+    // A sixteenth of the 40,000 dots in every sixteenth of the page, as no photograph has them. Its side is
+    // 200 mm at 96 px to the inch.
+    for (const int count : circles_by_part(alone, 200 / 25.4 * 96))
+        CHECK(count == doctest::Approx(2500).epsilon(0.02));
+    CHECK(alone == text_of(folder / "split.svg"));
+}
+
+TEST_CASE("the samples of an environment map follow their slider, and exposing it takes none anew") {
+    TemporaryFolder folder;
+    write_even_map(folder / "even.hdr");
+    Display display;
+    RunningViewer viewer({}, {"lights", (folder / "even.hdr").string()});
+    const auto status = [&] { return viewer.status(); };
+    CHECK(status()["samples"] == 1024);
+    CHECK(status()["difference"] > 0);
+    CHECK(status()["difference"] < 0.2);
+    viewer.point_at("Samples", 0.7);
+    viewer.press();
+    viewer.point_at("Samples", 0.5);
+    viewer.release();
+    // Halfway between 1 and 16,384 on a logarithmic slider.
+    CHECK(viewer.shows([&] { return status()["samples"] < 200 && status()["samples"] > 80; }));
+    REQUIRE(viewer.shows([&] { return status()["sampling"] == false; }));
+
+    const json before = status();
+    viewer.point_at("Exposure", 0.5);
+    viewer.press();
+    viewer.point_at("Exposure", 0.6);
+    viewer.release();
+    // A tenth of its slider's 24 stops above the middle, or thereabouts.
+    CHECK(status()["stops"] > 1.5);
+    CHECK(status()["stops"] < 3.5);
+    REQUIRE(viewer.shows([&] { return status()["sampling"] == false; }));
+    CHECK(status()["samplings"] == before["samplings"]);
+    CHECK(status()["samples"] == before["samples"]);
+    viewer.key("ctrl+q");
+    CHECK(viewer.wait_for_end() == 0);
 }
 
 TEST_CASE("a picture that is not there ends the program with a sentence") {
