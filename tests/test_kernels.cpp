@@ -19,14 +19,14 @@ struct Placed {
     bool operator==(const Placed&) const = default;
 };
 
-Placed run(Kernel kernel, const KernelSquare& square, bool critical, bool late) {
+Placed run(const Kernels& kernels, const KernelSquare& square, bool critical, bool late) {
     Placed placed{std::vector<float>(256),
                   std::vector<float>(256),
                   std::vector<float>(256),
                   std::vector<float>(256),
                   {}};
     std::vector<LateDot> late_dots(256);
-    const PlacedCount count = kernel(
+    const PlacedCount count = kernels.place(
         square, {placed.x.data(), placed.y.data(), placed.threshold.data(),
                  critical ? placed.critical.data() : nullptr, late ? late_dots.data() : nullptr, 1000});
     for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold, &placed.critical}) {
@@ -46,10 +46,10 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
-    std::vector<Kernel> kernels;
+    std::vector<const Kernels*> all;
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels.push_back(place_square_avx2);
-    if (__builtin_cpu_supports("avx512f")) kernels.push_back(place_square_avx512);
+    if (__builtin_cpu_supports("avx2")) all.push_back(&kAvx2Kernels);
+    if (__builtin_cpu_supports("avx512f")) all.push_back(&kAvx512Kernels);
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -88,11 +88,11 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
         for (const bool critical : {false, true}) {
             for (const bool late : {false, true}) {
-                const Placed expected = run(place_square_baseline, square, critical, late);
+                const Placed expected = run(kBaselineKernels, square, critical, late);
                 dots += expected.x.size();
                 late_dots += expected.late.size();
-                for (const Kernel kernel : kernels) {
-                    if (run(kernel, square, critical, late) != expected) FAIL("trial ", trial);
+                for (const Kernels* kernels : all) {
+                    if (run(*kernels, square, critical, late) != expected) FAIL("trial ", trial);
                 }
                 // What is late has the critical scale that every dot has, and the others come earlier.
                 if (!critical || !late) continue;
@@ -112,4 +112,49 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     }
     CHECK(dots > 10000);
     CHECK(late_dots > 1000);
+}
+
+TEST_CASE("where the bounds decide on every point, the density is not needed, and where they don't, it is") {
+    std::mt19937 random(7);
+    const auto unit = [&random] { return static_cast<float>(random()) * 0x1p-32f; };
+    std::vector<const Kernels*> all{&kBaselineKernels};
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx2")) all.push_back(&kAvx2Kernels);
+    if (__builtin_cpu_supports("avx512f")) all.push_back(&kAvx512Kernels);
+    int decided = 0, undecided = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const std::size_t count = random() % 70;
+        CellPoints points;
+        for (std::size_t i = 0; i < count; ++i)
+            points.add({2 * unit() - 1, 2 * unit() - 1, 16 + static_cast<float>(i)});
+        // A density between 1 and 1.02 all over the square.
+        KernelSquare square;
+        square.points = points.blocks();
+        square.swap = random() % 2;
+        square.half_x = square.half_y = 0.01f;
+        square.births_per_density = 100 * unit();
+        square.sure_below = square.births_per_density;
+        square.none_from = 1.02f * square.births_per_density;
+        square.threshold_per_birth = 4;
+        square.c0 = 1.01f;
+        square.cx = 0.005f;
+        const Placed expected = run(kBaselineKernels, square, false, false);
+        bool between = false;
+        for (std::size_t i = 0; i < count; ++i)
+            between |= points[i].birth >= square.sure_below && points[i].birth < square.none_from;
+        for (const Kernels* kernels : all) {
+            Placed sure{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256), {}, {}};
+            PlacedCount placed;
+            const bool done =
+                kernels->place_sure(square, {sure.x.data(), sure.y.data(), sure.threshold.data()}, placed);
+            if (done == between) FAIL("trial ", trial);
+            if (!done) continue;
+            for (std::vector<float>* column : {&sure.x, &sure.y, &sure.threshold})
+                column->resize(placed.dots);
+            if (sure != expected) FAIL("trial ", trial);
+        }
+        ++(between ? undecided : decided);
+    }
+    CHECK(decided > 200);
+    CHECK(undecided > 200);
 }

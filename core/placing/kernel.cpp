@@ -2,13 +2,13 @@
 
 namespace dapple {
 
-Kernel best_kernel() {
+const Kernels& best_kernels() {
 #if defined(__x86_64__)
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f")) return place_square_avx512;
-    if (__builtin_cpu_supports("avx2")) return place_square_avx2;
+    if (__builtin_cpu_supports("avx512f")) return kAvx512Kernels;
+    if (__builtin_cpu_supports("avx2")) return kAvx2Kernels;
 #endif
-    return place_square_baseline;
+    return kBaselineKernels;
 }
 
 }  // namespace dapple

@@ -63,14 +63,19 @@ struct PlacedCount {
 
 inline constexpr std::size_t kKernelPadding = kBlockPoints;
 
-/// Writes the square's dots, in the order of their births.
-using Kernel = PlacedCount (*)(const KernelSquare& square, const KernelOutput& output);
+struct Kernels {
+    /// Writes the square's dots, in the order of their births.
+    PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
 
-PlacedCount place_square_baseline(const KernelSquare& square, const KernelOutput& output);
-PlacedCount place_square_avx2(const KernelSquare& square, const KernelOutput& output);
-PlacedCount place_square_avx512(const KernelSquare& square, const KernelOutput& output);
+    /// The same where the bounds alone decide on every point, so that nobody has to look the density up;
+    /// false, with nothing of use written, where they do not. output.critical has to be null, and the
+    /// square's source and all that belongs to it may be unset.
+    bool (*place_sure)(const KernelSquare& square, const KernelOutput& output, PlacedCount& placed);
+};
 
-/// The widest kernel that this processor can run.
-Kernel best_kernel();
+extern const Kernels kBaselineKernels, kAvx2Kernels, kAvx512Kernels;
+
+/// The widest kernels that this processor can run.
+const Kernels& best_kernels();
 
 }  // namespace dapple

@@ -129,8 +129,7 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-PlacedCount place_square_avx2(const KernelSquare& square, const KernelOutput& output) {
-    return place_square(square, output);
-}
+extern const Kernels kAvx2Kernels;
+const Kernels kAvx2Kernels{place_square, place_sure};
 
 }  // namespace dapple

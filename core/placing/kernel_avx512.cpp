@@ -107,8 +107,7 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-PlacedCount place_square_avx512(const KernelSquare& square, const KernelOutput& output) {
-    return place_square(square, output);
-}
+extern const Kernels kAvx512Kernels;
+const Kernels kAvx512Kernels{place_square, place_sure};
 
 }  // namespace dapple

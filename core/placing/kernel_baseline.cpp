@@ -84,8 +84,7 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-PlacedCount place_square_baseline(const KernelSquare& square, const KernelOutput& output) {
-    return place_square(square, output);
-}
+extern const Kernels kBaselineKernels;
+const Kernels kBaselineKernels{place_square, place_sure};
 
 }  // namespace dapple

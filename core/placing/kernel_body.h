@@ -80,6 +80,27 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
     }
 }
 
+bool place_sure(const KernelSquare& s, const KernelOutput& out, PlacedCount& placed) {
+    const Lanes sure_below(s.sure_below), none_from(s.none_from);
+    std::size_t count = 0;
+    for (std::size_t i = 0;; i += kWidth) {
+        const PointBlock& points = s.points[i / kBlockPoints];
+        const std::size_t at = i % kBlockPoints;
+        const Lanes birth = load(points.birth + at);
+        const unsigned sure = bits_of(sure_below > birth);
+        if (sure != bits_of(none_from > birth)) return false;
+        const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
+        store(out.x + count, Lanes(s.centre_x) + Lanes(s.half_x) * x);
+        store(out.y + count, Lanes(s.centre_y) + Lanes(s.half_y) * y);
+        store(out.threshold + count, birth * Lanes(s.threshold_per_birth));
+        // Births ascend: those that are sure come first.
+        count += static_cast<std::size_t>(__builtin_popcount(sure));
+        if (sure != (1u << kWidth) - 1) break;
+    }
+    placed = {count, 0};
+    return true;
+}
+
 template <bool kCritical, bool kLate>
 inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
@@ -95,7 +116,7 @@ inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) 
     return {};
 }
 
-inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
+PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     if (out.late) return out.critical ? place_square<true, true>(s, out) : place_square<false, true>(s, out);
     return out.critical ? place_square<true, false>(s, out) : place_square<false, false>(s, out);
 }

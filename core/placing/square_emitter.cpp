@@ -9,6 +9,7 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
+constexpr float kCloseBounds = 0.95f;
 
 // Columns are used to their full capacity while dots are appended.
 void resize_all(Dots& dots, std::size_t count, bool critical) {
@@ -21,7 +22,7 @@ void resize_all(Dots& dots, std::size_t count, bool critical) {
 }  // namespace
 
 SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory)
-    : traversal_(traversal), dots_(dots), memory_(memory), kernel_(best_kernel()) {
+    : traversal_(traversal), dots_(dots), memory_(memory), kernels_(best_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
     resize_all(dots_, capacity_, traversal_.request().critical);
     if (traversal_.early_share()) memory_.late.resize(std::max(kFirstCapacity, memory_.late.capacity()));
@@ -62,8 +63,6 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
     }
     square.sure_below = static_cast<float>(sure_per_density * bounds.min);
     square.threshold_per_birth = scale.threshold_per_birth;
-    const bool placed_here = set_density(visit, square);
-
     // Where the window or the picture ends within the square, only some of the points take part.
     const Density& density = traversal_.density();
     const bool in_picture = static_cast<double>(visit.square.x + 1) * scale.side_pixels <= density.width() &&
@@ -76,9 +75,20 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
         square.swap = false;
     }
     const KernelOutput output = room_for(most + kKernelPadding);
-    const PlacedCount placed = placed_here ? emit_across_seam(square, output) : kernel_(square, output);
+    PlacedCount placed;
+    if (!bounds_may_decide(square) || !kernels_.place_sure(square, output, placed)) {
+        const bool across_seam = set_density(visit, square);
+        placed = across_seam ? emit_across_seam(square, output) : kernels_.place(square, output);
+    }
     count_ += placed.dots;
     late_ += placed.late;
+}
+
+// Whether trying without the density is worth it: the bounds are close, or beyond the last birth.
+bool SquareEmitter::bounds_may_decide(const KernelSquare& square) const {
+    if (traversal_.request().critical) return false;
+    return square.sure_below > kCloseBounds * square.none_from ||
+           square.sure_below > 4 * static_cast<float>(traversal_.table().tile_size);
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps

@@ -29,6 +29,7 @@ class SquareEmitter {
  private:
     void emit_points(const Visit& visit, const CellPoints& points);
     const CellPoints& filtered(const Visit& visit, const CellPoints& points, const KernelSquare& square);
+    bool bounds_may_decide(const KernelSquare& square) const;
     bool set_density(const Visit& visit, KernelSquare& square) const;
     PlacedCount emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
     KernelOutput room_for(std::size_t count);
@@ -36,7 +37,7 @@ class SquareEmitter {
     const Traversal& traversal_;
     Dots& dots_;
     EmitterMemory& memory_;
-    Kernel kernel_;
+    const Kernels& kernels_;
     std::size_t count_ = 0, capacity_ = 0;
     std::size_t late_ = 0;
 };
