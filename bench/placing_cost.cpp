@@ -70,7 +70,7 @@ Plot plot_against_dots() {
     PlotCurve figure8{.name = "Figure 8, paper16", .colour = {0.75f, 0.2f, 0.15f}};
     PlotCurve one{.name = "one core", .colour = {0.13f, 0.35f, 0.65f}};
     PlotCurve all{.name = "all cores", .colour = {0.1f, 0.6f, 0.65f}};
-    PlotCurve exactly{.name = "exactly so many, one core", .colour = {0.5f, 0.35f, 0.7f}};
+    PlotCurve exactly{.name = "exact count", .colour = {0.5f, 0.35f, 0.7f}};
     PlotCurve writing{.name = "writing the numbers", .colour = {0.55f, 0.55f, 0.55f}};
     fmt::print("{:>10} {:>11} {:>11} {:>11} {:>11} {:>11}  ms\n", "dots", "figure 8", "one core", "all cores",
                "exactly", "writing");

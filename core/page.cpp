@@ -15,6 +15,15 @@ bool is_on(const PageSpan& span, float position) {
 
 }  // namespace
 
+PagePart widened(const PagePart& part, double by) {
+    PagePart wider = part;
+    for (PageSpan* span : {&wider.across, &wider.down}) {
+        span->first = static_cast<float>(span->first - by);
+        span->end = static_cast<float>(std::min(span->end + by, double{std::numeric_limits<float>::max()}));
+    }
+    return wider;
+}
+
 PageWindow window_around(const PagePart& part) {
     const auto start = [](const PageSpan& span) { return std::clamp(span.first - kMargin, -kMargin, 1.0); };
     const auto length = [&](const PageSpan& span) {

@@ -31,6 +31,10 @@ struct PagePart {
     bool operator==(const PagePart&) const = default;
 };
 
+/// The part and what lies within so many page units around it, still seen from the part's corner: where the
+/// centres lie of dots that reach onto it.
+PagePart widened(const PagePart& part, double by);
+
 /// The window that all dots of the part lie in: a little larger, since a part is cut by rounded positions
 /// and a window by exact ones.
 PageWindow window_around(const PagePart& part);

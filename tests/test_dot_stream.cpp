@@ -113,6 +113,43 @@ TEST_CASE("a sheet or region that is placed for itself is the one cut from the w
     }
 }
 
+TEST_CASE("pictures of sheets laid side by side are the picture of the whole, dots across the cuts too") {
+    Scene scene;
+    const RasterRequest raster{.dot_radius_mm = 2.3, .dpi = 2 * 25.4};  // two pixels a millimetre
+    const auto picture_of = [&](const PagePart& part, const PageSize& size) {
+        const DotStream dots = stream(scene.tile, scene.density, {.stipple = {.count = 3000}, .part = part});
+        const RasterSize pixels = raster_size(size, raster.dpi);
+        Grid<float> all(pixels.width, pixels.height);
+        rasterise(dots, size, raster, [&](int first_row, const Grid<float>& band) {
+            std::ranges::copy(band.values, all.row(first_row));
+        });
+        return all;
+    };
+    const Grid<float> whole = picture_of({}, scene.page);
+    REQUIRE(whole.width == 600);
+    REQUIRE(whole.height == 400);
+    double across_cuts = 0;
+    for (const int row : {0, 1}) {
+        for (const int column : {0, 1}) {
+            const Excerpt sheet = sheet_of(scene.page, {column + 1, row + 1, 2, 2});
+            const double reach = raster.dot_radius_mm / sheet.size.mm_per_page_unit;
+            const Grid<float> wide = picture_of(widened(sheet.part, reach), sheet.size);
+            const Grid<float> own = picture_of(sheet.part, sheet.size);
+            REQUIRE(wide.width == 300);
+            REQUIRE(wide.height == 200);
+            for (int y = 0; y < wide.height; ++y) {
+                for (int x = 0; x < wide.width; ++x) {
+                    const float expected = whole.at(300 * column + x, 200 * row + y);
+                    // Moving the corner rounds positions: a sample point of 256 may lie on the other side.
+                    if (std::abs(wide.at(x, y) - expected) > 3.0f / 256) FAIL("pixel ", x, ",", y);
+                    across_cuts += expected - own.at(x, y);
+                }
+            }
+        }
+    }
+    CHECK(across_cuts > 100);  // pixels of ink that a sheet's own dots lack
+}
+
 TEST_CASE("streamed sheets have every dot of the page once") {
     Scene scene;
     for (const StippleRequest& request : kRequests) {

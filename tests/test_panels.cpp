@@ -308,7 +308,7 @@ TEST_CASE("Figure 8 on the right side gets a tile that it knows, and says that i
     CHECK(settings.comparison.placer == PlacerKind::figure8);
     CHECK(settings.comparison.tile == "paper16");
     CHECK_FALSE(ui.has("same count"));
-    ui.click("about the count");
+    ui.click("similar count");
     CHECK(settings.comparison.by == CompareBy::count);
 }
 

@@ -178,9 +178,20 @@ void render(const RenderOptions& options) {
 
     ProgressLine line;
     line.show(0, "placing the dots");
-    Stippling whole;
-    const DotStream dots = can_stream(options) ? stream(tile, density, request)
-                                               : place_at_once(tile, density, request, options.order, whole);
+    const auto place = [&](const StreamRequest& part, Stippling& whole) {
+        return can_stream(options) ? stream(tile, density, part)
+                                   : place_at_once(tile, density, part, options.order, whole);
+    };
+    Stippling whole, whole_again;
+    const DotStream dots = place(request, whole);
+    const double radius_mm = dot_radius_mm(settings, dots.scale, excerpt.size);
+    DotStream drawn_dots = dots;
+    if (format == DrawingFormat::png && request.part != PagePart{}) {
+        // Pixels show the part of a dot that reaches over from the next sheet.
+        StreamRequest wider = request;
+        wider.part = widened(request.part, radius_mm / excerpt.size.mm_per_page_unit);
+        drawn_dots = place(wider, whole_again);
+    }
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = tiles_of(tile, density, settings.stipple.placer, dots.scale);
     move_to(excerpt.part, tiles);
@@ -189,7 +200,7 @@ void render(const RenderOptions& options) {
     line.restart(0);
     const std::string what = fmt::format("writing {} dots", dots.count);
     save_drawing(options.output, settings,
-                 {.dots = dots,
+                 {.dots = drawn_dots,
                   .page = excerpt.size,
                   .tiles = tiles,
                   .tile_size = tile.tile().size(),
@@ -201,7 +212,7 @@ void render(const RenderOptions& options) {
     Drawn drawn{.dots = dots,
                 .duplicates = whole.duplicates,
                 .page = excerpt.size,
-                .radius_mm = dot_radius_mm(settings, dots.scale, excerpt.size),
+                .radius_mm = radius_mm,
                 .times = times};
     // Where on the page the duplicates lie is not known.
     if (whole.duplicates > 0 && request.part != PagePart{}) drawn.duplicates.reset();

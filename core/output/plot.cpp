@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -13,7 +14,7 @@ namespace dapple {
 namespace {
 
 // Room for tick labels and axis labels, px.
-constexpr double kLeft = 64, kRight = 16, kTop = 16, kBottom = 52;
+constexpr double kLeft = 64, kRight = 24, kTop = 16, kBottom = 52;
 constexpr double kLegendLine = 18;
 
 bool drawable(double value, AxisScale scale) {
@@ -62,9 +63,21 @@ Ruler ruler_of(const Plot& plot, const PlotAxis& axis, const Coordinate& coordin
     return {axis.scale, {least, most}};
 }
 
+// A number as an exponent.
+std::string raised(long number) {
+    constexpr std::array kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text;
+    for (const char digit : std::to_string(number)) text += digit == '-' ? "⁻" : kDigits[digit - '0'];
+    return text;
+}
+
 std::string tick_label(double value) {
     if (std::abs(value) < 1e-12) return "0";
-    if (std::abs(value) >= 1e6 || std::abs(value) < 1e-4) return fmt::format("{:.0e}", value);
+    if (std::abs(value) >= 1e6 || std::abs(value) < 1e-4) {
+        const double power = std::log10(std::abs(value));
+        if (value > 0 && std::abs(power - std::round(power)) < 1e-9) return "10" + raised(std::lround(power));
+        return fmt::format("{:.0e}", value);
+    }
     return fmt::format("{:.6g}", value);
 }
 
@@ -83,6 +96,7 @@ class Writer {
         add(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
             R"(font-family="sans-serif" font-size="12" role="img"><title>{2}</title>)",
             plot_.width, plot_.height, xml_text(plot_.title));
+        add(R"(<path d="M0 0H{0}V{1}H0Z" fill="#fff"/>)", plot_.width, plot_.height);
         axes();
         // An inner svg cuts off what lies outside it.
         add(R"(<svg x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}">)", kLeft, top_, width_, height_);

@@ -100,7 +100,7 @@ class Counter : public PieceTaker {
     std::size_t count_ = 0;
 };
 
-// Where the `count` dots of lowest critical scale end, `early` dots of which are not late.
+// Where a drawing ends in which `kept` of the late dots stay; one or more.
 CountCut cut_among(const LateDots& late, std::size_t kept, std::vector<float>& criticals) {
     criticals.clear();
     for (const LateDot& dot : late) criticals.push_back(dot.critical);

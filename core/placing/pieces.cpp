@@ -84,7 +84,7 @@ class Crew {
     }
 
  private:
-    // A free memory for the next piece; none if there are no more pieces.
+    // A free memory for the next piece; none if there are no more pieces or it ended.
     PieceMemory* claim(std::unique_lock<std::mutex>& lock) {
         const auto is_free = [](const PieceMemory& m) { return m.state == PieceMemory::State::free; };
         while (!ended_ && next_ < pieces_.ends.size()) {
@@ -108,17 +108,24 @@ class Crew {
              !ended_ && (m = std::ranges::find_if(memories_, is_next)) != memories_.end();) {
             ++turn_;
             m->state = PieceMemory::State::is_placed;
-            try {
-                if (!taker_.take_in_turn(*m)) end();
-            } catch (...) {
-                error_ = std::current_exception();
+            if (!take_in_turn(*m)) {
                 end();
+                return;
             }
             lock.unlock();
             taker_.take_beside(*m);
             lock.lock();
             m->state = PieceMemory::State::free;
             freed_.notify_one();
+        }
+    }
+
+    bool take_in_turn(PieceMemory& memory) {
+        try {
+            return taker_.take_in_turn(memory);
+        } catch (...) {
+            error_ = std::current_exception();
+            return false;
         }
     }
 

@@ -43,7 +43,7 @@ struct PieceMemory {
     std::size_t piece = 0;
 };
 
-/// Who takes the pieces. Both may throw.
+/// Who takes the pieces. Taking in turn may throw.
 class PieceTaker {
  public:
     virtual ~PieceTaker() = default;

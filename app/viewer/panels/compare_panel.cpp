@@ -40,7 +40,7 @@ bool draw_split(ViewerSettings& settings, std::span<const char* const> tiles) {
     int by = static_cast<int>(right.by);
     const bool counted = right.placer == PlacerKind::exact;
     if (segmented_row("Right side has", by,
-                      std::array{"same scale", counted ? "same count" : "about the count"})) {
+                      std::array{"same scale", counted ? "same count" : "similar count"})) {
         right.by = static_cast<CompareBy>(by);
         changed = true;
     }
