@@ -17,6 +17,9 @@ namespace dapple {
 namespace {
 
 constexpr int kDefaultWidth = 1280, kDefaultHeight = 800;
+// Seconds. A graphics driver's thread may read the event for which this one sleeps; then nothing else wakes
+// it.
+constexpr double kLongestWait = 1;
 
 std::string glfw_says() {
     const char* words = nullptr;
@@ -118,7 +121,7 @@ void Window::toggle_full_screen() {
 
 void Window::wait_for_events(double seconds) {
     if (seconds > 0)
-        glfwWaitEventsTimeout(seconds);
+        glfwWaitEventsTimeout(std::min(seconds, kLongestWait));
     else
         glfwPollEvents();
 }

@@ -24,7 +24,7 @@ class Window {
     void set_title(const std::string& title);
     void toggle_full_screen();
 
-    /// Sleeps until something happens or the time is over; 0 returns at once.
+    /// Sleeps until something happens or the time is over, at most a second; 0 returns at once.
     void wait_for_events(double seconds);
     /// Ends another thread's wait_for_events().
     static void wake();
