@@ -38,6 +38,15 @@ Placed run(const Kernels& kernels, const KernelSquare& square, bool critical, bo
     return placed;
 }
 
+// Those beside the baseline that this processor runs.
+std::vector<const Kernels*> wider_kernels() {
+    std::vector<const Kernels*> kernels;
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx2")) kernels.push_back(&kAvx2Kernels);
+    if (__builtin_cpu_supports("avx512f")) kernels.push_back(&kAvx512Kernels);
+    return kernels;
+}
+
 }  // namespace
 
 TEST_CASE("every kernel that this processor runs places the same dots, to the bit") {
@@ -46,10 +55,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
-    std::vector<const Kernels*> all;
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) all.push_back(&kAvx2Kernels);
-    if (__builtin_cpu_supports("avx512f")) all.push_back(&kAvx512Kernels);
+    const std::vector<const Kernels*> all = wider_kernels();
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -117,10 +123,8 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 TEST_CASE("where the bounds decide on every point, the density is not needed, and where they don't, it is") {
     std::mt19937 random(7);
     const auto unit = [&random] { return static_cast<float>(random()) * 0x1p-32f; };
-    std::vector<const Kernels*> all{&kBaselineKernels};
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) all.push_back(&kAvx2Kernels);
-    if (__builtin_cpu_supports("avx512f")) all.push_back(&kAvx512Kernels);
+    std::vector<const Kernels*> all = wider_kernels();
+    all.push_back(&kBaselineKernels);
     int decided = 0, undecided = 0;
     for (int trial = 0; trial < 2000; ++trial) {
         const std::size_t count = random() % 70;
