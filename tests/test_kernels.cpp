@@ -74,22 +74,25 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         square.sure_below =
             random() % 2 ? 0 : 0.19f * square.births_per_density;  // as densities are from 0.2
         square.threshold_per_birth = 4;
-        square.source = static_cast<KernelSquare::Source>(random() % 4);
-        for (float* c : {&square.c0, &square.cx, &square.cy, &square.cxy}) *c = unit() / 16;
-        square.c0 += 0.4f;
+        square.source = static_cast<KernelSquare::Source>(random() % 3);
         square.sign_x = random() % 2 ? 1.0f : -1.0f;
+        square.at_edge = random() % 2;
+        square.low_x = -unit();
+        square.high_y = unit();
+        square.high_x = square.low_y = square.low_x < -0.5f ? 2.0f : 0.0f;
+        square.low_y -= 2.0f;
         for (float& v : square.block) v = 0.2f + unit();
         const bool block = square.source == KernelSquare::Source::block;
-        square.pixel_centre_x = square.pixel_centre_y = block ? 1.5f : 8;
-        square.pixel_half_x = block ? 1.5f : -8 * unit();
-        square.pixel_half_y = block ? -1.5f * unit() : 8 * unit();
+        const bool clamped = square.source == KernelSquare::Source::clamped;
+        square.first_column = static_cast<int>(random() % 1000);
+        square.first_row = static_cast<int>(random() % 1000);
+        square.pixel_centre_x = block ? square.first_column + 1.5 : clamped ? 60 * unit() : 9 + 19 * unit();
+        square.pixel_centre_y = block ? square.first_row + 1.5 : clamped ? 50 * unit() : 9 + 11 * unit();
+        square.pixel_half_x = block ? 1.5 : -std::min(8.0, square.pixel_centre_x) * unit();
+        square.pixel_half_y = block ? -1.5 * unit() : std::min(8.0, square.pixel_centre_y) * unit();
         square.picture = picture.data();
         square.width = 37;
         square.height = 29;
-        const bool clamped = square.source == KernelSquare::Source::clamped;
-        square.first_column =
-            clamped ? static_cast<int>(random() % 60) - 12 : static_cast<int>(random() % 19);
-        square.first_row = clamped ? static_cast<int>(random() % 50) - 12 : static_cast<int>(random() % 11);
         square.early_per_density = 0.9f * square.births_per_density;
         if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
         for (const bool critical : {false, true}) {
@@ -140,8 +143,9 @@ TEST_CASE("where the bounds decide on every point, the density is not needed, an
         square.sure_below = square.births_per_density;
         square.none_from = 1.02f * square.births_per_density;
         square.threshold_per_birth = 4;
-        square.c0 = 1.01f;
-        square.cx = 0.005f;
+        for (int i = 0; i < 16; ++i) square.block[i] = 1 + 0.005f * static_cast<float>(i % 5);
+        square.pixel_centre_x = square.pixel_centre_y = 1.5;
+        square.pixel_half_x = square.pixel_half_y = 1.5;
         const Placed expected = run(kBaselineKernels, square, false, false);
         bool between = false;
         for (std::size_t i = 0; i < count; ++i)

@@ -20,6 +20,12 @@ struct KernelSquare {
 
     float centre_x = 0, centre_y = 0;  // in the window
     float half_x = 0, half_y = 0;      // half sides; the signs mirror the points
+    float sign_x = 1, sign_y = 1;      // those signs
+
+    // Where the window or the picture ends in the square: points from low to below high take part, in half
+    // sides from the centre in the page's frame.
+    bool at_edge = false;
+    float low_x = 0, low_y = 0, high_x = 0, high_y = 0;
 
     float births_per_density = 0;  // a point exists where density * this > birth
     float sure_below = 0;          // births below this exist all over the square
@@ -27,23 +33,21 @@ struct KernelSquare {
     float threshold_per_birth = 0;
     float early_per_density = 0;  // below births_per_density: dots that need more are late
 
-    // The density at a point, by one of these ways.
+    // Where the density at a point comes from.
     enum class Source {
-        patch,    // one bilinear patch: d = (c0 + cx X) + (cy + cxy X) Y, X and Y in half sides, signed
-        block,    // from at most 4 x 4 pixels, copied to `block`
-        picture,  // from the picture, all pixels that are read lying in it
-        clamped,  // from the picture, its outermost pixels going on outside
+        block,    // at most 4 x 4 pixels, copied to `block`
+        picture,  // the picture, all pixels that are read lying in it
+        clamped,  // the picture, its outermost pixels going on outside
     };
-    Source source = Source::patch;
-    float c0 = 0, cx = 0, cy = 0, cxy = 0;
-    float sign_x = 1, sign_y = 1;
-
-    // Position in pixels = pixel_centre + pixel_half * point, not negative, counted from the block's or the
-    // square's first pixel, which is `first_column`, `first_row` of the picture.
-    float pixel_centre_x = 0, pixel_centre_y = 0, pixel_half_x = 0, pixel_half_y = 0;
-    float block[16] = {};  // rows of four
+    Source source = Source::block;
+    // A point's position among the centres of pixels = pixel_centre + pixel_half * point; the picture's first
+    // pixel is at 1, so that none is negative. In double precision: a point then has the same density with
+    // whatever square it comes.
+    double pixel_centre_x = 0, pixel_centre_y = 0, pixel_half_x = 0, pixel_half_y = 0;
+    float block[16] = {};                 // rows of four
+    int first_column = 0, first_row = 0;  // of the block; counted likewise
     const float* picture = nullptr;
-    int width = 0, height = 0, first_column = 0, first_row = 0;
+    int width = 0, height = 0;
 };
 
 /// Where dots go; room for all the square's points plus kKernelPadding. critical and late may be null.
@@ -68,8 +72,8 @@ struct Kernels {
     PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
 
     /// The same where the bounds alone decide on every point, so that nobody has to look the density up;
-    /// false, with nothing of use written, where they do not. output.critical has to be null, and the
-    /// square's source and all that belongs to it may be unset.
+    /// false, with nothing of use written, where they do not. output.critical has to be null, the square not
+    /// at an edge, and its source and all that belongs to it may be unset.
     bool (*place_sure)(const KernelSquare& square, const KernelOutput& output, PlacedCount& placed);
 };
 

@@ -27,6 +27,9 @@ using Mask = unsigned;
 inline unsigned bits_of(Mask m) {
     return m;
 }
+inline Mask both(Mask a, Mask b) {
+    return a & b;
+}
 inline Mask without(Mask a, Mask b) {
     return a & ~b;
 }
@@ -63,11 +66,27 @@ inline std::size_t pack(float* p, Lanes a, Mask keep) {
 struct Whole {
     __m256i v;
 };
-inline Whole whole(Lanes a) {
-    return {_mm256_cvttps_epi32(a.v)};
+inline Whole operator-(Whole a, int b) {
+    return {_mm256_sub_epi32(a.v, _mm256_set1_epi32(b))};
 }
-inline Lanes lanes(Whole a) {
-    return Lanes(_mm256_cvtepi32_ps(a.v));
+
+struct PixelPosition {
+    Whole pixel;  // rounded down; positions are not negative, so that this is cutting off
+    Lanes fraction;
+};
+inline PixelPosition pixel_position(double centre, double half, Lanes point) {
+    struct Four {
+        __m128i pixel;
+        __m128 fraction;
+    };
+    const auto four = [&](__m128 points) {
+        const __m256d offset = _mm256_mul_pd(_mm256_set1_pd(half), _mm256_cvtps_pd(points));
+        const __m256d position = _mm256_add_pd(_mm256_set1_pd(centre), offset);
+        const __m128i pixel = _mm256_cvttpd_epi32(position);
+        return Four{pixel, _mm256_cvtpd_ps(_mm256_sub_pd(position, _mm256_cvtepi32_pd(pixel)))};
+    };
+    const Four low = four(_mm256_castps256_ps128(point.v)), high = four(_mm256_extractf128_ps(point.v, 1));
+    return {{_mm256_set_m128i(high.pixel, low.pixel)}, Lanes(_mm256_set_m128(high.fraction, low.fraction))};
 }
 
 struct Block {
@@ -81,8 +100,9 @@ inline Lanes pixel_of(const Block& block, __m256i at) {
     return Lanes(_mm256_blendv_ps(_mm256_permutevar8x32_ps(block.upper, at),
                                   _mm256_permutevar8x32_ps(block.lower, at), in_lower));
 }
-inline Square4 from_block(const Block& block, Whole left, Whole top) {
-    const __m256i at = _mm256_add_epi32(_mm256_slli_epi32(top.v, 2), left.v);
+inline Square4 from_block(const dapple::KernelSquare& s, const Block& block, Whole left, Whole top) {
+    const Whole row = top - s.first_row, column = left - s.first_column;
+    const __m256i at = _mm256_add_epi32(_mm256_slli_epi32(row.v, 2), column.v);
     return {pixel_of(block, at), pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(1))),
             pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(4))),
             pixel_of(block, _mm256_add_epi32(at, _mm256_set1_epi32(5)))};
@@ -102,9 +122,9 @@ inline Pairs gather_pairs(const float* row, __m256i at) {
     return {ordered(_mm256_shuffle_ps(low, high, 0x88)), ordered(_mm256_shuffle_ps(low, high, 0xDD))};
 }
 inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
-    const float* first = s.picture + static_cast<std::int64_t>(s.first_row) * s.width + s.first_column;
-    const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(top.v, _mm256_set1_epi32(s.width)), left.v);
-    const Pairs upper = gather_pairs(first, at), lower = gather_pairs(first + s.width, at);
+    const __m256i row = _mm256_mullo_epi32((top - 1).v, _mm256_set1_epi32(s.width));
+    const __m256i at = _mm256_add_epi32(row, (left - 1).v);
+    const Pairs upper = gather_pairs(s.picture, at), lower = gather_pairs(s.picture + s.width, at);
     return {upper.left, upper.right, lower.left, lower.right};
 }
 inline __m256i clamped(__m256i i, int count) {
@@ -112,8 +132,7 @@ inline __m256i clamped(__m256i i, int count) {
 }
 inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
     const __m256i one = _mm256_set1_epi32(1), width = _mm256_set1_epi32(s.width);
-    const __m256i column = _mm256_add_epi32(left.v, _mm256_set1_epi32(s.first_column));
-    const __m256i row = _mm256_add_epi32(top.v, _mm256_set1_epi32(s.first_row));
+    const __m256i column = (left - 1).v, row = (top - 1).v;
     const __m256i x0 = clamped(column, s.width), x1 = clamped(_mm256_add_epi32(column, one), s.width);
     const __m256i y0 = _mm256_mullo_epi32(clamped(row, s.height), width);
     const __m256i y1 = _mm256_mullo_epi32(clamped(_mm256_add_epi32(row, one), s.height), width);

@@ -25,6 +25,9 @@ using Mask = __mmask16;
 inline unsigned bits_of(Mask m) {
     return m;
 }
+inline Mask both(Mask a, Mask b) {
+    return static_cast<Mask>(a & b);
+}
 inline Mask without(Mask a, Mask b) {
     return static_cast<Mask>(a & ~b);
 }
@@ -47,11 +50,31 @@ inline std::size_t pack(float* p, Lanes a, Mask keep) {
 struct Whole {
     __m512i v;
 };
-inline Whole whole(Lanes a) {
-    return {_mm512_cvttps_epi32(a.v)};
+inline Whole operator-(Whole a, int b) {
+    return {_mm512_sub_epi32(a.v, _mm512_set1_epi32(b))};
 }
-inline Lanes lanes(Whole a) {
-    return Lanes(_mm512_cvtepi32_ps(a.v));
+
+struct PixelPosition {
+    Whole pixel;  // rounded down; positions are not negative, so that this is cutting off
+    Lanes fraction;
+};
+inline PixelPosition pixel_position(double centre, double half, Lanes point) {
+    struct Eight {
+        __m256i pixel;
+        __m256 fraction;
+    };
+    const auto eight = [&](__m256 points) {
+        const __m512d offset = _mm512_mul_pd(_mm512_set1_pd(half), _mm512_cvtps_pd(points));
+        const __m512d position = _mm512_add_pd(_mm512_set1_pd(centre), offset);
+        const __m256i pixel = _mm512_cvttpd_epi32(position);
+        return Eight{pixel, _mm512_cvtpd_ps(_mm512_sub_pd(position, _mm512_cvtepi32_pd(pixel)))};
+    };
+    const __m256d upper_half = _mm512_extractf64x4_pd(_mm512_castps_pd(point.v), 1);
+    const Eight low = eight(_mm512_castps512_ps256(point.v)), high = eight(_mm256_castpd_ps(upper_half));
+    const __m512d fractions = _mm512_insertf64x4(_mm512_castps_pd(_mm512_castps256_ps512(low.fraction)),
+                                                 _mm256_castps_pd(high.fraction), 1);
+    return {{_mm512_inserti64x4(_mm512_castsi256_si512(low.pixel), high.pixel, 1)},
+            Lanes(_mm512_castpd_ps(fractions))};
 }
 
 struct Block {
@@ -60,8 +83,9 @@ struct Block {
 inline Block load_block(const float* pixels) {
     return {_mm512_loadu_ps(pixels)};
 }
-inline Square4 from_block(const Block& block, Whole left, Whole top) {
-    const __m512i at = _mm512_add_epi32(_mm512_slli_epi32(top.v, 2), left.v);
+inline Square4 from_block(const dapple::KernelSquare& s, const Block& block, Whole left, Whole top) {
+    const Whole row = top - s.first_row, column = left - s.first_column;
+    const __m512i at = _mm512_add_epi32(_mm512_slli_epi32(row.v, 2), column.v);
     const auto pixel = [&](int further) {
         return Lanes(_mm512_permutexvar_ps(_mm512_add_epi32(at, _mm512_set1_epi32(further)), block.pixels));
     };
@@ -80,9 +104,9 @@ inline Pairs gather_pairs(const float* row, __m512i at) {
     return {Lanes(_mm512_permutex2var_ps(low, even, high)), Lanes(_mm512_permutex2var_ps(low, odd, high))};
 }
 inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
-    const float* first = s.picture + static_cast<std::int64_t>(s.first_row) * s.width + s.first_column;
-    const __m512i at = _mm512_add_epi32(_mm512_mullo_epi32(top.v, _mm512_set1_epi32(s.width)), left.v);
-    const Pairs upper = gather_pairs(first, at), lower = gather_pairs(first + s.width, at);
+    const __m512i row = _mm512_mullo_epi32((top - 1).v, _mm512_set1_epi32(s.width));
+    const __m512i at = _mm512_add_epi32(row, (left - 1).v);
+    const Pairs upper = gather_pairs(s.picture, at), lower = gather_pairs(s.picture + s.width, at);
     return {upper.left, upper.right, lower.left, lower.right};
 }
 inline __m512i clamped(__m512i i, int count) {
@@ -90,8 +114,7 @@ inline __m512i clamped(__m512i i, int count) {
 }
 inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
     const __m512i one = _mm512_set1_epi32(1), width = _mm512_set1_epi32(s.width);
-    const __m512i column = _mm512_add_epi32(left.v, _mm512_set1_epi32(s.first_column));
-    const __m512i row = _mm512_add_epi32(top.v, _mm512_set1_epi32(s.first_row));
+    const __m512i column = (left - 1).v, row = (top - 1).v;
     const __m512i x0 = clamped(column, s.width), x1 = clamped(_mm512_add_epi32(column, one), s.width);
     const __m512i y0 = _mm512_mullo_epi32(clamped(row, s.height), width);
     const __m512i y1 = _mm512_mullo_epi32(clamped(_mm512_add_epi32(row, one), s.height), width);

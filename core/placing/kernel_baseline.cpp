@@ -23,6 +23,9 @@ using Mask = bool;
 inline unsigned bits_of(Mask m) {
     return m ? 1 : 0;
 }
+inline Mask both(Mask a, Mask b) {
+    return a && b;
+}
 inline Mask without(Mask a, Mask b) {
     return a && !b;
 }
@@ -42,11 +45,15 @@ inline std::size_t pack(float* p, Lanes a, Mask keep) {
     return keep ? 1 : 0;
 }
 using Whole = std::int32_t;
-inline Whole whole(Lanes a) {
-    return static_cast<std::int32_t>(a.v);
-}
-inline Lanes lanes(Whole a) {
-    return Lanes(static_cast<float>(a));
+
+struct PixelPosition {
+    Whole pixel;  // rounded down; positions are not negative, so that this is cutting off
+    Lanes fraction;
+};
+inline PixelPosition pixel_position(double centre, double half, Lanes point) {
+    const double position = centre + half * static_cast<double>(point.v);
+    const auto pixel = static_cast<Whole>(position);
+    return {pixel, Lanes(static_cast<float>(position - pixel))};
 }
 
 struct Block {
@@ -55,26 +62,23 @@ struct Block {
 inline Block load_block(const float* pixels) {
     return {pixels};
 }
-inline Square4 from_block(const Block& block, Whole left, Whole top) {
+inline Square4 from_block(const dapple::KernelSquare& s, const Block& block, Whole left, Whole top) {
     // A position rounded up to the last pixel has a neighbour beyond, of no weight.
-    const Whole at = top * 4 + left;
+    const Whole at = (top - s.first_row) * 4 + left - s.first_column;
     const auto pixel = [&](Whole i) { return Lanes(block.pixels[i & 15]); };
     return {pixel(at), pixel(at + 1), pixel(at + 4), pixel(at + 5)};
 }
 inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
-    const float* p =
-        s.picture + static_cast<std::int64_t>(s.first_row + top) * s.width + (s.first_column + left);
+    const float* p = s.picture + static_cast<std::int64_t>(top - 1) * s.width + (left - 1);
     return {Lanes(p[0]), Lanes(p[1]), Lanes(p[s.width]), Lanes(p[s.width + 1])};
 }
 inline Whole clamped(Whole i, int count) {
     return i < 0 ? 0 : i < count ? i : count - 1;
 }
 inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top) {
-    const Whole x0 = clamped(s.first_column + left, s.width),
-                x1 = clamped(s.first_column + left + 1, s.width);
-    const float* row0 = s.picture + static_cast<std::int64_t>(clamped(s.first_row + top, s.height)) * s.width;
-    const float* row1 =
-        s.picture + static_cast<std::int64_t>(clamped(s.first_row + top + 1, s.height)) * s.width;
+    const Whole x0 = clamped(left - 1, s.width), x1 = clamped(left, s.width);
+    const float* row0 = s.picture + static_cast<std::int64_t>(clamped(top - 1, s.height)) * s.width;
+    const float* row1 = s.picture + static_cast<std::int64_t>(clamped(top, s.height)) * s.width;
     return {Lanes(row0[x0]), Lanes(row0[x1]), Lanes(row1[x0]), Lanes(row1[x1])};
 }
 

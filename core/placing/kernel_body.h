@@ -14,23 +14,22 @@ using dapple::PlacedCount;
 using dapple::PointBlock;
 using Source = KernelSquare::Source;
 
-inline Lanes density_in_patch(const KernelSquare& s, Lanes x, Lanes y) {
+inline Mask in_edges(const KernelSquare& s, Lanes x, Lanes y) {
     const Lanes X = x * Lanes(s.sign_x), Y = y * Lanes(s.sign_y);
-    return (Lanes(s.c0) + Lanes(s.cx) * X) + (Lanes(s.cy) + Lanes(s.cxy) * X) * Y;
+    return both(without(Lanes(s.high_x) > X, Lanes(s.low_x) > X),
+                without(Lanes(s.high_y) > Y, Lanes(s.low_y) > Y));
 }
 
 template <Source kSource>
-inline Lanes density_from_pixels(const KernelSquare& s, const Block& block, Lanes x, Lanes y) {
-    const Lanes u = Lanes(s.pixel_centre_x) + Lanes(s.pixel_half_x) * x;
-    const Lanes v = Lanes(s.pixel_centre_y) + Lanes(s.pixel_half_y) * y;
-    const Whole left = whole(u), top = whole(v);  // positions are not negative: rounding down is cutting off
-    const Lanes fx = u - lanes(left), fy = v - lanes(top);
-    const Square4 t = kSource == Source::block     ? from_block(block, left, top)
-                      : kSource == Source::picture ? from_picture(s, left, top)
-                                                   : from_clamped(s, left, top);
-    const Lanes upper = t.v00 + (t.v10 - t.v00) * fx;
-    const Lanes lower = t.v01 + (t.v11 - t.v01) * fx;
-    return upper + (lower - upper) * fy;
+inline Lanes density_at(const KernelSquare& s, const Block& block, Lanes x, Lanes y) {
+    const PixelPosition u = pixel_position(s.pixel_centre_x, s.pixel_half_x, x);
+    const PixelPosition v = pixel_position(s.pixel_centre_y, s.pixel_half_y, y);
+    const Square4 t = kSource == Source::block     ? from_block(s, block, u.pixel, v.pixel)
+                      : kSource == Source::picture ? from_picture(s, u.pixel, v.pixel)
+                                                   : from_clamped(s, u.pixel, v.pixel);
+    const Lanes upper = t.v00 + (t.v10 - t.v00) * u.fraction;
+    const Lanes lower = t.v01 + (t.v11 - t.v01) * u.fraction;
+    return upper + (lower - upper) * v.fraction;
 }
 
 // Few dots are late: one by one.
@@ -59,16 +58,16 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
         const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
-        if (!kCritical && points.birth[at + kWidth - 1] < s.sure_below) {
+        if (!kCritical && !s.at_edge && points.birth[at + kWidth - 1] < s.sure_below) {
             store(out.x + placed.dots, page_x);
             store(out.y + placed.dots, page_y);
             store(out.threshold + placed.dots, threshold);
             placed.dots += kWidth;
             continue;
         }
-        const Lanes density = kSource == Source::patch ? density_in_patch(s, x, y)
-                                                       : density_from_pixels<kSource>(s, block, x, y);
-        const Mask exists = density * Lanes(s.births_per_density) > birth;
+        const Lanes density = density_at<kSource>(s, block, x, y);
+        Mask exists = density * Lanes(s.births_per_density) > birth;
+        if (s.at_edge) exists = both(exists, in_edges(s, x, y));
         if (kLate) {
             const Mask late = without(exists, density * Lanes(s.early_per_density) > birth);
             if (bits_of(late) != 0) list_late(late, exists, threshold / density, out, placed);
@@ -104,8 +103,6 @@ bool place_sure(const KernelSquare& s, const KernelOutput& out, PlacedCount& pla
 template <bool kCritical, bool kLate>
 inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
-        case Source::patch:
-            return place_points<Source::patch, kCritical, kLate>(s, out);
         case Source::block:
             return place_points<Source::block, kCritical, kLate>(s, out);
         case Source::picture:

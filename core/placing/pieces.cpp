@@ -24,7 +24,7 @@ struct Division {
     void add(const Visit& visit) {
         const double side = std::ldexp(1.0, -visit.square.depth);
         const double most = 16 * traversal.request().scale * visit.density.bounds.max * side * side;
-        const bool whole = most <= dots || !traversal.divides(visit);
+        const bool whole = most <= dots || traversal.ends_at(visit);
         pieces.squares.push_back({visit, whole});
         if (whole) {
             in_piece += most;
@@ -46,7 +46,7 @@ struct Division {
 bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& emitter,
                 const std::stop_token& stop) {
     emitter.emit(visit);
-    if (!traversal.divides(visit)) return true;
+    if (traversal.ends_at(visit)) return true;
     if (stop.stop_requested()) return false;
     Visit child;
     for (int q = 0; q < 4; ++q) {

@@ -1,12 +1,16 @@
 #include "core/placing/placing_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace dapple {
 
 namespace {
+
+constexpr std::size_t kMostOwnPoints = 64;  // of a cell; it has three times as many newborn ones
+constexpr std::size_t kMostSubtreePoints = 1536;
 
 // The cell of a point, and the point within it about its centre, in half sides.
 struct InCell {
@@ -36,16 +40,70 @@ CellPoints by_birth(std::vector<CellPoint> points) {
     return sorted;
 }
 
+// Rounded to a grid so coarse that single precision holds the point in the frame of a subtree too: it comes
+// to the same place to the bit, with whatever square it comes. Not onto the cell's edge, which is its
+// neighbour's.
+float on_grid(double offset) {
+    constexpr double kStep = 0x1p-21, kLast = 1 - kStep;
+    return static_cast<float>(std::clamp(std::round(offset / kStep) * kStep, -kLast, kLast));
+}
+
 // Each cell's points, of these tile points and births.
 std::vector<std::vector<CellPoint>> share_out(const PlacingTable& table, const auto& position_of,
                                               const std::vector<float>& births) {
     std::vector<std::vector<CellPoint>> points(table.cells.size());
     for (std::size_t i = 0; i < births.size(); ++i) {
         const InCell in = find_cell(position_of(i), table.cell_depth);
-        points[in.cell].push_back(
-            {static_cast<float>(in.offset.x), static_cast<float>(in.offset.y), births[i]});
+        points[in.cell].push_back({on_grid(in.offset.x), on_grid(in.offset.y), births[i]});
     }
     return points;
+}
+
+// How many generations of newborn points below a cell's own its subtree takes in.
+int generations_below(std::size_t cell_points) {
+    int generations = 0;
+    std::size_t newborn = 3 * cell_points, all = newborn;
+    while (all + 4 * newborn <= kMostSubtreePoints) {
+        ++generations;
+        newborn *= 4;
+        all += newborn;
+    }
+    return generations;
+}
+
+// The newborn points of a square and of those `generations` down, in the frame and the ranks of a cell above.
+struct Subtree {
+    const PlacingTable& table;
+    std::vector<CellPoint> points;
+
+    void add(std::size_t index, Orientation turn, glm::dvec2 centre, double half, int generations) {
+        const Cell& cell = table.cells[index];
+        const SwapAndSigns steps = steps_of(turn);
+        for (std::size_t i = 0; i < cell.newborn.size(); ++i) {
+            CellPoint point = cell.newborn[i];
+            if (steps.swap) std::swap(point.x, point.y);
+            const glm::dvec2 offset(steps.negate_x ? -point.x : point.x, steps.negate_y ? -point.y : point.y);
+            const glm::dvec2 position = centre + half * offset;
+            points.push_back({static_cast<float>(position.x), static_cast<float>(position.y),
+                              static_cast<float>(point.birth / (half * half))});
+        }
+        if (generations == 0) return;
+        for (int q = 0; q < 4; ++q) {
+            const int placed = apply_to_quadrant(turn, q);
+            const glm::dvec2 corner(placed & 1, placed >> 1);
+            add(cell.next_cell[q], compose(turn, cell.next_turn[q]), centre + half * (corner - 0.5), half / 2,
+                generations - 1);
+        }
+    }
+};
+
+// The lowest birth below the subtree of so many generations, in the cell's ranks.
+float end_of_subtree(const PlacingTable& table, const Cell& cell, int generations) {
+    if (generations == 0) return 4 * cell.first_next_birth;
+    float end = std::numeric_limits<float>::infinity();
+    for (const std::uint16_t next : cell.next_cell)
+        end = std::min(end, 4 * end_of_subtree(table, table.cells[next], generations - 1));
+    return end;
 }
 
 }  // namespace
@@ -73,7 +131,8 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     PlacingTable table;
     table.tile_size = tile.size();
     table.rule = tile.rule;
-    for (std::size_t points = tile.size(); points >= 64; points /= 4) ++table.cell_depth;
+    std::size_t cell_points = tile.size();
+    for (; cell_points > kMostOwnPoints; cell_points /= 4) ++table.cell_depth;
     table.cells.resize(std::size_t{1} << (2 * table.cell_depth));
 
     const std::vector<Newborn> newborns = newborns_of(tile);
@@ -109,6 +168,13 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
             cell.next_birth[q] = std::min(table.cells[cell.next_cell[q]].newborn[0].birth, last);
         }
         cell.first_next_birth = *std::ranges::min_element(cell.next_birth);
+    }
+    const int generations = generations_below(cell_points);
+    for (std::size_t c = 0; c < table.cells.size(); ++c) {
+        Subtree subtree{table, {}};
+        subtree.add(c, {}, {0, 0}, 1, generations);
+        table.cells[c].subtree = by_birth(std::move(subtree.points));
+        table.cells[c].subtree_end = end_of_subtree(table, table.cells[c], generations);
     }
     return table;
 }

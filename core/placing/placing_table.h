@@ -1,13 +1,15 @@
 #pragma once
 // A ranked tile, laid out for the placer.
 //
-// A tile of N > 16 points is cut into cells, a power of four of them, so that each holds about 16 points and
-// 48 newborn ones. What a square of the page gets is then told by the cell that falls on it and the tile's
-// orientation there:
+// What a square of the page gets is told by the cell of the tile that falls on it and the tile's orientation
+// there:
 //
 //      square (cell c, orientation g)  ->  its quadrant g(q):  (next_cell[q] of c, g * next_turn[q] of c)
 //
-// so that tiles of any size run through one recursion with the same pruning. A tile of 16 is one cell.
+// Making a square ready costs as much as testing some hundred points. So a cell brings up to about a thousand
+// at once, by ascending birth, whatever the tile's size: a tile of more than 256 points is cut into cells, a
+// power of four of them, and below a cell of a smaller tile several generations of newborn points are sorted
+// into one subtree. Tiles of any size run through one recursion with the same pruning.
 
 #include <array>
 #include <cstdint>
@@ -54,6 +56,8 @@ struct Cell {
     std::array<float, 4> next_birth{};  // nothing is born in there before
     float first_next_birth = 0;         // the lowest of these
     CellPoints newborn;
+    CellPoints subtree;     // the newborn points of the cell and of all squares some generations down
+    float subtree_end = 0;  // further down nothing is born before, in this cell's ranks
     CellPoints all;  // the tile's own points, and after them the newborn ones: what the root tile brings
 };
 

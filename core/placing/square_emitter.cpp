@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 namespace dapple {
 
@@ -17,6 +17,12 @@ void resize_all(Dots& dots, std::size_t count, bool critical) {
     dots.y.resize(count);
     dots.threshold.resize(count);
     dots.critical.resize(critical ? count : 0);
+}
+
+// The lowest single number that is not below this: comparing with it, singles compare as with the double.
+float not_below(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
 }
 
 }  // namespace
@@ -35,11 +41,8 @@ SquareEmitter::~SquareEmitter() {
 
 void SquareEmitter::emit(const Visit& visit) {
     if (traversal_.level(visit) < 0) return;
-    const Cell& cell = traversal_.table().cells[visit.cell];
-    emit_points(visit, traversal_.level(visit) == 0 ? cell.all : cell.newborn);
-}
-
-void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
+    const CellPoints& points = traversal_.points_of(visit);
+    if (points.size() == 0) return;
     const DepthScale& scale = traversal_.at_depth(visit.square.depth);
     const Bounds& bounds = visit.density.bounds;
     const double reached = scale.births_per_density * bounds.max;
@@ -63,20 +66,10 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
     }
     square.sure_below = static_cast<float>(sure_per_density * bounds.min);
     square.threshold_per_birth = scale.threshold_per_birth;
-    // Where the window or the picture ends within the square, only some of the points take part.
-    const Density& density = traversal_.density();
-    const bool in_picture = static_cast<double>(visit.square.x + 1) * scale.side_pixels <= density.width() &&
-                            static_cast<double>(visit.square.y + 1) * scale.side_pixels <= density.height();
-    std::size_t most = points.size();
-    if (!visit.in_window || !in_picture) {
-        const CellPoints& taken = filtered(visit, points, square);
-        most = taken.size();
-        square.points = taken.blocks();
-        square.swap = false;
-    }
-    const KernelOutput output = room_for(most + kKernelPadding);
+    set_edges(visit, square);
+    const KernelOutput output = room_for(points.size() + kKernelPadding);
     PlacedCount placed;
-    if (!bounds_may_decide(square) || !kernels_.place_sure(square, output, placed)) {
+    if (!bounds_may_decide(square, points) || !kernels_.place_sure(square, output, placed)) {
         const bool across_seam = set_density(visit, square);
         placed = across_seam ? emit_across_seam(square, output) : kernels_.place(square, output);
     }
@@ -85,46 +78,34 @@ void SquareEmitter::emit_points(const Visit& visit, const CellPoints& points) {
 }
 
 // Whether trying without the density is worth it: the bounds are close, or beyond the last birth.
-bool SquareEmitter::bounds_may_decide(const KernelSquare& square) const {
-    if (traversal_.request().critical) return false;
+bool SquareEmitter::bounds_may_decide(const KernelSquare& square, const CellPoints& points) const {
+    if (traversal_.request().critical || square.at_edge) return false;
     return square.sure_below > kCloseBounds * square.none_from ||
-           square.sure_below > 4 * static_cast<float>(traversal_.table().tile_size);
+           square.sure_below > points[points.size() - 1].birth;
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
 // round.
 bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const {
-    if (visit.density.is_patch) {
-        square.source = KernelSquare::Source::patch;
-        square.c0 = static_cast<float>(visit.density.patch.c);
-        square.cx = static_cast<float>(visit.density.patch.x);
-        square.cy = static_cast<float>(visit.density.patch.y);
-        square.cxy = static_cast<float>(visit.density.patch.xy);
-        return false;
-    }
     const Density& density = traversal_.density();
-    const bool small = visit.square.depth >= density.small_depth();
-    const PixelRange range = small ? visit.density.pixels : density.pixels_in(visit.square);
+    const bool looked_up = visit.square.depth >= density.small_depth() && !visit.density.is_patch;
+    const PixelRange range = looked_up ? visit.density.pixels : density.pixels_in(visit.square);
     const double side = traversal_.at_depth(visit.square.depth).side_pixels;
-    const auto from_first = [&](std::int64_t corner, std::int64_t first) {
-        return static_cast<float>((static_cast<double>(corner) + 0.5) * side - 0.5 -
-                                  static_cast<double>(first));
-    };
-    square.pixel_half_x = square.sign_x * static_cast<float>(side / 2);
-    square.pixel_half_y = square.sign_y * static_cast<float>(side / 2);
-    square.pixel_centre_x = from_first(visit.square.x, range.first_column);
-    square.pixel_centre_y = from_first(visit.square.y, range.first_row);
+    square.pixel_half_x = square.sign_x * side / 2;
+    square.pixel_half_y = square.sign_y * side / 2;
+    square.pixel_centre_x = (static_cast<double>(visit.square.x) + 0.5) * side + 0.5;
+    square.pixel_centre_y = (static_cast<double>(visit.square.y) + 0.5) * side + 0.5;
     square.picture = density.values().values.data();
     square.width = density.width();
     square.height = density.height();
-    square.first_column = static_cast<int>(range.first_column);
-    square.first_row = static_cast<int>(range.first_row);
 
     // One pixel to spare: a rounded position may lie on the last column, whose right neighbour is then read.
     const bool in_picture = range.first_column >= 0 && range.first_row >= 0 &&
                             range.last_column + 1 < density.width() && range.last_row + 1 < density.height();
     if (range.last_column - range.first_column < 4 && range.last_row - range.first_row < 4) {
         square.source = KernelSquare::Source::block;
+        square.first_column = static_cast<int>(range.first_column) + 1;
+        square.first_row = static_cast<int>(range.first_row) + 1;
         for (std::int64_t j = range.first_row; j <= range.last_row; ++j) {
             float* const row = square.block + 4 * (j - range.first_row);
             for (std::int64_t i = range.first_column; i <= range.last_column; ++i) {
@@ -138,30 +119,26 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
     return !in_picture && density.seam() == Seam::wrap;
 }
 
-// The points of a square that lie in the window and in the picture, decided on exact positions: the
-// neighbouring window decides the same, so that sheets join without a lost or doubled dot.
-const CellPoints& SquareEmitter::filtered(const Visit& visit, const CellPoints& points,
-                                          const KernelSquare& square) {
+// Where the window or the picture ends within the square, only some of its points take part. A window's
+// neighbour finds the same number for the edge that they share: sheets join without a lost or doubled dot.
+void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
+    const double side_pixels = traversal_.at_depth(visit.square.depth).side_pixels;
+    const double width = traversal_.density().width() / side_pixels;  // of the picture, in sides
+    const double height = traversal_.density().height() / side_pixels;
+    const auto x = static_cast<double>(visit.square.x), y = static_cast<double>(visit.square.y);
+    const bool in_picture = x + 1 <= width && y + 1 <= height;
+    square.at_edge = !visit.in_window || !in_picture;
+    if (!square.at_edge) return;
     const Traversal::Box& box = traversal_.window();
-    const Density& density = traversal_.density();
     const int shift = 61 - visit.square.depth;  // half the side is 2^shift units
-    const double half = std::ldexp(1.0, shift), pixels_per_unit = std::ldexp(density.longer_side(), -62);
-    const std::int64_t centre_x = (2 * visit.square.x + 1) << shift, centre_y = (2 * visit.square.y + 1)
-                                                                                << shift;
-
-    CellPoints& kept = memory_.edge;
-    kept.clear();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        CellPoint point = points[i];
-        if (square.swap) std::swap(point.x, point.y);
-        const std::int64_t x = centre_x + std::llround(half * (square.sign_x * point.x));
-        const std::int64_t y = centre_y + std::llround(half * (square.sign_y * point.y));
-        if (x < box.low_x || y < box.low_y || x >= box.high_x || y >= box.high_y) continue;
-        if (static_cast<double>(x) * pixels_per_unit >= density.width()) continue;
-        if (static_cast<double>(y) * pixels_per_unit >= density.height()) continue;
-        kept.add(point);
-    }
-    return kept;
+    const auto in_window = [shift](std::int64_t edge, std::int64_t corner) {
+        return std::ldexp(static_cast<double>(edge - ((2 * corner + 1) << shift)), -shift);
+    };
+    const auto in_picture_at = [](double edge, double corner) { return 2 * (edge - corner) - 1; };
+    square.low_x = not_below(in_window(std::max<std::int64_t>(box.low_x, 0), visit.square.x));
+    square.low_y = not_below(in_window(std::max<std::int64_t>(box.low_y, 0), visit.square.y));
+    square.high_x = not_below(std::min(in_window(box.high_x, visit.square.x), in_picture_at(width, x)));
+    square.high_y = not_below(std::min(in_window(box.high_y, visit.square.y), in_picture_at(height, y)));
 }
 
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.
@@ -173,10 +150,15 @@ PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         const std::size_t at = i % kBlockPoints;
         const float x = points.at[s.swap][at], y = points.at[!s.swap][at], birth = points.birth[at];
         if (!(birth < s.none_from)) return placed;
-        const float u = s.pixel_centre_x + s.pixel_half_x * x, v = s.pixel_centre_y + s.pixel_half_y * y;
-        const float left = std::floor(u), top = std::floor(v), fx = u - left, fy = v - top;
-        const std::int64_t column = s.first_column + static_cast<std::int64_t>(left);
-        const std::int64_t row = s.first_row + static_cast<std::int64_t>(top);
+        const float page_x = s.sign_x * x, page_y = s.sign_y * y;
+        if (s.at_edge &&
+            !(page_x >= s.low_x && page_x < s.high_x && page_y >= s.low_y && page_y < s.high_y)) {
+            continue;
+        }
+        const double u = s.pixel_centre_x + s.pixel_half_x * x, v = s.pixel_centre_y + s.pixel_half_y * y;
+        const double left = std::floor(u), top = std::floor(v);
+        const auto fx = static_cast<float>(u - left), fy = static_cast<float>(v - top);
+        const auto column = static_cast<std::int64_t>(left) - 1, row = static_cast<std::int64_t>(top) - 1;
         const float v00 = density.pixel(column, row), v10 = density.pixel(column + 1, row);
         const float v01 = density.pixel(column, row + 1), v11 = density.pixel(column + 1, row + 1);
         const float upper = v00 + (v10 - v00) * fx, lower = v01 + (v11 - v01) * fx;

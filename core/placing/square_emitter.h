@@ -9,8 +9,7 @@ namespace dapple {
 
 /// Working memory that is kept from one emitter to the next.
 struct EmitterMemory {
-    CellPoints edge;  // points of the last square at an edge that take part
-    LateDots late;    // see SquareEmitter
+    LateDots late;  // see SquareEmitter
 };
 
 /// Appends squares' dots to columns that it overwrites; they get their length when it is destroyed.
@@ -23,13 +22,12 @@ class SquareEmitter {
     SquareEmitter(const SquareEmitter&) = delete;
     SquareEmitter& operator=(const SquareEmitter&) = delete;
 
-    /// The dots that the square itself brings: its newborn points, and in the root tile the tile's own.
+    /// The dots that the square itself brings.
     void emit(const Visit& visit);
 
  private:
-    void emit_points(const Visit& visit, const CellPoints& points);
-    const CellPoints& filtered(const Visit& visit, const CellPoints& points, const KernelSquare& square);
-    bool bounds_may_decide(const KernelSquare& square) const;
+    void set_edges(const Visit& visit, KernelSquare& square) const;
+    bool bounds_may_decide(const KernelSquare& square, const CellPoints& points) const;
     bool set_density(const Visit& visit, KernelSquare& square) const;
     PlacedCount emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
     KernelOutput room_for(std::size_t count);

@@ -75,12 +75,18 @@ bool Traversal::starts() const {
     return request_.scale > 0 && density_.bounds({}).max > 0 && window_.touches({});
 }
 
-bool Traversal::divides(const Visit& visit) const {
+bool Traversal::ends_at(const Visit& visit) const {
     const int depth = visit.square.depth;
-    if (depth < table_.cell_depth) return true;
-    return depths_[depth].births_per_density * visit.density.bounds.max >
-               4 * table_.cells[visit.cell].first_next_birth &&
-           depth < kMaxDepth;
+    if (depth < table_.cell_depth) return false;
+    const Cell& cell = table_.cells[visit.cell];
+    const float end = depth == table_.cell_depth ? 4 * cell.first_next_birth : cell.subtree_end;
+    return depths_[depth].births_per_density * visit.density.bounds.max <= end || depth >= kMaxDepth;
+}
+
+const CellPoints& Traversal::points_of(const Visit& visit) const {
+    const Cell& cell = table_.cells[visit.cell];
+    if (level(visit) == 0) return cell.all;
+    return ends_at(visit) ? cell.subtree : cell.newborn;
 }
 
 bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) const {

@@ -1,7 +1,8 @@
 #pragma once
 // The recursion over the squares of the page that the placer and the view of its tiles share.
 //
-//      visit(square): the square's own dots
+//      visit(square): all dots in the square, if they are in its cell's subtree; else
+//                     the square's own dots
 //                     visit(those of its quadrants in which scale * max density reaches a newborn point)
 //
 // Everything that decides about a dot depends on its square's address, the density and the scale alone, never
@@ -54,8 +55,12 @@ class Traversal {
     Visit root() const;
     bool starts() const;
 
-    /// Whether the square's quadrants may hold dots.
-    bool divides(const Visit& visit) const;
+    /// Whether the recursion ends at the square: its quadrants hold no dots but those that points_of() has.
+    bool ends_at(const Visit& visit) const;
+
+    /// The points that the square itself brings: nothing above the root tile's cells; there the tile's own
+    /// and the newborn ones; then the newborn ones, or the whole subtree where the recursion ends.
+    const CellPoints& points_of(const Visit& visit) const;
 
     /// Goes to a quadrant, numbered in the page's frame. False if no dot of its level or below can be there,
     /// or it lies outside the window; `child` is then unspecified.
