@@ -20,6 +20,8 @@ class HeadlessUi {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.DisplaySize = {400, 900};
+        io.KeyMap[ImGuiKey_Enter] = kEnter;
+        io.KeyMap[ImGuiKey_Escape] = kEscape;
         io.UserData = &places_;
         apply_theme(1);
         unsigned char* pixels = nullptr;
@@ -76,6 +78,30 @@ class HeadlessUi {
     void type(const char* text) {
         ImGui::GetIO().AddInputCharactersUTF8(text);
         frame();
+    }
+    // GLFW's codes.
+    static constexpr int kEscape = 256, kEnter = 257;
+    void key(int code) {
+        ImGui::GetIO().KeysDown[code] = true;
+        frame();
+        ImGui::GetIO().KeysDown[code] = false;
+        frame();
+    }
+    /// Clicks a slider with Ctrl, types a value and presses Enter.
+    void enter(const std::string& label, const char* text) {
+        ImGuiIO& io = ImGui::GetIO();
+        move_to(at(label, 0.3f));
+        io.KeyCtrl = true;
+        io.KeyMods = ImGuiKeyModFlags_Ctrl;
+        press();
+        release();
+        io.KeyCtrl = false;
+        io.KeyMods = 0;
+        frame();
+        frame();
+        if (!io.WantTextInput) throw std::runtime_error(label + " takes no text");
+        type(text);
+        key(kEnter);
     }
     glm::vec2 at(const std::string& label, float along) const {
         WidgetPlace p = place(label);

@@ -92,24 +92,7 @@ TEST_CASE("a double-click on a slider's name brings the neutral value back") {
 TEST_CASE("Ctrl+click on a slider takes a typed number, beyond the track where that is allowed") {
     Tone tone;
     HeadlessUi ui([&] { draw_tone_panel(tone); });
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[ImGuiKey_Enter] = 257;
-    io.KeyCtrl = true;
-    io.KeyMods = ImGuiKeyModFlags_Ctrl;
-    ui.move_to(ui.at("Blur", 0.3f));
-    ui.press();
-    ui.release();
-    io.KeyCtrl = false;
-    io.KeyMods = 0;
-    ui.frame();
-    ui.frame();
-    REQUIRE(io.WantTextInput);
-    CHECK(tone.blur == 0);
-    ui.type("250");
-    io.KeysDown[257] = true;
-    ui.frame();
-    io.KeysDown[257] = false;
-    ui.frame();
+    ui.enter("Blur", "250");
     CHECK(tone.blur == 100);
 }
 
@@ -147,6 +130,40 @@ TEST_CASE("the count slider gives whole numbers") {
     CHECK(f.settings.stipple.count == 2'000'000);
     f.ui.drag("Dots", 0.9f, 0.0f);
     CHECK(f.settings.stipple.count == 100);
+}
+
+TEST_CASE("a typed count is at most what fits into memory, and the panel says why") {
+    DotsUi f;
+    f.drawn.most_dots = 7'654'321;
+    f.ui.frame();
+    CHECK_FALSE(f.ui.has("Most dots"));
+    f.ui.enter("Dots", "99999999999");
+    CHECK(f.settings.stipple.count == 7'654'321);
+    f.drawn.dots = 7'654'321;
+    f.ui.frame();
+    CHECK(f.ui.has("Most dots"));
+}
+
+TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
+    DotsUi f;
+    f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
+    f.ui.click("scale");
+    f.ui.enter("Scale", "99999999999");
+    CHECK(f.settings.stipple.scale == doctest::Approx(77'700).epsilon(1e-9));
+    f.ui.drag("Scale", 0.5f, 1.0f);
+    CHECK(f.settings.stipple.scale == doctest::Approx(77'700).epsilon(1e-9));
+}
+
+TEST_CASE("no value is so long that it reaches over its slider's track") {
+    DotsUi f;
+    for (const std::uint64_t count : {2'000'000ull, 1'000'000'000ull}) {
+        f.settings.stipple.count = count;
+        f.ui.frame();
+        const WidgetPlace value = f.ui.place("Dots value"), track = f.ui.place("Dots");
+        CHECK(value.min.x >= track.max.x);
+        CHECK(value.max.x - value.min.x > ImGui::CalcTextSize(grouped(count).c_str()).x);
+        CHECK(track.max.x - track.min.x > 60);
+    }
 }
 
 TEST_CASE("Figure 8 takes a scale, so choosing it leaves the count") {
@@ -340,6 +357,36 @@ TEST_CASE("the status line says dots as people write them, and Figure 8's duplic
     CHECK(dots_in_words({.dots = 54'608, .duplicates = 13'648, .figure8 = true}) ==
           "54,608 dots, 13,648 of them duplicates (25 %)");
     CHECK(dots_in_words({.figure8 = true}) == "0 dots, 0 of them duplicates (0 %)");
+}
+
+TEST_CASE("the status line says that a placing takes long, and how long the last one took otherwise") {
+    const auto says = [](double seconds, const std::string& words) {
+        const auto items = status_items({.dots = 5, .place_ms = 12.34, .placing_seconds = seconds});
+        return std::ranges::any_of(items, [&](const StatusItem& item) { return item.text == words; });
+    };
+    CHECK(says(0, "placing 12.3 ms"));
+    CHECK(says(0.2, "placing 12.3 ms"));
+    CHECK(says(0.8, "placing ..."));
+    CHECK_FALSE(says(0.8, "placing 12.3 ms"));
+}
+
+TEST_CASE("a narrow status line keeps the number of dots and lets the rest go, the least important first") {
+    const StatusFacts facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .frames_per_second = 60};
+    HeadlessUi ui([] {});
+    std::size_t before = 0;
+    for (const float width : {10.0f, 250.0f, 400.0f, 2000.0f}) {
+        const auto items = fitting(status_items(facts), width);
+        CHECK(items.size() > before);
+        before = items.size();
+        CHECK(items.front().text == "40,000 dots");
+        float needed = 0;
+        for (const StatusItem& item : items) needed += ImGui::CalcTextSize(item.text.c_str()).x;
+        if (items.size() > 1) CHECK(needed < width);
+    }
+    CHECK(before == status_items(facts).size());
+    const auto two = fitting(status_items(facts), 200);
+    REQUIRE(two.size() == 2);
+    CHECK(two.back().text == "100 %");
 }
 
 TEST_CASE("every panel fits its column without cutting a label") {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "app/viewer/renderer.h"
 #include "core/output/colour.h"
@@ -211,6 +212,27 @@ TEST_CASE("dots of a window far into the page lie where the camera says") {
     CHECK(pixels.at(137, 110).r < 5);
     CHECK(pixels.at(148, 110).r == 255);
     CHECK(pixels.at(132, 110).r == 255);
+}
+
+TEST_CASE("tiles that reach over the page's edges leave the desk around it alone, letters too") {
+    Picture200 picture;
+    picture.look.page_size = {1.2, 1.1};
+    const std::vector<PlacedTile> tiles{{.level = 2, .x = 0.1, .y = 0.1, .side = 1.5, .orientation = {}},
+                                        {.level = 3, .x = 0.6, .y = 0.6, .side = 0.99, .orientation = {}},
+                                        {.level = 3, .x = 0.75, .y = 0.2, .side = 0.9, .orientation = {}}};
+    const auto without = picture.draw();
+    picture.renderer.set_tiles(tiles);
+    picture.look.tiles = true;
+    const auto with = picture.draw();
+    int on_page = 0, on_desk = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            if (with.at(x, y) == without.at(x, y)) continue;
+            // But for a pixel of lines along the edge.
+            (x <= 121 && y <= 111 ? on_page : on_desk) += 1;
+        }
+    CHECK(on_page > 300);
+    CHECK(on_desk == 0);
 }
 
 TEST_CASE("a letter F in a tile tells its eight orientations apart") {

@@ -17,9 +17,11 @@ constexpr glm::dvec2 kCanvas{800, 600};
 /// A grey beside the paper's tile on the same grey.
 struct SplitSession {
     Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
-    Session session{DrawingSettings{}, [] {}};
+    Session session;
 
-    explicit SplitSession(std::uint64_t dots) {
+    explicit SplitSession(std::uint64_t dots, std::uint64_t most_dots = kMostDots)
+        : session(
+              DrawingSettings{}, [] {}, most_dots) {
         session.settings.density.source = DensitySource::grey;
         session.settings.drawing.stipple.count = dots;
         session.settings.comparison.on = true;
@@ -44,8 +46,9 @@ struct SplitSession {
         REQUIRE(brings([&] {
             const Pane* right = session.right();
             const PageWindow window = window_in_view(zoom.camera, 0.3);
-            return session.pane().shows_close() && right && right->shows_close() &&
-                   session.pane().shown().window == window && right->shown().window == window;
+            if (!session.pane().shows_close() || session.pane().shown().window != window) return false;
+            if (!session.settings.comparison.on) return true;
+            return right && right->shows_close() && right->shown().window == window;
         }));
     }
 };
@@ -116,6 +119,51 @@ TEST_CASE("deep in the page with larger dots, both sides show the dots that the 
         check_same(places_of(shown),
                    places_in_window(pane->tile().name, shown.stippling.scale, shown.window));
     }
+}
+
+TEST_CASE("a drawing never has more dots than the window takes on, whatever count or scale is asked for") {
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    Session session(
+        DrawingSettings{}, [] {}, 5000);
+    session.open_sample();
+    const auto dots = [&](const DrawingSettings& drawing) {
+        session.settings.drawing = drawing;
+        PlaceOrder order = order_of(session.settings);
+        order.most_dots = 5000;
+        REQUIRE(wait_until([&] {
+            session.take_news(std::chrono::milliseconds(0));
+            session.order_dots(zoom);
+            return session.pane().page_order() == order;
+        }));
+        return session.pane().page().stippling.dots.size();
+    };
+    DrawingSettings drawing;
+    drawing.stipple.count = 99'999'999'999;
+    CHECK(dots(drawing) == 5000);
+    drawing.stipple.count.reset();
+    drawing.stipple.scale = 1e8;
+    CHECK(dots(drawing) == doctest::Approx(5000).epsilon(0.02));
+    drawing.tone.invert = true;  // another mean
+    CHECK(dots(drawing) == doctest::Approx(5000).epsilon(0.02));
+    drawing.stipple.placer = PlacerKind::figure8;
+    drawing.tile = "paper16";
+    const auto figure8 = dots(drawing);
+    CHECK(figure8 < 5000);
+    CHECK(figure8 > 3000);
+    // A scale that needs no bound is left as it is.
+    drawing = {};
+    drawing.stipple.count.reset();
+    drawing.stipple.scale = 300;
+    dots(drawing);
+    CHECK(session.pane().page().stippling.scale == 300);
+}
+
+TEST_CASE("zooming in with more dots from a drawing at the window's bound stays within it") {
+    SplitSession split(2000, 2000);
+    split.session.settings.comparison.on = false;
+    split.zoom_in(ZoomMode::constant_density, 3);
+    CHECK(split.session.pane().shown().stippling.dots.size() > 1000);
+    CHECK(split.session.pane().shown().stippling.dots.size() < 2100);
 }
 
 TEST_CASE("zoomed out again, both sides show the whole page as it was") {

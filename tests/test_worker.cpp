@@ -186,6 +186,24 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     CHECK_FALSE(worker.saving());
 }
 
+TEST_CASE("a worker tells since when it places, and that it does no longer") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    std::uint64_t count = 500'000;
+    const auto begin = std::chrono::steady_clock::now();
+    // One that is over before anyone looks is followed by another.
+    REQUIRE(wait_until([&] {
+        worker.news();
+        if (const auto since = worker.placing_since()) return *since >= begin;
+        worker.place(dots(++count));
+        return false;
+    }));
+    CHECK(wait_until([&] {
+        worker.news();
+        return !worker.placing_since();
+    }));
+}
+
 TEST_CASE("a worker may end with much still to do") {
     Worker worker([] {});
     std::binary_semaphore begun(0);

@@ -39,22 +39,7 @@ double Canvas::enlargement() const {
 }
 
 void Canvas::handle_mouse(const CanvasPlace& place) {
-    const ImGuiIO& io = ImGui::GetIO();
-    bool pressed =
-        ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-    bool held = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-    if (pressed && !io.WantCaptureMouse) dragging_ = true;
-    if (!held) dragging_ = false;
-    if (dragging_ && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-        camera_ = dragged(camera_, glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * place.pixels_per_point);
-        fitted_ = false;
-    }
-    if (io.MouseWheel != 0 && !io.WantCaptureMouse) {
-        glm::dvec2 at = glm::dvec2(glm::vec2(io.MousePos.x, io.MousePos.y) - place.corner);
-        camera_ = zoomed_at(camera_, at * place.pixels_per_point, std::pow(1.2, io.MouseWheel));
-        fitted_ = false;
-    }
-    if (dragging_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    if (mouse_.move(camera_, place)) fitted_ = false;
 }
 
 void Canvas::draw_side(Side side, int from, int to) const {

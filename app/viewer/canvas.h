@@ -6,18 +6,12 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "app/viewer/camera.h"
+#include "app/viewer/camera_mouse.h"
 #include "app/viewer/gl_objects.h"
 #include "app/viewer/renderer.h"
 #include "app/viewer/workbench.h"
 
 namespace dapple {
-
-/// Where the canvas lies, in ImGui's points.
-struct CanvasPlace {
-    glm::vec2 corner{0}, size{1};
-    glm::dvec2 pixels_per_point{1, 1};
-};
 
 enum class Redraw {
     when_changed,
@@ -70,7 +64,7 @@ class Canvas {
     Camera camera_;
     glm::dvec2 page_size_{1, 1};
     bool fitted_ = true;  // until the person zooms or moves
-    bool dragging_ = false;
+    CameraMouse mouse_;
     std::optional<Camera> drawn_camera_;  // none: the drawing changed
     SplitLook drawn_look_;
     double draw_ms_ = 0;

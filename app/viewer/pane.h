@@ -31,6 +31,7 @@ class Pane {
     explicit Pane(std::function<void()> wake) : worker_(std::move(wake)) {}
 
     Worker& worker() { return worker_; }
+    const Worker& worker() const { return worker_; }
 
     /// Orders the page or, once that is there and the zoom is so deep that the whole page would be too coarse
     /// or too much, what is in view of it. True if it ordered something: nothing twice, unless told to.

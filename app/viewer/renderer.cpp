@@ -38,6 +38,15 @@ void set_transform(const GlProgram& program, const PageToPixels& map) {
     glViewport(low, low, static_cast<GLsizei>(map.canvas.x), static_cast<GLsizei>(map.canvas.y));
 }
 
+// Where the page lies, for a fragment shader.
+void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& look) {
+    const glm::dvec2 low = to_canvas(camera, PagePoint(0)),
+                     high = to_canvas(camera, page_point(look.page_size));
+    glUniform2f(program.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
+    glUniform2f(program.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
+    glUniform1f(program.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
+}
+
 void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
     glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
 }
@@ -143,10 +152,7 @@ void Renderer::draw(const Camera& camera, const CanvasLook& look) const {
 void Renderer::draw_page(const Camera& camera, const CanvasLook& look) const {
     glViewport(0, 0, static_cast<GLsizei>(camera.canvas.x), static_cast<GLsizei>(camera.canvas.y));
     page_.use();
-    glm::dvec2 low = to_canvas(camera, PagePoint(0)), high = to_canvas(camera, page_point(look.page_size));
-    glUniform2f(page_.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
-    glUniform2f(page_.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
-    glUniform1f(page_.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
+    set_page(page_, camera, look);
     glUniform1f(page_.uniform("shadow"), 14 * look.pixel_scale);
     glUniform1f(page_.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
     glUniform1i(page_.uniform("picture"), 0);
@@ -190,6 +196,7 @@ void Renderer::draw_tiles(const Camera& camera, const CanvasLook& look) const {
     if (tile_count_ == 0) return;
     tile_.use();
     set_transform(tile_, page_to_pixels(camera, tile_origin_, 0));
+    set_page(tile_, camera, look);
     glUniform1f(tile_.uniform("line_width"), look.pixel_scale);
     std::array<glm::vec3, kLevelColours> colours;
     for (int level = 0; level < kLevelColours; ++level) colours[level] = level_colour(level);

@@ -18,8 +18,18 @@ constexpr std::chrono::milliseconds kLongPatience(2000);
 
 }  // namespace
 
-Session::Session(const DrawingSettings& drawing, std::function<void()> wake)
-    : settings{.drawing = drawing}, history_(settings), wake_(std::move(wake)), pane_(wake_) {}
+Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
+    : settings{.drawing = drawing},
+      history_(settings),
+      wake_(std::move(wake)),
+      most_dots_(most_dots),
+      pane_(wake_) {}
+
+PlaceOrder Session::page_order() const {
+    PlaceOrder order = order_of(settings);
+    order.most_dots = most_dots_;
+    return order;
+}
 
 void Session::open_sample() {
     pane_.worker().open("Still life", [] { return sample_picture(); });
@@ -34,30 +44,32 @@ void Session::save(const fs::path& path) {
     saved_path_ = path;
     DrawingSettings drawn = settings.drawing;
     DensityChoice choice = settings.density;
-    pane_.worker().save(path, [path, drawn, choice](Workbench& bench, std::stop_token stop) -> Worker::Write {
-        PlacedDrawing drawing;
-        PlaceOrder order = order_of(drawn, choice);
-        order.stipple.critical = drawing_format(path) == DrawingFormat::csv;
-        if (!bench.place(order, drawing, stop)) return {};
-        const Density& density = bench.density(drawn.tone, choice);
-        if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
-        PageSize page = page_size(density, drawn.width_mm);
-        std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
-        return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
-            return save_drawing(path, drawn,
-                                {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
-                                 .page = page,
-                                 .tiles = drawing.outlines,
-                                 .tile_size = tile_size},
-                                watch);
-        };
-    });
+    const std::uint64_t most = most_dots_;
+    pane_.worker().save(
+        path, [path, drawn, choice, most](Workbench& bench, std::stop_token stop) -> Worker::Write {
+            PlacedDrawing drawing;
+            PlaceOrder order = order_of(drawn, choice);
+            order.most_dots = most;
+            order.stipple.critical = drawing_format(path) == DrawingFormat::csv;
+            if (!bench.place(order, drawing, stop)) return {};
+            const Density& density = bench.density(drawn.tone, choice);
+            if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
+            PageSize page = page_size(density, drawn.width_mm);
+            std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
+            return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
+                return save_drawing(path, drawn,
+                                    {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+                                     .page = page,
+                                     .tiles = drawing.outlines,
+                                     .tile_size = tile_size},
+                                    watch);
+            };
+        });
 }
 
 void Session::order_dots(const Zoom& zoom) {
     const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
-    if (pane_.order(order_of(settings), zoom, reorder))
-        take_news(settings.every_frame ? kLongPatience : kPatience);
+    if (pane_.order(page_order(), zoom, reorder)) take_news(settings.every_frame ? kLongPatience : kPatience);
     if (settings.comparison.on)
         order_right(zoom, reorder);
     else
@@ -131,7 +143,7 @@ DrawnFacts Session::drawn(const Pane& pane) const {
     page.mm_per_page_unit = settings.drawing.width_mm / drawing.page_size.x;
     const double scale = drawing.stippling.scale;
     return {drawing.stippling.dots.size() - drawing.stippling.duplicates, scale,
-            dot_radius_mm(settings.drawing, scale, page)};
+            dot_radius_mm(settings.drawing, scale, page), most_dots_};
 }
 
 }  // namespace dapple

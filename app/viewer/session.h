@@ -18,8 +18,9 @@ namespace dapple {
 
 class Session {
  public:
-    /// `wake` is called from other threads whenever there is news.
-    Session(const DrawingSettings& drawing, std::function<void()> wake);
+    /// `wake` is called from other threads whenever there is news. A drawing has at most `most_dots` dots,
+    /// whatever the settings ask for.
+    Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots = kMostDots);
 
     void open_sample();
     void open(const std::filesystem::path& path);
@@ -57,6 +58,8 @@ class Session {
     DrawnFacts drawn(const Pane& pane) const;
 
  private:
+    /// What the whole page is ordered with.
+    PlaceOrder page_order() const;
     void order_right(const Zoom& zoom, Reorder reorder);
     void forget_right();
     void take_right(PlacedNews& news);
@@ -67,6 +70,7 @@ class Session {
 
     History<ViewerSettings> history_;
     std::function<void()> wake_;
+    std::uint64_t most_dots_;
     Pane pane_;
     std::optional<Pane> right_;  // once it was asked for
     int right_pictures_asked_ = 0, right_pictures_ = 0;

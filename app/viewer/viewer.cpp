@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "app/viewer/actions.h"
 #include "app/viewer/canvas.h"
+#include "app/viewer/dot_limit.h"
 #include "app/viewer/frame_rate.h"
 #include "app/viewer/loupe.h"
 #include "app/viewer/pane_view.h"
@@ -70,6 +72,8 @@ class Viewer {
     void show_news();
     void show_news(Side side, const Pane* pane);
     StatusFacts status() const;
+    double placing_seconds() const;
+    double longest_rest() const;
     std::optional<StatusFacts::RightSide> right_status() const;
     void measure_dots();
     ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
@@ -100,7 +104,7 @@ class Viewer {
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
       window_("Dapple"),
-      session_(options.settings, &Window::wake),
+      session_(options.settings, &Window::wake, most_dots_in(available_memory())),
       spectrum_(&Window::wake),
       left_repetition_(&Window::wake),
       right_repetition_(&Window::wake) {
@@ -236,6 +240,17 @@ void Viewer::show_news(Side side, const Pane* pane) {
         canvas_.set_drawing(side, pane ? pane->shown() : PlacedDrawing{});
 }
 
+double Viewer::placing_seconds() const {
+    std::chrono::duration<double> longest{0};
+    for (const Pane* pane : {&session_.pane(), session_.right()}) {
+        if (!pane) continue;
+        if (const auto since = pane->worker().placing_since())
+            longest =
+                std::max<std::chrono::duration<double>>(longest, std::chrono::steady_clock::now() - *since);
+    }
+    return longest.count();
+}
+
 StatusFacts Viewer::status() const {
     const Pane& pane = session_.pane();
     const Stippling& stippling = pane.shown().stippling;
@@ -246,6 +261,7 @@ StatusFacts Viewer::status() const {
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
             .place_ms = stippling.place_ms,
             .draw_ms = canvas_.draw_ms(),
+            .placing_seconds = placing_seconds(),
             .frames_per_second = frame_rate_.per_second(),
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
             .right = right_status(),
@@ -297,12 +313,18 @@ void Viewer::report_outside() {
     ready_ = true;
 }
 
+// Seconds without an event after which a frame is due all the same.
+double Viewer::longest_rest() const {
+    constexpr double kCursorBlinks = 0.3, kLookForPlacing = 0.25;
+    if (ImGui::GetIO().WantTextInput) return kCursorBlinks;
+    return placing_seconds() > 0 ? kLookForPlacing : 60;
+}
+
 int Viewer::run() {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
         bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.measuring();
-        double rest = ImGui::GetIO().WantTextInput ? 0.3 : 60;
-        window_.wait_for_events(restless ? 0 : rest);
+        window_.wait_for_events(restless ? 0 : longest_rest());
         if (!restless) frames_left = kFramesAfterEvent;
         frame();
         frames_left = input_arrived() ? kFramesAfterEvent : frames_left - 1;

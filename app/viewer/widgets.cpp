@@ -11,7 +11,9 @@ namespace dapple {
 namespace {
 
 constexpr float kLabelShare = 0.34f;  // of the row
-constexpr float kValueWidth = 4.6f;   // in letters' heights
+constexpr float kValueWidth = 4.6f;   // in letters' heights, at least
+constexpr float kValueAir = 0.4f;     // between a track and a value
+constexpr float kTipWidth = 24;
 
 struct Row {
     ImVec2 start;
@@ -56,6 +58,22 @@ void draw_track(ImVec2 min, ImVec2 max, double position, double neutral, bool ho
     list->AddCircleFilled({x, middle}, knob * 0.38f, colour_of(ThemeColour::panel), 16);
 }
 
+std::string text_of(double value, const SliderRange& range) {
+    if (range.grouped) return grouped(static_cast<std::uint64_t>(std::llround(value)));
+    char text[64];
+    std::snprintf(text, sizeof text, range.format, value);
+    return text;
+}
+
+/// Room for the longest value that the row can show, so that the track never moves.
+float value_width(const SliderRange& range) {
+    float width = kValueWidth * ImGui::GetTextLineHeight();
+    for (const double value : {range.min, range.max, range.hard_min, range.hard_max})
+        width = std::max(width, ImGui::CalcTextSize(text_of(value, range).c_str()).x +
+                                    kValueAir * ImGui::GetTextLineHeight());
+    return std::ceil(width);
+}
+
 /// The value as text, or a box to type it in when it was clicked.
 bool value_box(double& value, const SliderRange& range, const Row& row, float width, bool start_typing) {
     ImGuiStorage* storage = ImGui::GetStateStorage();
@@ -80,16 +98,21 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
         return true;
     }
     if (ImGui::InvisibleButton("value", {width, row.height})) storage->SetInt(typing, 2);
-    char text[64];
-    std::snprintf(text, sizeof text, range.format, value);
-    if (range.grouped)
-        std::snprintf(text, sizeof text, "%s",
-                      grouped(static_cast<std::uint64_t>(std::llround(value))).c_str());
-    ImVec2 size = ImGui::CalcTextSize(text);
+    const std::string text = text_of(value, range);
+    ImVec2 size = ImGui::CalcTextSize(text.c_str());
     auto colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
     ImGui::GetWindowDrawList()->AddText(
-        {corner.x + width - size.x, corner.y + (row.height - ImGui::GetTextLineHeight()) / 2}, colour, text);
+        {corner.x + width - size.x, corner.y + (row.height - ImGui::GetTextLineHeight()) / 2}, colour,
+        text.c_str());
     return false;
+}
+
+void show_tip(const char* text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 }  // namespace
@@ -121,8 +144,8 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
         value = range.neutral;
         changed = true;
     }
-    float value_width = std::floor(kValueWidth * ImGui::GetTextLineHeight());
-    float track_width = std::max(20.0f, row.start.x + row.width - value_width - row.control_x);
+    float box_width = value_width(range);
+    float track_width = std::max(20.0f, row.start.x + row.width - box_width - row.control_x);
     ImGui::InvisibleButton("track", {track_width, row.height});
     note_place(label);
     ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
@@ -138,7 +161,12 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
         }
     }
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
-    if (value_box(value, range, row, value_width, typing)) changed = true;
+    if (value_box(value, range, row, box_width, typing)) changed = true;
+    note_place((std::string(label) + " value").c_str());
+    if (range.tip &&
+        ImGui::IsMouseHoveringRect(row.start, {row.start.x + row.width, row.start.y + row.height}) &&
+        ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())
+        show_tip(range.tip);
     end_row(row);
     return changed;
 }
@@ -268,6 +296,10 @@ bool section(const char* title, bool open_at_first) {
     list->AddPolyline(chevron, 3, colour_of(hot ? ThemeColour::text : ThemeColour::quiet), 0, 1.5f * unit);
     ImGui::PopID();
     return open;
+}
+
+void tip(const char* text) {
+    if (ImGui::IsItemHovered()) show_tip(text);
 }
 
 void hint(const char* text) {

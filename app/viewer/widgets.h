@@ -36,6 +36,7 @@ struct SliderRange {
     const char* format = "%.2f";
     double hard_min = min, hard_max = max;  // what can be typed
     bool grouped = false;                   // a whole number shown as 40,000
+    const char* tip = nullptr;              // what a mouse at rest on the row is told
 };
 
 /// Position 0..1 on the track of a value, clamped, and the value at a position.
@@ -60,6 +61,9 @@ bool colour_row(const char* label, glm::vec3& colour);
 
 /// A section's title with a line above; a click folds the section. Returns whether it is open.
 bool section(const char* title, bool open_at_first = true);
+
+/// More about the item drawn last, while the mouse is on it.
+void tip(const char* text);
 
 /// Small grey text under a control.
 void hint(const char* text);

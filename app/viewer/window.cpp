@@ -79,6 +79,13 @@ Window::Window(const std::string& title) : library_(std::make_unique<Library>())
         if (action == GLFW_PRESS && key != GLFW_KEY_UNKNOWN)
             self->pressed_.push_back({printed_key(key, scancode), modifiers});
     });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))->pointer_ = {x, y};
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
+        if (action == GLFW_PRESS) self->button_presses_.emplace_back(button, self->pointer_);
+    });
     set_window_icon(window_);
 
     ImGui::CreateContext();
@@ -169,12 +176,22 @@ void Window::forget_short_presses() {
     read_modifiers();
 }
 
+// ImGui 1.86 takes the pointer's place at the frame's beginning for that of a press, which after a slow frame
+// is wherever the pointer has come meanwhile.
+void Window::show_press_positions() {
+    for (const auto& [button, place] : std::exchange(button_presses_, {}))
+        if (button < ImGuiMouseButton_COUNT && ImGui::IsMouseClicked(button))
+            ImGui::GetIO().MouseClickedPos[button] = {static_cast<float>(place.x),
+                                                      static_cast<float>(place.y)};
+}
+
 void Window::begin_frame() {
     follow_content_scale();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     show_short_presses();
     ImGui::NewFrame();
+    show_press_positions();
 }
 
 void Window::end_frame() {

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -45,6 +46,7 @@ class Window {
     void follow_content_scale();
     void show_short_presses();
     void forget_short_presses();
+    void show_press_positions();
 
     std::unique_ptr<Library> library_;
     GLFWwindow* window_ = nullptr;
@@ -54,6 +56,9 @@ class Window {
     };
     std::vector<KeyPress> pressed_;   // since the last frame
     std::vector<int> short_presses_;  // of them, those let go already
+    // In the order of the events: where the pointer was last, and where each button went down in this frame.
+    glm::dvec2 pointer_{0};
+    std::vector<std::pair<int, glm::dvec2>> button_presses_;
     float content_scale_ = 0;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };

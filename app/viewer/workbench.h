@@ -4,6 +4,7 @@
 //     picture, tone ──► density ──┐
 //     tile, ranking ──► tile ─────┴──► dots, outlines
 
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -36,6 +37,7 @@ struct PlaceOrder {
     std::optional<CloseView> close = {};  // instead of the whole page; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
+    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 
     bool operator==(const PlaceOrder&) const = default;
 };

@@ -85,6 +85,11 @@ std::optional<SavingFacts> Worker::saving() const {
     return saving_;
 }
 
+std::optional<std::chrono::steady_clock::time_point> Worker::placing_since() const {
+    std::scoped_lock lock(mutex_);
+    return placing_since_;
+}
+
 std::vector<WorkerNews> Worker::news(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     if (patience.count() > 0)

@@ -82,6 +82,9 @@ class Worker {
     void cancel_saving();
     std::optional<SavingFacts> saving() const;
 
+    /// When the placing that is under way began; none if none is.
+    std::optional<std::chrono::steady_clock::time_point> placing_since() const;
+
     /// Everything since the last call. Waits up to `patience` for a placing that is under way.
     std::vector<WorkerNews> news(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
 

@@ -1,8 +1,11 @@
 #include "app/viewer/panels/dots_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "app/viewer/widgets.h"
 
@@ -23,7 +26,6 @@ constexpr SliderRange kCount{.min = 100,
                              .curve = SliderCurve::logarithmic,
                              .format = "%.0f",
                              .hard_min = 1,
-                             .hard_max = kMostDots,
                              .grouped = true};
 constexpr SliderRange kRadius{.min = 0.02,
                               .max = 5,
@@ -47,6 +49,11 @@ void use_scale(StippleRequest& request, const DrawnFacts& drawn) {
 
 bool draw_amount(StippleRequest& request, const DrawnFacts& drawn) {
     bool changed = false;
+    const auto most = static_cast<double>(drawn.most_dots);
+    const std::string why = fmt::format(
+        "At most {} dots: as many as this computer's memory holds while they are shown. `dapple render` "
+        "writes more, since it need not hold them.",
+        grouped(drawn.most_dots));
     // Figure 8 knows a scale only.
     if (request.placer == PlacerKind::exact) {
         int by = request.count ? 1 : 0;
@@ -54,18 +61,33 @@ bool draw_amount(StippleRequest& request, const DrawnFacts& drawn) {
             if (by == 0)
                 use_scale(request, drawn);
             else
-                request.count = std::clamp<std::uint64_t>(drawn.dots, 1, kMostDots);
+                request.count = std::clamp<std::uint64_t>(drawn.dots, 1, drawn.most_dots);
             changed = true;
         }
     }
     if (request.count) {
         auto count = static_cast<double>(*request.count);
-        if (slider_row("Dots", count, kCount)) {
+        SliderRange range = kCount;
+        range.max = std::min(range.max, most);
+        range.hard_max = most;
+        range.tip = why.c_str();
+        if (slider_row("Dots", count, range)) {
             request.count = static_cast<std::uint64_t>(std::llround(count));
             changed = true;
         }
     } else {
-        changed |= slider_row("Scale", request.scale, kScale);
+        SliderRange range = kScale;
+        // Dots are in proportion to the scale.
+        if (drawn.dots > 0)
+            range.hard_max = std::min(most / static_cast<double>(drawn.dots) * drawn.scale, range.hard_max);
+        range.max = std::min(range.max, range.hard_max);
+        range.tip = why.c_str();
+        changed |= slider_row("Scale", request.scale, range);
+    }
+    if (static_cast<double>(drawn.dots) > 0.99 * most) {
+        hint(("More than " + grouped(drawn.most_dots) + " dots do not fit into this computer's memory.")
+                 .c_str());
+        note_place("Most dots");
     }
     return changed;
 }

@@ -13,6 +13,7 @@ struct DrawnFacts {
     std::uint64_t dots = 0;
     double scale = 0;
     double dot_radius_mm = 0;
+    std::uint64_t most_dots = kMostDots;  // that the window takes on
 };
 
 /// The order of a tile's dots. True when another was chosen.

@@ -3,17 +3,26 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 
 namespace dapple {
 namespace {
 
-void item(const std::string& text, ThemeColour colour = ThemeColour::quiet) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-    ImGui::SameLine(0, ImGui::GetTextLineHeight() * 1.4f);
+// Someone who waits for longer wants to know for what.
+constexpr double kLongPlacing = 0.5;  // seconds
+
+float air_between() {
+    return ImGui::GetTextLineHeight() * 1.4f;
+}
+
+float width_of(const std::vector<StatusItem>& items) {
+    float width = -air_between();
+    for (const StatusItem& item : items) width += ImGui::CalcTextSize(item.text.c_str()).x + air_between();
+    return width;
 }
 
 }  // namespace
@@ -28,6 +37,30 @@ std::string dots_in_words(const StatusFacts& facts) {
     return words;
 }
 
+std::vector<StatusItem> status_items(const StatusFacts& facts) {
+    std::vector<StatusItem> items{{dots_in_words(facts), 6}};
+    items.push_back({facts.scale < 1e7 ? fmt::format("scale {:.0f}", facts.scale)
+                                       : fmt::format("scale {:.3g}", facts.scale),
+                     4});
+    if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
+    if (facts.placing_seconds > kLongPlacing)
+        items.push_back({"placing ...", 7});
+    else
+        items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
+    items.push_back({fmt::format("drawing {:.1f} ms", facts.draw_ms), 2});
+    if (facts.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", facts.frames_per_second), 1});
+    items.push_back({facts.zoom < 1000 ? fmt::format("{:.0f} %", facts.zoom * 100)
+                                       : fmt::format("{:.3g} times", facts.zoom),
+                     5});
+    return items;
+}
+
+std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
+    while (items.size() > 1 && width_of(items) > width)
+        items.erase(std::ranges::min_element(items, {}, &StatusItem::importance));
+    return items;
+}
+
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts) {
     ImGui::SetNextWindowPos({corner.x, corner.y});
     ImGui::SetNextWindowSize({size.x, size.y});
@@ -38,15 +71,14 @@ void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts
     ImGui::Begin("##status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    item(dots_in_words(facts), ThemeColour::text);
-    item(facts.scale < 1e7 ? fmt::format("scale {:.0f}", facts.scale)
-                           : fmt::format("scale {:.3g}", facts.scale));
-    if (facts.tone_ms > 0) item(fmt::format("tone {:.1f} ms", facts.tone_ms));
-    item(fmt::format("placing {:.1f} ms", facts.place_ms));
-    item(fmt::format("drawing {:.1f} ms", facts.draw_ms));
-    if (facts.frames_per_second > 0) item(fmt::format("{:.0f} fps", facts.frames_per_second));
-    item(facts.zoom < 1000 ? fmt::format("{:.0f} %", facts.zoom * 100)
-                           : fmt::format("{:.3g} times", facts.zoom));
+    bool first = true;
+    for (const StatusItem& item : fitting(status_items(facts), ImGui::GetContentRegionAvail().x)) {
+        if (!std::exchange(first, false)) ImGui::SameLine(0, air_between());
+        const bool main = item.importance >= 6;
+        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(main ? ThemeColour::text : ThemeColour::quiet));
+        ImGui::TextUnformatted(item.text.c_str());
+        ImGui::PopStyleColor();
+    }
     ImGui::End();
     ImGui::PopStyleVar(3);
 }

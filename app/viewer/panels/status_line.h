@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dapple {
 
@@ -13,6 +14,7 @@ struct StatusFacts {
     bool figure8 = false;          // duplicates are worth a word
     double scale = 0;
     double tone_ms = 0, place_ms = 0, draw_ms = 0;
+    double placing_seconds = 0;  // that a placing under way has taken so far
     double frames_per_second = 0;
     double zoom = 1;  // screen pixels a picture pixel
     /// The right side of the split view, for which the line has no room: its captions tell.
@@ -32,6 +34,17 @@ struct StatusFacts {
 
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.
 std::string dots_in_words(const StatusFacts& facts);
+
+/// What the line says, from the left to the right. Where it is too narrow, the least important goes first.
+struct StatusItem {
+    std::string text;
+    int importance = 0;
+};
+/// While a placing takes more than half a second it says so instead of how long the last one took.
+std::vector<StatusItem> status_items(const StatusFacts& facts);
+
+/// Those that fit into a width, in their order; one at least.
+std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width);
 
 /// A line over the whole width of a rectangle.
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts);

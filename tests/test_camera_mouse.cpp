@@ -1,0 +1,58 @@
+#include <doctest/doctest.h>
+
+#include "app/viewer/camera_mouse.h"
+#include "tests/headless_ui.h"
+
+namespace dapple {
+namespace {
+
+/// A canvas over all of the screen, which no window covers.
+struct CanvasUi {
+    Camera camera = fitted({400, 900}, {1, 1});
+    CanvasPlace place{{0, 0}, {400, 900}, {1, 1}};
+    CameraMouse mouse;
+    HeadlessUi ui{[this] {
+        ImGui::GetIO().WantCaptureMouse = false;
+        mouse.move(camera, place);
+    }};
+};
+
+}  // namespace
+
+TEST_CASE("a drag moves the page by the pointer's way since the press") {
+    CanvasUi f;
+    const glm::dvec2 before = to_canvas(f.camera, PagePoint(0));
+    f.ui.move_to({100, 300});
+    f.ui.press();
+    f.ui.move_to({130, 280});
+    f.ui.move_to({150, 310});
+    f.ui.release();
+    CHECK(glm::length(to_canvas(f.camera, PagePoint(0)) - before - glm::dvec2(50, 10)) < 1e-6);
+    f.ui.move_to({10, 10});
+    CHECK(glm::length(to_canvas(f.camera, PagePoint(0)) - before - glm::dvec2(50, 10)) < 1e-6);
+}
+
+TEST_CASE("a press that comes in the same frame as a long way of the pointer moves nothing") {
+    CanvasUi f;
+    f.ui.move_to({100, 300});
+    const Camera before = f.camera;
+    // A slow frame: the pointer went far and the button down before the next began.
+    ImGui::GetIO().MousePos = {300, 500};
+    f.ui.press();
+    CHECK(f.camera == before);
+    f.ui.release();
+    CHECK(f.camera == before);
+}
+
+TEST_CASE("the page point under the pointer stays there while the wheel zooms") {
+    CanvasUi f;
+    f.ui.move_to({120, 330});
+    const PagePoint under = point_at(f.camera, {120, 330});
+    const double zoom = f.camera.pixels_per_unit;
+    ImGui::GetIO().MouseWheel = 2;
+    f.ui.frame();
+    CHECK(f.camera.pixels_per_unit > zoom * 1.3);
+    CHECK(glm::length(to_canvas(f.camera, under) - glm::dvec2(120, 330)) < 1e-6);
+}
+
+}  // namespace dapple
