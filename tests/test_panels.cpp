@@ -139,6 +139,12 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
     CHECK_FALSE(f.ui.has("Most dots"));
     f.ui.enter("Dots", "99999999999");
     CHECK(f.settings.stipple.count == 7'654'321);
+    f.ui.move_to({1, 899});
+    f.ui.frame(1);
+    CHECK_FALSE(f.ui.has("Tip"));
+    f.ui.move_to(f.ui.at("Dots", 0.3f));
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
     f.drawn.dots = 7'654'321;
     f.ui.frame();
     CHECK(f.ui.has("Most dots"));

@@ -14,6 +14,7 @@ constexpr float kLabelShare = 0.34f;  // of the row
 constexpr float kValueWidth = 4.6f;   // in letters' heights, at least
 constexpr float kValueAir = 0.4f;     // between a track and a value
 constexpr float kTipWidth = 24;
+constexpr float kTipAfter = 0.5f;  // seconds
 
 struct Row {
     ImVec2 start;
@@ -107,10 +108,19 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
     return false;
 }
 
-void show_tip(const char* text) {
+// Once the mouse has come to rest on what it is about; moving on must not make it flicker.
+void show_tip(const char* text, bool hovered) {
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(text);
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool rests = hovered && io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0];
+    const float rested = rests ? storage->GetFloat(id) + io.DeltaTime : 0;
+    storage->SetFloat(id, rested);
+    if (rested < kTipAfter) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
     ImGui::TextUnformatted(text);
+    note_place("Tip");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -163,10 +173,11 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
     if (value_box(value, range, row, box_width, typing)) changed = true;
     note_place((std::string(label) + " value").c_str());
-    if (range.tip &&
-        ImGui::IsMouseHoveringRect(row.start, {row.start.x + row.width, row.start.y + row.height}) &&
-        ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())
-        show_tip(range.tip);
+    if (range.tip) {
+        const ImVec2 end{row.start.x + row.width, row.start.y + row.height};
+        const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.start, end);
+        show_tip(range.tip, hovered && !ImGui::IsAnyItemActive());
+    }
     end_row(row);
     return changed;
 }
@@ -299,7 +310,7 @@ bool section(const char* title, bool open_at_first) {
 }
 
 void tip(const char* text) {
-    if (ImGui::IsItemHovered()) show_tip(text);
+    show_tip(text, ImGui::IsItemHovered());
 }
 
 void hint(const char* text) {

@@ -62,7 +62,7 @@ bool colour_row(const char* label, glm::vec3& colour);
 /// A section's title with a line above; a click folds the section. Returns whether it is open.
 bool section(const char* title, bool open_at_first = true);
 
-/// More about the item drawn last, while the mouse is on it.
+/// More about the item drawn last, while the mouse rests on it.
 void tip(const char* text);
 
 /// Small grey text under a control.

@@ -82,9 +82,9 @@ Window::Window(const std::string& title) : library_(std::make_unique<Library>())
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         static_cast<Window*>(glfwGetWindowUserPointer(window))->pointer_ = {x, y};
     });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
         auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-        if (action == GLFW_PRESS) self->button_presses_.emplace_back(button, self->pointer_);
+        if (action == GLFW_PRESS) self->button_presses_.push_back({button, modifiers, self->pointer_});
     });
     set_window_icon(window_);
 
@@ -161,9 +161,13 @@ void Window::follow_content_scale() {
 // down for one frame.
 void Window::show_short_presses() {
     ImGuiIO& io = ImGui::GetIO();
+    const auto hold_modifiers = [&](int modifiers) {
+        if (modifiers & GLFW_MOD_CONTROL) io.KeyCtrl = true;
+        if (modifiers & GLFW_MOD_SHIFT) io.KeyShift = true;
+    };
+    for (const ButtonPress& press : button_presses_) hold_modifiers(press.modifiers);
     for (const KeyPress& press : pressed_) {
-        if (press.modifiers & GLFW_MOD_CONTROL) io.KeyCtrl = true;
-        if (press.modifiers & GLFW_MOD_SHIFT) io.KeyShift = true;
+        hold_modifiers(press.modifiers);
         if (io.KeysDown[press.key]) continue;
         io.KeysDown[press.key] = true;
         short_presses_.push_back(press.key);
@@ -171,7 +175,10 @@ void Window::show_short_presses() {
 }
 
 void Window::forget_short_presses() {
-    if (std::exchange(pressed_, {}).empty()) return;
+    const bool none = pressed_.empty() && button_presses_.empty();
+    pressed_.clear();
+    button_presses_.clear();
+    if (none) return;
     for (int key : std::exchange(short_presses_, {})) ImGui::GetIO().KeysDown[key] = false;
     read_modifiers();
 }
@@ -179,7 +186,7 @@ void Window::forget_short_presses() {
 // ImGui 1.86 takes the pointer's place at the frame's beginning for that of a press, which after a slow frame
 // is wherever the pointer has come meanwhile.
 void Window::show_press_positions() {
-    for (const auto& [button, place] : std::exchange(button_presses_, {}))
+    for (const auto& [button, modifiers, place] : button_presses_)
         if (button < ImGuiMouseButton_COUNT && ImGui::IsMouseClicked(button))
             ImGui::GetIO().MouseClickedPos[button] = {static_cast<float>(place.x),
                                                       static_cast<float>(place.y)};

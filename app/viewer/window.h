@@ -5,7 +5,6 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -58,7 +57,11 @@ class Window {
     std::vector<int> short_presses_;  // of them, those let go already
     // In the order of the events: where the pointer was last, and where each button went down in this frame.
     glm::dvec2 pointer_{0};
-    std::vector<std::pair<int, glm::dvec2>> button_presses_;
+    struct ButtonPress {
+        int button = 0, modifiers = 0;
+        glm::dvec2 place{0};
+    };
+    std::vector<ButtonPress> button_presses_;
     float content_scale_ = 0;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };
