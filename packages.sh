@@ -1,7 +1,8 @@
-# What Debian 12 has to have, sourced by ./run and ./test.
+# What ./run and ./test share: what Debian 12 has to have, and how a build begins.
 #
-# ensure_packages NAME...: installs those that are missing; without the right to, prints the line that does it
+# ensure_packages NAME...: installs those that are missing; where it may not or cannot, prints the line that does it
 # and ends the script.
+# configure PRESET: makes build/PRESET of this folder ready, once, and anew if the folder was moved since.
 
 build_packages=(
     cmake g++ libbenchmark-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
@@ -22,24 +23,34 @@ ensure_packages() {
     done
     [ ${#missing[@]} -eq 0 ] && return
 
+    # The lists first: a Debian that was just set up may have none. Where a source of them is broken, the others may do.
+    local line="apt-get update; apt-get install -y --no-install-recommends ${missing[*]}"
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then
-        # -n: only where no password has to be typed, or where there is somebody to type it.
-        if command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
-            as_root=(sudo env DEBIAN_FRONTEND=noninteractive)
+        # Only where no password has to be typed, or where there is somebody to type it.
+        if command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [ -t 0 ] && sudo true; }; }; then
+            as_root=(sudo)
         else
             echo "Some packages are missing. As root, run this, then this script again:" >&2
-            echo "apt-get install --no-install-recommends ${missing[*]}" >&2
+            echo "$line" >&2
             exit 1
         fi
     fi
     echo "Installing ${missing[*]}"
-    export DEBIAN_FRONTEND=noninteractive
-    "${as_root[@]}" apt-get update -q
-    "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+    if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$line"; then
+        echo "The packages could not be installed; apt says why above (often no network, or another apt at work)." >&2
+        echo "Once that is mended, run this script again, or as root:" >&2
+        echo "$line" >&2
+        exit 1
+    fi
 }
 
-# The compiler's results kept between builds, where ccache is there.
-compiler_launcher() {
-    if command -v ccache >/dev/null; then echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+configure() {
+    local build=build/$1 launcher=()
+    if [ -f "$build/build.ninja" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)" "$build/CMakeCache.txt"; then
+        return
+    fi
+    # Where ccache is there, the compiler's results are kept between builds.
+    command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    cmake --fresh --preset "$1" "${launcher[@]}"
 }
