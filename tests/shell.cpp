@@ -15,6 +15,7 @@ int Outcome::sentences() const {
 }
 
 Outcome run_in_shell(const std::string& command) {
+    setenv("DAPPLE", DAPPLE_PROGRAM, 1);
     const TemporaryFolder folder;
     put_text(folder / "command", command);
     const std::string at = folder.path().string();
@@ -26,7 +27,7 @@ Outcome run_in_shell(const std::string& command) {
 
 Outcome run_dapple(const std::string& arguments) {
     // Leaks of other libraries are reported where their callers can be told: in the tests of the parts.
-    return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec " DAPPLE_PROGRAM " " + arguments);
+    return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec \"$DAPPLE\" " + arguments);
 }
 
 }  // namespace dapple

@@ -13,10 +13,11 @@ struct Outcome {
     int sentences() const;
 };
 
-/// Runs `command` with /bin/sh.
+/// Runs `command` with /bin/sh, where "$DAPPLE" is the program that was built beside the tests, wherever that
+/// is.
 Outcome run_in_shell(const std::string& command);
 
-/// Runs the program that was built beside the tests: `dapple ` + arguments.
+/// Runs it: `dapple ` + arguments.
 Outcome run_dapple(const std::string& arguments);
 
 }  // namespace dapple

@@ -337,7 +337,7 @@ TEST_CASE("dots that are sorted in memory are those that are written as they are
 TEST_CASE("on a terminal a bar shows how much is written, and is gone at the end") {
     const Scene scene;
     const std::string command =
-        DAPPLE_PROGRAM " render " + scene("cat.png") + " -o " + scene("cat.svg") + " --dots 3000";
+        "\"$DAPPLE\" render " + scene("cat.png") + " -o " + scene("cat.svg") + " --dots 3000";
     const Outcome outcome =
         run_in_shell("export ASAN_OPTIONS=detect_leaks=0; script -qec '" + command + "' /dev/null");
     REQUIRE(outcome.status == 0);
@@ -472,7 +472,7 @@ TEST_CASE("drawings that cannot be saved are refused in a sentence") {
     scene.must_fail(from + scene("folder.svg"), "is a folder");
     scene.must_fail("render " + scene("cat.png"), "--output");
     // The drawing outgrows what a file may have here; 512 bytes a block.
-    const Outcome limited = run_in_shell("ulimit -f 100; exec " DAPPLE_PROGRAM " " + from + scene("old.svg"));
+    const Outcome limited = run_in_shell("ulimit -f 100; exec \"$DAPPLE\" " + from + scene("old.svg"));
     CAPTURE(limited.err);
     CHECK(limited.status == 1);
     CHECK(limited.sentences() == 1);
@@ -495,9 +495,8 @@ TEST_CASE("a full or read-only disk is said, the old drawing stays, and nothing 
     const auto on_disk = [&](const std::string& name, const std::string& before) {
         put_text(scene("script"), "mount -t tmpfs -o size=64k none " + disk + " && cd " + disk +
                                       " && printf old >a.svg && printf old >a.png && " + before +
-                                      " || exit 99\n" + DAPPLE_PROGRAM " render " + scene("cat.png") +
-                                      " -o " + name + "\necho status $?, $(cat " + name +
-                                      "), $(ls -A | wc -l) files\n");
+                                      " || exit 99\n\"$DAPPLE\" render " + scene("cat.png") + " -o " + name +
+                                      "\necho status $?, $(cat " + name + "), $(ls -A | wc -l) files\n");
         return run_in_shell(own + " sh " + scene("script"));
     };
     for (const std::string name : {"a.svg", "a.png"}) {

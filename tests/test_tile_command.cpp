@@ -132,9 +132,8 @@ TEST_CASE("an identity search prints the paper's radii and saves the best tile")
 TEST_CASE("a search that is interrupted keeps what it found and goes on to the same tiles") {
     const TemporaryFolder folder;
     // The time is over before the first part is done or while there are few.
-    const Outcome stopped =
-        run_in_shell(fmt::format("cd {} && {} tile search --points 20 --top 3 --seconds 0.01",
-                                 folder.path().string(), DAPPLE_PROGRAM));
+    const Outcome stopped = run_in_shell(fmt::format(
+        "cd {} && \"$DAPPLE\" tile search --points 20 --top 3 --seconds 0.01", folder.path().string()));
     CHECK(stopped.status == 0);
     const std::string state = folder / "dapple-search-20.txt";
     if (stopped.out.find("stopped") == std::string::npos) return;  // a machine that is done by then
