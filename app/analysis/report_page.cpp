@@ -23,7 +23,7 @@ constexpr double kDotsInDetail = 2500;
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::ptrdiff_t at = std::ptrdiff_t(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(std::size_t(at), ",");
+        digits.insert(std::size_t(at), 1, ',');
     return digits;
 }
 
