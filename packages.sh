@@ -3,6 +3,7 @@
 # ensure_packages NAME...: installs those that are missing; where it may not or cannot, prints the line that does it
 # and ends the script.
 # configure PRESET: makes build/PRESET of this folder ready, once, and anew if the folder was moved since.
+# compilers_at_once: prints how many compilers may run at once.
 
 build_packages=(
     cmake g++ libbenchmark-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
@@ -53,4 +54,9 @@ configure() {
     # Where ccache is there, the compiler's results are kept between builds.
     command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     cmake --fresh --preset "$1" "${launcher[@]}"
+}
+
+# One a core, where there is the gigabyte for each that the largest files take; more, and small machines run out.
+compilers_at_once() {
+    awk -v cores="$(nproc)" '/^MemAvailable:/ { n = int($2 / 1e6); print n < 1 ? 1 : n < cores ? n : cores }' /proc/meminfo
 }
