@@ -146,3 +146,32 @@ TEST_CASE("a link is followed, and permissions stay") {
     CHECK(text_of(folder / "real.txt") == "new");
     CHECK((fs::status(folder / "real.txt").permissions() & fs::perms::mask) == static_cast<fs::perms>(0640));
 }
+
+TEST_CASE("an output is kept apart from other files, however their names are written") {
+    const TemporaryFolder folder;
+    put_text(folder / "cat.png", "a cat");
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("cat.png", folder / "link.png");
+    fs::create_hard_link(folder / "cat.png", folder / "hard.png");
+    const auto apart = [&](const fs::path& output, const fs::path& other) {
+        try {
+            check_apart(output, {{std::nullopt, "nothing"}, {other, "the picture"}});
+        } catch (const std::runtime_error& error) {
+            CHECK(error.what() ==
+                  output.string() + ": would be written over the picture; choose another name");
+            return false;
+        }
+        return true;
+    };
+    for (const char* name : {"cat.png", "./cat.png", "sub/../cat.png", "link.png", "hard.png"}) {
+        CAPTURE(std::string(name));
+        CHECK_FALSE(apart(folder / name, folder / "cat.png"));
+    }
+    // Two outputs that do not exist yet, and names from where the program runs.
+    CHECK_FALSE(apart(folder / "./new.svg", folder / "new.svg"));
+    CHECK_FALSE(apart("./new.svg", "new.svg"));
+    CHECK_FALSE(apart(fs::current_path() / "new.svg", "new.svg"));
+    CHECK(apart(folder / "dog.png", folder / "cat.png"));
+    CHECK(apart(folder / "sub/new.svg", folder / "new.svg"));
+    CHECK(apart("/dev/null", "/dev/null"));
+}

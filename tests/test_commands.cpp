@@ -465,7 +465,12 @@ TEST_CASE("drawings that cannot be saved are refused in a sentence") {
     scene.must_fail(from + scene("cat.png/a.svg"), "is a file, not a folder");
     scene.must_fail(from + scene("old.bmp"), "must end in .svg, .png or .csv");
     scene.must_fail(from + scene("old"), "must end in .svg, .png or .csv");
-    scene.must_fail(from + scene("cat.png"), "is the picture itself");
+    scene.must_fail(from + scene("./cat.png"), "would be written over the picture");
+    scene.must_fail(from + scene("old.svg") + " --stats " + scene("./old.svg"),
+                    "would be written over the drawing");
+    scene.must_fail(from + scene("old.svg") + " --stats " + scene("./cat.png"),
+                    "would be written over the picture");
+    scene.must_fail(from + scene("cat.png"), "would be written over the picture");
     scene.must_fail(from + scene("old.svg") + " --stats " + scene("missing/s.json"),
                     "/missing does not exist");
     std::filesystem::create_directory(scene("folder.svg"));
@@ -574,5 +579,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --tiles",
                     "--tiles: only an SVG");
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --width 100000 --dpi 2400",
-                    "and 1000000 a side is the most");
+                    "9448819 x 6299213 pixels, and 1000000 a side and 4 gigapixels");
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --dpi 100000",
+                    "choose 9800 dots to the inch or fewer");
 }

@@ -30,7 +30,7 @@ Grid<double> from_afar(const Grid<float>& picture, int cells) {
     return sums;
 }
 
-// The light of the paper that default settings draw, one value a pixel.
+// The light that is seen, one value a pixel, with black ink on white paper or, inverted, the other way round.
 Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& settings) {
     const Density density(density_of(light, settings.tone));
     RankedTile tile = tile_named(settings.tile, settings.ranking);
@@ -40,7 +40,8 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     Grid<float> drawn = coverage_of(
         stippling.dots, page,
         {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page), .dpi = 150, .threads = 0});
-    for (float& value : drawn.values) value = 1 - value;
+    if (!settings.tone.invert)
+        for (float& value : drawn.values) value = 1 - value;
     return drawn;
 }
 
@@ -78,6 +79,13 @@ TEST_CASE("by default a drawing seen from afar has the photograph's light") {
     CAPTURE(of_sample.largest);
     CHECK(of_ramp.mean < 0.015);
     CHECK(of_sample.mean < 0.015);
+}
+
+TEST_CASE("white ink on black paper, seen from afar, has the photograph's light too") {
+    DrawingSettings settings;
+    settings.tone.invert = true;
+    CHECK(error_of(ramp(), settings, 16).mean < 0.015);
+    CHECK(error_of(sample_picture().light, settings, 16).mean < 0.015);
 }
 
 TEST_CASE("the tone stays whatever the count, the width of the page and the order of the dots") {

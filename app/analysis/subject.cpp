@@ -85,7 +85,9 @@ std::vector<ToneFromAfar> tone_from_afar(const Stippling& stippling, const Grid<
                                       {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page),
                                        .dpi = 25.4 / mm_per_px,
                                        .threads = settings.stipple.threads});
-    for (float& value : drawing.values) value = 1 - value;
+    // Light ink on dark paper is the light itself.
+    if (!settings.tone.invert)
+        for (float& value : drawing.values) value = 1 - value;
     const double dots = double(stippling.dots.size() - stippling.duplicates);
     const double spacing_px = std::sqrt(double(light.values.size()) / dots);
     std::vector<ToneFromAfar> result;

@@ -95,11 +95,7 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
 
 void analyse(const AnalyseOptions& options) {
     const ReportFormat format = report_format(options.output);
-    std::error_code error;
-    if (options.input && fs::equivalent(*options.input, options.output, error) && !error) {
-        throw std::runtime_error(
-            fmt::format("{}: is what is analysed; give the report another name", options.output.string()));
-    }
+    check_apart(options.output, {{options.input, "what is analysed"}, {options.drawing.tile, "the tile"}});
     check_can_save(options.output);
     const Subject subject = subject_of(options);
     if (subject.points.empty()) {

@@ -59,11 +59,7 @@ SphereConvention usual_convention(LightFile kind) {
 }
 
 void check_files(const LightsOptions& options) {
-    std::error_code error;
-    if (options.map && fs::equivalent(*options.map, options.output, error) && !error) {
-        throw std::runtime_error(
-            fmt::format("{}: is the map itself; give the lights another name", options.output.string()));
-    }
+    check_apart(options.output, {{options.map, "the map"}, {options.tile, "the tile"}});
     check_can_save(options.output);
 }
 

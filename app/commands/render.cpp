@@ -23,8 +23,6 @@
 namespace dapple {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Stopwatch {
  public:
     // Milliseconds since it was made or last read.
@@ -42,20 +40,11 @@ std::string name_of_image(const RenderOptions& options) {
 }
 
 void check_files(const RenderOptions& options) {
-    const auto is_the_picture = [&](const fs::path& file) {
-        std::error_code error;
-        return options.image && fs::equivalent(*options.image, file, error) && !error;
-    };
-    if (is_the_picture(options.output)) {
-        throw std::runtime_error(
-            fmt::format("{}: is the picture itself; give the drawing another name", options.output.string()));
-    }
+    const FileInUse picture{options.image, "the picture"}, tile{options.drawing.tile, "the tile"};
+    check_apart(options.output, {picture, tile});
     check_can_save(options.output);
     if (!options.stats) return;
-    if (is_the_picture(*options.stats) || *options.stats == options.output) {
-        throw std::runtime_error(
-            fmt::format("{}: is in use already; give the figures another name", options.stats->string()));
-    }
+    check_apart(*options.stats, {picture, tile, {options.output, "the drawing"}});
     check_can_save(*options.stats);
 }
 

@@ -192,6 +192,7 @@ void TileCommand::add_show(CLI::App& parent) {
     command->callback([this] {
         if (output_.extension() != ".svg")
             throw CLI::ValidationError("--output", output_.string() + " does not end in .svg");
+        check_apart(output_, {{name_, "the tile"}});
         check_can_save(output_);
         StoredTile stored = load_tile(name_);
         if (ranking_) stored = ranked(std::move(stored.tile), *ranking_);
@@ -209,6 +210,7 @@ void TileCommand::add_rank(CLI::App& parent) {
                "evener between levels, takes a minute for 4,096 points; stored: as they are");
     add_output(*command, output_, "The tile file");
     command->callback([this] {
+        check_apart(output_, {{name_, "the tile that is ranked"}});
         check_can_save(output_);
         const StoredTile stored = in_new_order(load_perhaps_unranked(name_), name_, order_);
         save_tile(output_, stored);

@@ -69,7 +69,10 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
         options.resume ? resumed(*options.resume) : start_exhaustive_search(options.points, options.top);
     const fs::path rest =
         options.resume.value_or(fs::path(fmt::format("dapple-search-{}.txt", state.points)));
-    if (options.output) check_can_save(*options.output);
+    if (options.output) {
+        check_apart(*options.output, {{rest, "the search that can be gone on with"}});
+        check_can_save(*options.output);
+    }
     check_can_save(rest);
 
     std::optional<std::chrono::duration<double>> limit;

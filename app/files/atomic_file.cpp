@@ -141,7 +141,30 @@ fs::path destination_of(const fs::path& target) {
     return error || !fs::is_symlink(fs::symlink_status(target, error)) ? target : resolved;
 }
 
+// A path that all names of a file share. Devices and pipes have none: writing to them twice destroys nothing.
+std::optional<fs::path> one_name_of(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
+    const fs::path absolute = fs::absolute(file, error);
+    const fs::path canonical = fs::weakly_canonical(absolute, error);
+    return error ? absolute.lexically_normal() : canonical;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    const std::optional<fs::path> name = one_name_of(a);
+    return name && (name == one_name_of(b) || fs::equivalent(a, b, error));
+}
+
 }  // namespace
+
+void check_apart(const fs::path& output, std::initializer_list<FileInUse> in_use) {
+    for (const FileInUse& file : in_use) {
+        if (file.path && same_file(output, *file.path))
+            fail(output, fmt::format("would be written over {}; choose another name", file.what));
+    }
+}
 
 void check_can_save(const fs::path& target) {
     std::error_code error;

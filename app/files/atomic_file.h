@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <ostream>
 
 namespace dapple {
@@ -19,5 +21,15 @@ void save_atomically(const std::filesystem::path& target, const std::function<vo
 /// Throws what save_atomically() would throw before it calls `write`, so that hours of work don't end at a
 /// misspelt folder.
 void check_can_save(const std::filesystem::path& target);
+
+/// A file that a command reads or writes, and what to call it in a sentence: "the picture". No path, none.
+struct FileInUse {
+    std::optional<std::filesystem::path> path;
+    const char* what = "";
+};
+
+/// Throws std::runtime_error if `output` is one of the files in use, however its name is written ("./a.svg"
+/// is "a.svg", and a link is what it leads to): saving it would destroy the other. No file need exist yet.
+void check_apart(const std::filesystem::path& output, std::initializer_list<FileInUse> in_use);
 
 }  // namespace dapple

@@ -11,6 +11,8 @@
 namespace dapple {
 namespace {
 
+constexpr int kNoFilter = 8;  // PNG_FILTER_NONE
+
 // OpenImageIO's way into a stream. It may not throw through the C library in between, so it keeps what is
 // thrown.
 class StreamProxy : public OIIO::Filesystem::IOProxy {
@@ -50,11 +52,14 @@ void write_png(std::ostream& out, const PngHeader& header,
         if (!good) throw std::runtime_error("the PNG cannot be written: " + file.geterror());
     };
 
-    OIIO::ImageSpec spec(header.width, header.height, 3, OIIO::TypeDesc::UINT8);
+    const bool grey = header.colours == PngColours::grey;
+    OIIO::ImageSpec spec(header.width, header.height, grey ? 1 : 3, OIIO::TypeDesc::UINT8);
     spec.attribute("XResolution", static_cast<float>(header.dpi));
     spec.attribute("YResolution", static_cast<float>(header.dpi));
     spec.attribute("ResolutionUnit", "inch");
     spec.attribute("oiio:ColorSpace", "sRGB");
+    // Pages are even paper and even ink for the most part: the filters, made for photographs, only cost time.
+    spec.attribute("png:filter", kNoFilter);
 
     // "png" is the format by name: the stream has none.
     std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create("png", &proxy);
@@ -63,7 +68,10 @@ void write_png(std::ostream& out, const PngHeader& header,
     int row = 0;
     try {
         draw([&](const Grid<glm::u8vec3>& band) {
-            check(file->write_scanlines(row, row + band.height, 0, OIIO::TypeDesc::UINT8, band.values.data()),
+            // Of a grey picture every third byte, which is its red.
+            const auto step = static_cast<OIIO::stride_t>(sizeof(glm::u8vec3));
+            check(file->write_scanlines(row, row + band.height, 0, OIIO::TypeDesc::UINT8, band.values.data(),
+                                        step, step * band.width),
                   *file);
             row += band.height;
         });

@@ -9,9 +9,13 @@
 
 namespace dapple {
 
+enum class PngColours { rgb, grey };
+
 struct PngHeader {
     int width = 0, height = 0;
     double dpi = 300;
+    PngColours colours =
+        PngColours::rgb;  // grey takes red, green and blue to be equal, and is a third of the work
 };
 
 /// A stretch of rows, from the top down.

@@ -21,6 +21,10 @@ std::string ending_of(const std::filesystem::path& path) {
     return ending;
 }
 
+bool is_grey(glm::vec3 colour) {
+    return colour.r == colour.g && colour.g == colour.b;
+}
+
 // Thrown from within a writer to leave it.
 struct Stopped {};
 
@@ -29,7 +33,9 @@ void write_pixels(std::ostream& out, const DrawingSettings& settings, const Draw
     const RasterSize size = raster_size(drawing.page, drawing.dpi);
     const RasterRequest request{
         .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.stipple.threads};
-    write_png(out, {size.width, size.height, drawing.dpi}, [&](const PixelSink& pixels) {
+    const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
+    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb};
+    write_png(out, header, [&](const PixelSink& pixels) {
         rasterise(drawing.dots, drawing.page, request, [&](int first_row, const Grid<float>& coverage) {
             progress(static_cast<double>(first_row) / size.height);
             pixels(ink_on_paper(coverage, settings.ink, settings.paper));

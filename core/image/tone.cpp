@@ -18,7 +18,7 @@ constexpr std::array<float, 17> kCoverage{0.0f,    0.0998f, 0.1990f, 0.2984f, 0.
                                           0.5760f, 0.6547f, 0.7241f, 0.7838f, 0.8342f, 0.8753f,
                                           0.9087f, 0.9343f, 0.9543f, 0.9689f, 0.9794f};
 
-// One light value through the tone's settings, as the light that is to be drawn.
+// One light value through the tone's settings, as the light that is to be seen.
 float toned(float light, const Tone& tone) {
     float v = linear_to_srgb(light);
     v = (v - tone.black_point) / std::max(tone.white_point - tone.black_point, 1e-4f);
@@ -27,8 +27,12 @@ float toned(float light, const Tone& tone) {
     const float slope = std::tan((std::min(tone.contrast, 0.999f) + 1) * std::numbers::pi_v<float> / 4);
     v = std::clamp((v - 0.5f) * slope + 0.5f + tone.brightness, 0.0f, 1.0f);
     v = std::pow(v, 1 / tone.gamma);
-    if (tone.invert) v = 1 - v;
     return srgb_to_linear(v);
+}
+
+// The share of paper that ink covers, for that light to be seen.
+float ink_for(float light, const Tone& tone) {
+    return tone.invert ? light : 1 - light;
 }
 
 // Densities at equal steps of the square root of light, along which tone curves bend least.
@@ -37,13 +41,13 @@ class ToneCurve {
     explicit ToneCurve(const Tone& tone) {
         for (int i = 0; i <= kSteps; ++i) {
             const float root = static_cast<float>(i) / kSteps;
-            density_[i] = load_of_coverage(1 - toned(root * root, tone)) / kFullLoad;
+            density_[i] = load_of_coverage(ink_for(toned(root * root, tone), tone)) / kFullLoad;
         }
         density_[kSteps + 1] = density_[kSteps];
     }
 
     float operator()(float light) const {
-        // In this order NaN becomes paper, and neither step is a branch.
+        // In this order NaN becomes white, and neither step is a branch.
         const float at_most_1 = light < 1 ? light : 1.0f;
         const float clamped = at_most_1 > 0 ? at_most_1 : 0.0f;
         const float at = std::sqrt(clamped) * kSteps;

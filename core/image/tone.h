@@ -6,16 +6,17 @@
 namespace dapple {
 
 /// What the tone sliders say. Levels, contrast, brightness and gamma act on the sRGB-encoded value, 0 black
-/// to 1 white, as in photo editors; blur acts on light. The defaults change nothing: coverage follows the
-/// photograph.
+/// to 1 white, as in photo editors; blur acts on light. The defaults change nothing: the ink covers the light
+/// that the photograph lacks. Inverted, for ink that is lighter than its paper, it covers the light that
+/// the photograph has, so the other settings do to what is seen what they do for dark ink.
 struct Tone {
     float black_point = 0;  // encoded value drawn as black; 0..1, below white_point
-    float white_point = 1;  // encoded value drawn as bare paper
+    float white_point = 1;  // encoded value drawn as white
     float contrast = 0;     // -1 flat grey .. 0 as it is .. 1 hard
     float brightness = 0;   // -1..1, added
     float gamma = 1;        // 0.1..10, over 1 brightens the middle tones
     float blur = 0;         // standard deviation in thousandths of the longer side, 0..100
-    bool invert = false;    // for white ink on black paper
+    bool invert = false;    // white ink on black paper
 
     bool operator==(const Tone&) const = default;
 };
@@ -38,7 +39,7 @@ inline constexpr float kFullLoad = 1.6f;
 /// The dot radius, in page units, with which a drawing at that scale has the photograph's tone.
 double radius_for_tone(double scale);
 
-/// The density 0..1 of a picture of linear light (0 black, 1 paper; other values are clamped, NaN is paper).
+/// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Takes the picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone);
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -23,7 +22,8 @@ namespace {
 constexpr int kSamples = 16;                   // a side of the grid of sample points in a pixel
 constexpr int kPixelsPerWord = 64 / kSamples;  // one row of samples of so many pixels is a word
 constexpr std::size_t kBandBytes = 8u << 20;   // of samples
-constexpr std::int64_t kLargestSide = 1'000'000;
+constexpr double kLargestSide = 1'000'000;
+constexpr double kMostPixels = 4e9;
 
 // The page in pixels, and the dots on it.
 struct Canvas {
@@ -59,12 +59,14 @@ class SampleBand {
 
     Grid<float> coverage(int width) const {
         Grid<float> result(width, sample_rows_ / kSamples);
-        std::vector<int> counts(static_cast<std::size_t>(words_) * kPixelsPerWord);
+        std::vector<std::uint64_t> counts(words_);
         for (int y = 0; y < result.height; ++y) {
             std::ranges::fill(counts, 0);
             for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) count(row, counts);
             for (int x = 0; x < width; ++x) {
-                result.at(x, y) = static_cast<float>(counts[x]) / (kSamples * kSamples);
+                const std::uint64_t bytes = counts[x / kPixelsPerWord] >> x % kPixelsPerWord * kSamples;
+                result.at(x, y) =
+                    static_cast<float>((bytes & 0xff) + (bytes >> 8 & 0xff)) / (kSamples * kSamples);
             }
         }
         return result;
@@ -85,15 +87,16 @@ class SampleBand {
         line[to] |= tail;
     }
 
-    void count(int row, std::span<int> counts) const {
-        constexpr std::uint64_t pixel_mask = (std::uint64_t{1} << kSamples) - 1;
+    // Adds to each byte of the counts how many bits that byte of the row has set. A byte is half of a pixel's
+    // samples in a row, so it counts to 128 at most. Without branches and without the processor's own
+    // count, which the oldest ones lack: compilers do several words at a time.
+    void count(int row, std::span<std::uint64_t> counts) const {
         const std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
         for (int word = 0; word < words_; ++word) {
-            const std::uint64_t bits = line[word];
-            if (bits == 0) continue;
-            for (int i = 0; i < kPixelsPerWord; ++i) {
-                counts[word * kPixelsPerWord + i] += std::popcount(bits >> (i * kSamples) & pixel_mask);
-            }
+            std::uint64_t bits = line[word];
+            bits -= bits >> 1 & 0x5555555555555555u;
+            bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
+            counts[word] += (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fu;
         }
     }
 
@@ -173,17 +176,26 @@ Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i) {
     return samples.coverage(canvas.size.width);
 }
 
+// To two digits, which people can type and which stay below.
+double rounded_down(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::floor(value / unit) * unit;
+}
+
 }  // namespace
 
 RasterSize raster_size(const PageSize& page, double dpi) {
     const double width = std::round(page.width_mm / 25.4 * dpi),
                  height = std::round(page.height_mm / 25.4 * dpi);
-    if (!(std::max(width, height) <= static_cast<double>(kLargestSide))) {
-        throw std::runtime_error(
-            fmt::format("the page would be {:.0f} x {:.0f} pixels, and {} a side is the most; choose fewer "
-                        "dots to the inch or a "
-                        "smaller page",
-                        width, height, kLargestSide));
+    const double shrink =
+        std::min(kLargestSide / std::max(width, height), std::sqrt(kMostPixels / (width * height)));
+    // Written so that what is not a number is refused too.
+    if (!(shrink >= 1)) {
+        throw std::runtime_error(fmt::format(
+            "the page would be {:.0f} x {:.0f} pixels, and {:.0f} a side and {:.0f} gigapixels in "
+            "all are the most; choose {:.4g} dots to the inch or fewer, a smaller page or a part "
+            "of it",
+            width, height, kLargestSide, kMostPixels * 1e-9, rounded_down(dpi * shrink)));
     }
     return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};
 }

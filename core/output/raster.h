@@ -19,8 +19,9 @@ struct RasterSize {
     int width = 0, height = 0;  // pixels
 };
 
-/// The page at that resolution, rounded to whole pixels, at least 1 x 1. Throws std::runtime_error if a side
-/// is over 1,000,000 pixels, which is what PNG readers take.
+/// The page at that resolution, rounded to whole pixels, at least 1 x 1. Throws std::runtime_error, telling
+/// the resolution that would do, if a side is over 1,000,000 pixels, which is what PNG readers take, or all
+/// of it over 4 gigapixels, which is a few minutes' work.
 RasterSize raster_size(const PageSize& page, double dpi);
 
 struct RasterRequest {
