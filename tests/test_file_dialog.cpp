@@ -28,9 +28,17 @@ struct DialogUi {
         if (auto path = dialog.draw()) chosen = path;
     }};
 
-    void show(FileDialog::Purpose purpose, const fs::path& start) {
+    void open(const fs::path& start) {
         ImGui::GetIO().DisplaySize = {900, 700};
-        dialog.show(purpose, start);
+        dialog.ask_what_to_open(start);
+        for (int i = 0; i < 4; ++i) ui.frame();
+    }
+    void save(const fs::path& start, const fs::path& own_file = {}) {
+        ImGui::GetIO().DisplaySize = {900, 700};
+        dialog.ask_where_to_save({.title = "Export",
+                                  .formats = {{"SVG", ".svg"}, {"PNG", ".png"}, {"CSV", ".csv"}},
+                                  .start = start,
+                                  .own_file = own_file});
         for (int i = 0; i < 4; ++i) ui.frame();
     }
 };
@@ -48,7 +56,7 @@ TEST_CASE("a folder's listing has folders first, wanted files by name, nothing h
 TEST_CASE("walking into a folder and opening a picture there gives its path") {
     Folder folder;
     DialogUi f;
-    f.show(FileDialog::Purpose::open_picture, folder.root.path());
+    f.open(folder.root.path());
     f.ui.click("b folder/");
     f.ui.frame();
     f.ui.click("inner.tif");
@@ -62,7 +70,7 @@ TEST_CASE("walking into a folder and opening a picture there gives its path") {
 TEST_CASE("Cancel chooses nothing") {
     Folder folder;
     DialogUi f;
-    f.show(FileDialog::Purpose::open_picture, folder.root.path());
+    f.open(folder.root.path());
     f.ui.click("Cancel");
     CHECK_FALSE(f.chosen);
     CHECK_FALSE(f.dialog.is_open());
@@ -71,7 +79,7 @@ TEST_CASE("Cancel chooses nothing") {
 TEST_CASE("saving fills the name in, and the format row changes its ending") {
     Folder folder;
     DialogUi f;
-    f.show(FileDialog::Purpose::save_drawing, folder.root.path() / "cat.svg");
+    f.save(folder.root.path() / "cat.svg");
     f.ui.click("CSV");
     f.ui.click("Accept");
     REQUIRE(f.chosen);
@@ -81,14 +89,78 @@ TEST_CASE("saving fills the name in, and the format row changes its ending") {
 TEST_CASE("a folder that is not there, or an ending that is unknown, is refused while the dialog stays") {
     Folder folder;
     DialogUi f;
-    f.show(FileDialog::Purpose::save_drawing, folder.root.path() / "missing" / "cat.svg");
+    f.save(folder.root.path() / "missing" / "cat.svg");
     f.ui.click("Accept");
     CHECK_FALSE(f.chosen);
     CHECK(f.dialog.is_open());
-    f.dialog.show(FileDialog::Purpose::save_drawing, folder.root.path() / "cat.doc");
+    f.save(folder.root.path() / "cat.doc");
     f.ui.frame();
     f.ui.click("Accept");
     CHECK_FALSE(f.chosen);
+}
+
+TEST_CASE("a name without an ending gets that of the format chosen, which stays chosen while it is typed") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "out");
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.root.path() / "out.svg");
+    f.save(folder.root.path() / "out.png");
+    f.ui.click("Path");
+    ImGui::GetIO().KeyMap[ImGuiKey_Backspace] = 259;
+    ImGui::GetIO().KeyMap[ImGuiKey_End] = 269;
+    f.ui.key(269);
+    for (int letter = 0; letter < 4; ++letter) f.ui.key(259);
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.root.path() / "out.png");
+}
+
+TEST_CASE("a file that is there is replaced only when that was asked for twice") {
+    Folder folder;
+    DialogUi f;
+    const fs::path there = folder.root.path() / "ant.png";
+    f.save(there);
+    f.ui.click("Accept");
+    CHECK_FALSE(f.chosen);
+    REQUIRE(f.ui.has("Replace"));
+    f.ui.click("Keep");
+    CHECK_FALSE(f.chosen);
+    CHECK(f.dialog.is_open());
+    f.ui.click("Accept");
+    f.ui.click("Replace");
+    CHECK(f.chosen == there);
+}
+
+TEST_CASE("Enter asks before it replaces a file, and another Enter does it") {
+    Folder folder;
+    DialogUi f;
+    const fs::path there = folder.root.path() / "ant.png";
+    f.save(there);
+    f.ui.key(HeadlessUi::kEnter);
+    CHECK_FALSE(f.chosen);
+    REQUIRE(f.ui.has("Replace"));
+    f.ui.key(HeadlessUi::kEnter);
+    CHECK(f.chosen == there);
+}
+
+TEST_CASE("another name takes the question whether to replace back") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "ant.png");
+    f.ui.click("Accept");
+    REQUIRE(f.ui.has("Replace"));
+    f.ui.click("SVG");
+    CHECK_FALSE(f.ui.has("Replace"));
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.root.path() / "ant.svg");
+}
+
+TEST_CASE("the file that was written last is written again without a question") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "ant.png", folder.root.path() / "ant.png");
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.root.path() / "ant.png");
 }
 
 }  // namespace dapple

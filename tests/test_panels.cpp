@@ -9,6 +9,7 @@
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -342,6 +343,67 @@ TEST_CASE("the banner stays until its cross is clicked") {
     CHECK(banner.message == "cat.png: not a picture");
     ui.click("Close message");
     CHECK(banner.message.empty());
+}
+
+TEST_CASE("a notice goes by itself after some seconds, an error does not") {
+    Banner notice{BannerKind::notice, "Saved cat.svg"};
+    HeadlessUi ui([&] { draw_banner(notice, {0, 0}, {400, 300}); });
+    ui.frame(1);
+    ui.frame(1);
+    CHECK(notice.message == "Saved cat.svg");
+    // The window that sleeps wakes when it begins to fade.
+    CHECK(rest_of(notice) > 1);
+    CHECK(rest_of(notice) < 10);
+    for (int second = 0; second < 10; ++second) ui.frame(1);
+    CHECK(notice.message.empty());
+    notice = {BannerKind::error, "cat.png: not a picture"};
+    CHECK(rest_of(notice) > 1e9);
+    for (int second = 0; second < 20; ++second) ui.frame(1);
+    CHECK(notice.message == "cat.png: not a picture");
+}
+
+TEST_CASE("a notice stays while the mouse is on it, and a new one starts anew however long nobody drew") {
+    Banner banner{BannerKind::notice, "Saved cat.svg"};
+    HeadlessUi ui([&] { draw_banner(banner, {0, 0}, {400, 300}); });
+    const glm::vec2 on_it = ui.at("Close message", 0) - glm::vec2(20, 0);
+    ui.move_to(on_it);
+    for (int second = 0; second < 20; ++second) ui.frame(1);
+    CHECK(banner.message == "Saved cat.svg");
+    ui.move_to({1, 899});
+    banner = {BannerKind::notice, "Saved dog.svg"};
+    ui.frame(60);
+    CHECK(banner.message == "Saved dog.svg");
+}
+
+TEST_CASE("an export's resolution and order are set where it is asked for, for the formats that have them") {
+    ViewerSettings settings;
+    DrawingFormat format = DrawingFormat::svg;
+    HeadlessUi ui(
+        [&] { draw_export_panel(settings, format, {.dots = 400'000, .bytes = 23.8e6, .trouble = {}}); });
+    CHECK_FALSE(ui.has("Dots per inch"));
+    CHECK_FALSE(ui.has("Tile layer"));
+    ui.click("short moves");
+    CHECK(settings.saving.order == DotOrder::space);
+    ui.click("by priority");
+    CHECK(settings.saving.order == DotOrder::priority);
+    ui.click("Paper in SVG");
+    CHECK(settings.drawing.background);
+    settings.drawing.show_tiles = true;
+    ui.frame();
+    CHECK(ui.has("Tile layer"));
+    format = DrawingFormat::png;
+    ui.frame();
+    CHECK_FALSE(ui.has("Dot order"));
+    CHECK_FALSE(ui.has("Paper in SVG"));
+    ui.enter("Dots per inch", "600");
+    CHECK(settings.saving.dpi == 600);
+}
+
+TEST_CASE("a file's size is told in round words") {
+    CHECK(size_in_words({.dots = 400'000, .bytes = 23.8e6, .trouble = {}}) == "about 24 MB, 400,000 dots");
+    CHECK(size_in_words({.dots = 1, .bytes = 500, .trouble = {}}) == "about 0.5 kB, 1 dot");
+    CHECK(size_in_words({.dots = 10, .bytes = 1.26e9, .trouble = {}}) == "about 1.3 GB, 10 dots");
+    CHECK(size_in_words({.dots = 10, .bytes = 999.9e3, .trouble = {}}) == "about 1.0 MB, 10 dots");
 }
 
 TEST_CASE("saving can be cancelled by its button, and by nothing else") {

@@ -4,13 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/viewer/export_estimate.h"
 #include "app/viewer/session.h"
+#include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
 namespace dapple {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr glm::dvec2 kCanvas{800, 600};
 
@@ -208,6 +215,73 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
     REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
     const double dots = static_cast<double>(session.right()->shown().stippling.dots.size());
     CHECK(dots == doctest::Approx(2000).epsilon(0.05));
+}
+
+TEST_CASE("saved files have the order and resolution chosen, and about the size told before") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    Session session(DrawingSettings{}, [] {});
+    session.open_sample();
+    session.settings.drawing.show_tiles = true;
+    session.settings.saving = {DotOrder::priority, 80};
+    PlaceOrder order = order_of(session.settings);
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_news(std::chrono::milliseconds(0));
+            session.order_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.pane().page_order() == order; }));
+    for (const auto& [name, format] : {std::pair("a.svg", DrawingFormat::svg),
+                                       {"a.png", DrawingFormat::png},
+                                       {"a.csv", DrawingFormat::csv}}) {
+        CAPTURE(name);
+        ExportEstimate estimate;
+        const ExportFacts facts = estimate.facts(session.pane(), session.settings, format);
+        CHECK(facts.dots == 40'000);
+        REQUIRE(facts.bytes);
+        const auto before = session.saved_path();
+        session.save(folder / name);
+        CHECK(session.saved_path() == before);
+        REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) ==
+              doctest::Approx(*facts.bytes).epsilon(0.1));
+    }
+    // x_mm,y_mm,radius_mm,level,rank,critical_scale: by priority the last column ascends.
+    std::ifstream table(folder / "a.csv");
+    std::string line;
+    std::getline(table, line);
+    double last = 0;
+    bool ascends = true;
+    int lines = 0;
+    for (; std::getline(table, line); ++lines) {
+        const double critical = std::stod(line.substr(line.rfind(',') + 1));
+        ascends = ascends && critical >= last;
+        last = critical;
+    }
+    CHECK(lines == 40'000);
+    CHECK(ascends);
+}
+
+TEST_CASE("another picture is not saved over the one before") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    Session session(DrawingSettings{}, [] {});
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_news(std::chrono::milliseconds(0));
+            session.order_dots(zoom);
+            return done();
+        });
+    };
+    session.open_sample();
+    REQUIRE(brings([&] { return session.placed_once(); }));
+    session.save(folder / "a.csv");
+    REQUIRE(brings([&] { return session.saved_path() == folder / "a.csv"; }));
+    session.open_sample();
+    REQUIRE(brings([&] { return session.pictures() == 2; }));
+    CHECK(session.saved_path().empty());
 }
 
 }  // namespace dapple

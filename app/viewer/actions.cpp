@@ -1,5 +1,7 @@
 #include "app/viewer/actions.h"
 
+#include "app/viewer/panels/export_panel.h"
+
 namespace dapple {
 namespace {
 
@@ -12,11 +14,15 @@ fs::path where_to_save(const Session& session) {
 
 void ask_what_to_open(const Stage& stage) {
     const fs::path& path = stage.session.picture_path();
-    stage.shown.dialog.show(FileDialog::Purpose::open_picture, path.empty() ? fs::current_path() : path);
+    stage.shown.dialog.ask_what_to_open(path.empty() ? fs::current_path() : path);
 }
 
 void ask_where_to_save(const Stage& stage) {
-    stage.shown.dialog.show(FileDialog::Purpose::save_drawing, where_to_save(stage.session));
+    stage.shown.dialog.ask_where_to_save({.title = "Export the drawing",
+                                          .formats = {{"SVG", ".svg"}, {"PNG", ".png"}, {"CSV", ".csv"}},
+                                          .start = where_to_save(stage.session),
+                                          .own_file = stage.session.saved_path(),
+                                          .option_rows = kExportRows});
 }
 
 void toggle(bool& value) {

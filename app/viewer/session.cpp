@@ -41,30 +41,36 @@ void Session::open(const fs::path& path) {
 }
 
 void Session::save(const fs::path& path) {
-    saved_path_ = path;
     DrawingSettings drawn = settings.drawing;
     DensityChoice choice = settings.density;
+    const SavingChoice saving = settings.saving;
     const std::uint64_t most = most_dots_;
-    pane_.worker().save(
-        path, [path, drawn, choice, most](Workbench& bench, std::stop_token stop) -> Worker::Write {
-            PlacedDrawing drawing;
-            PlaceOrder order = order_of(drawn, choice);
-            order.most_dots = most;
-            order.stipple.critical = drawing_format(path) == DrawingFormat::csv;
-            if (!bench.place(order, drawing, stop)) return {};
-            const Density& density = bench.density(drawn.tone, choice);
-            if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
-            PageSize page = page_size(density, drawn.width_mm);
-            std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
-            return [path, drawn, page, tile_size, drawing = std::move(drawing)](const SavingWatch& watch) {
-                return save_drawing(path, drawn,
-                                    {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
-                                     .page = page,
-                                     .tiles = drawing.outlines,
-                                     .tile_size = tile_size},
-                                    watch);
-            };
-        });
+    const auto prepare = [=](Workbench& bench, std::stop_token stop) -> Worker::Write {
+        const DrawingFormat format = drawing_format(path);
+        const bool sorted = format != DrawingFormat::png;
+        PlacedDrawing drawing;
+        PlaceOrder order = order_of(drawn, choice);
+        order.most_dots = most;
+        order.stipple.critical =
+            format == DrawingFormat::csv || (sorted && saving.order == DotOrder::priority);
+        if (!bench.place(order, drawing, stop)) return {};
+        const Density& density = bench.density(drawn.tone, choice);
+        if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
+        if (sorted) sort_dots(drawing.stippling.dots, saving.order);
+        const PageSize page = page_size(density, drawn.width_mm);
+        const std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
+        const double dpi = saving.dpi;
+        return [path, drawn, page, tile_size, dpi, drawing = std::move(drawing)](const SavingWatch& watch) {
+            return save_drawing(path, drawn,
+                                {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+                                 .page = page,
+                                 .tiles = drawing.outlines,
+                                 .tile_size = tile_size,
+                                 .dpi = dpi},
+                                watch);
+        };
+    };
+    pane_.worker().save(path, prepare);
 }
 
 void Session::order_dots(const Zoom& zoom) {
@@ -117,6 +123,7 @@ void Session::take(PlacedNews& news) {
     if (news.picture) {
         picture_ = std::move(*news.picture);
         ++pictures_;
+        saved_path_.clear();  // it shows another picture
         if (banner.kind == BannerKind::notice) banner = {};
     }
     if (!news.error.empty()) banner = {BannerKind::error, news.error};
@@ -130,6 +137,7 @@ void Session::take(FailedNews& news) {
 }
 
 void Session::take(SavedNews& news) {
+    saved_path_ = news.path;
     banner = {BannerKind::notice, "Saved " + news.path.string()};
 }
 

@@ -53,6 +53,7 @@ class Session {
     /// How many were opened.
     int pictures() const { return pictures_; }
     const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
+    /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
 
     DrawnFacts drawn(const Pane& pane) const;

@@ -14,10 +14,12 @@
 #include "app/viewer/actions.h"
 #include "app/viewer/canvas.h"
 #include "app/viewer/dot_limit.h"
+#include "app/viewer/export_estimate.h"
 #include "app/viewer/frame_rate.h"
 #include "app/viewer/loupe.h"
 #include "app/viewer/pane_view.h"
 #include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/side_captions.h"
@@ -68,6 +70,8 @@ class Viewer {
     void draw_split(const CanvasPlace& place);
     void draw_loupe(const CanvasPlace& place);
     SplitLook look(const CanvasPlace& place) const;
+    /// Both sides are measured by the smaller tile, so that they compare.
+    std::size_t compared_tile_size() const;
     SideCaption caption(const Pane& pane, const RepetitionMeter& meter) const;
     void show_news();
     void show_news(Side side, const Pane* pane);
@@ -90,6 +94,7 @@ class Viewer {
     Loupe loupe_;
     Shown shown_;
     FrameRate frame_rate_;
+    ExportEstimate estimate_;
 
     struct SeenSide {
         int pictures = 0;
@@ -157,12 +162,16 @@ void Viewer::frame() {
 
 void Viewer::draw_dialogs() {
     draw_help_panel(shown_.help);
-    const auto purpose = shown_.dialog.purpose();
-    if (const auto path = shown_.dialog.draw()) {
-        if (purpose == FileDialog::Purpose::open_picture)
-            session_.open(*path);
-        else
+    const auto options = [this](std::size_t format) {
+        const auto kind = static_cast<DrawingFormat>(format);
+        const Pane& pane = session_.pane();
+        draw_export_panel(session_.settings, kind, estimate_.facts(pane, session_.settings, kind));
+    };
+    if (const auto path = shown_.dialog.draw(options)) {
+        if (shown_.dialog.saves())
             session_.save(*path);
+        else
+            session_.open(*path);
     }
 }
 
@@ -179,14 +188,19 @@ void Viewer::draw_split(const CanvasPlace& place) {
     if (comparison.on) draw_split_divider(comparison.divider, place);
 }
 
+std::size_t Viewer::compared_tile_size() const {
+    const std::size_t left = session_.pane().tile_size();
+    const Pane* right = session_.right();
+    return right ? std::min(left, right->tile_size()) : left;
+}
+
 void Viewer::draw_loupe(const CanvasPlace& place) {
     const ViewerSettings& settings = session_.settings;
     if (!settings.loupe.on || !session_.placed_once()) return loupe_.hide();
     const Pane *pane = &session_.pane(), *right = session_.right();
     const float divider = place.corner.x + place.size.x * settings.comparison.divider;
     const bool on_right = right && ImGui::GetIO().MousePos.x >= divider;
-    // Both sides by the smaller tile, so that they compare.
-    const std::size_t size = right ? std::min(pane->tile_size(), right->tile_size()) : pane->tile_size();
+    const std::size_t size = compared_tile_size();
     if (on_right) pane = right;
     loupe_.draw({.shown = pane->shown(),
                  .side = on_right ? Side::right : Side::left,
@@ -218,7 +232,8 @@ SideCaption Viewer::caption(const Pane& pane, const RepetitionMeter& meter) cons
                                    .duplicates = stippling.duplicates,
                                    .figure8 = order.stipple.placer == PlacerKind::figure8});
     if (const auto value = meter.value())
-        caption.facts += fmt::format("; periodicity {:.2f}", std::clamp(*value, 0.0, 1.0));
+        caption.facts += fmt::format("; periodicity over {}-point tiles {:.2f}", compared_tile_size(),
+                                     std::clamp(*value, 0.0, 1.0));
     return caption;
 }
 
@@ -293,8 +308,7 @@ void Viewer::measure_dots() {
     spectrum_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, pane.tile_size()); });
     const Pane* right = session_.right();
     if (!right) return;
-    // Both by the smaller tile, so that the numbers compare.
-    const std::size_t size = std::min(pane.tile_size(), right->tile_size());
+    const std::size_t size = compared_tile_size();
     left_repetition_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, size); });
     right_repetition_.update({right->placings(), camera}, [&] { return dots_on_screen(*right, size); });
 }
@@ -317,7 +331,8 @@ void Viewer::report_outside() {
 double Viewer::longest_rest() const {
     constexpr double kCursorBlinks = 0.3, kLookForPlacing = 0.25;
     if (ImGui::GetIO().WantTextInput) return kCursorBlinks;
-    return placing_seconds() > 0 ? kLookForPlacing : 60;
+    const double longest = placing_seconds() > 0 ? kLookForPlacing : 60;
+    return std::min(longest, rest_of(session_.banner));
 }
 
 int Viewer::run() {

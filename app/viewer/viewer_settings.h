@@ -5,6 +5,7 @@
 #include "app/viewer/comparison.h"
 #include "app/viewer/density_choice.h"
 #include "app/viewer/dot_colours.h"
+#include "core/placing/dot_order.h"
 
 namespace dapple {
 
@@ -21,6 +22,14 @@ struct LoupeChoice {
     bool operator==(const LoupeChoice&) const = default;
 };
 
+/// How the drawing is saved, beside how it looks.
+struct SavingChoice {
+    DotOrder order = DotOrder::recursion;  // in an SVG or a table
+    double dpi = 300;                      // of a PNG
+
+    bool operator==(const SavingChoice&) const = default;
+};
+
 struct ViewerSettings {
     DrawingSettings drawing;
     DensityChoice density = {};
@@ -30,6 +39,7 @@ struct ViewerSettings {
     int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
     Comparison comparison = {};
     LoupeChoice loupe = {};
+    SavingChoice saving = {};
     bool every_frame = false;  // place anew and draw without rest, to see the honest cost
 
     bool operator==(const ViewerSettings&) const = default;

@@ -125,6 +125,13 @@ void show_tip(const char* text, bool hovered) {
     ImGui::EndTooltip();
 }
 
+void show_row_tip(const char* text, const Row& row) {
+    if (!text) return;
+    const ImVec2 end{row.start.x + row.width, row.start.y + row.height};
+    const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.start, end);
+    show_tip(text, hovered && !ImGui::IsAnyItemActive());
+}
+
 }  // namespace
 
 void note_place(const char* label) {
@@ -173,11 +180,7 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
     if (value_box(value, range, row, box_width, typing)) changed = true;
     note_place((std::string(label) + " value").c_str());
-    if (range.tip) {
-        const ImVec2 end{row.start.x + row.width, row.start.y + row.height};
-        const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.start, end);
-        show_tip(range.tip, hovered && !ImGui::IsAnyItemActive());
-    }
+    show_row_tip(range.tip, row);
     end_row(row);
     return changed;
 }
@@ -230,7 +233,7 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
     return changed;
 }
 
-bool segmented_row(const char* label, int& chosen, std::span<const char* const> names) {
+bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip) {
     Row row;
     begin_row(label, row);
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -259,6 +262,7 @@ bool segmented_row(const char* label, int& chosen, std::span<const char* const> 
         list->AddText({std::floor((x0 + x1 - size.x) / 2), row.start.y + (row.height - size.y) / 2}, colour,
                       names[i]);
     }
+    show_row_tip(tip, row);
     end_row(row);
     return changed;
 }

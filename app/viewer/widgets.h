@@ -54,7 +54,8 @@ bool switch_row(const char* label, bool& value);
 bool choice_row(const char* label, int& chosen, std::span<const char* const> names);
 
 /// Two to four choices side by side. True when another was chosen.
-bool segmented_row(const char* label, int& chosen, std::span<const char* const> names);
+bool segmented_row(const char* label, int& chosen, std::span<const char* const> names,
+                   const char* tip = nullptr);
 
 /// A colour with a picker behind it; sRGB-encoded 0..1.
 bool colour_row(const char* label, glm::vec3& colour);

@@ -17,6 +17,7 @@ namespace dapple {
 namespace {
 
 constexpr int kDefaultWidth = 1280, kDefaultHeight = 800;
+constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
 // Seconds. A graphics driver's thread may read the event for which this one sleeps; then nothing else wakes
 // it.
 constexpr double kLongestWait = 1;
@@ -150,10 +151,17 @@ void Window::follow_content_scale() {
     bool again = content_scale_ > 0;
     content_scale_ = scale;
     apply_theme(scale);
+    set_smallest_size();
     if (again) {
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }
+}
+
+void Window::set_smallest_size() {
+    const auto scaled = [&](int size) { return static_cast<int>(static_cast<float>(size) * content_scale_); };
+    glfwSetWindowSizeLimits(window_, scaled(kSmallestWidth), scaled(kSmallestHeight), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
 }
 
 // A key pressed and let go between two frames, which a slow frame makes likely, would go unseen: ImGui 1.86

@@ -43,6 +43,7 @@ class Window {
  private:
     struct Library;  // GLFW itself
     void follow_content_scale();
+    void set_smallest_size();
     void show_short_presses();
     void forget_short_presses();
     void show_press_positions();

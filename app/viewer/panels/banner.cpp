@@ -1,6 +1,7 @@
 #include "app/viewer/panels/banner.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <imgui.h>
 
@@ -8,8 +9,27 @@
 #include "app/viewer/widgets.h"
 
 namespace dapple {
+namespace {
+
+constexpr float kStays = 6, kFades = 0.7f;  // seconds
+
+// Counts from the first frame that shows it: the one before may lie long back.
+void grow_old(Banner& banner) {
+    if (banner.kind == BannerKind::error) return;
+    banner.shown_for = banner.shown_for < 0 ? 0 : banner.shown_for + ImGui::GetIO().DeltaTime;
+    if (banner.shown_for > kStays + kFades) banner = {};
+}
+
+}  // namespace
+
+double rest_of(const Banner& banner) {
+    if (banner.message.empty() || banner.kind == BannerKind::error)
+        return std::numeric_limits<double>::infinity();
+    return std::max(0.0f, kStays - std::max(banner.shown_for, 0.0f));
+}
 
 void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
+    grow_old(banner);
     if (banner.message.empty()) return;
     float unit = ImGui::GetTextLineHeight() / 15;
     float cross = ImGui::GetFrameHeight();
@@ -19,6 +39,8 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     float width = text.x + 2 * padding.x + cross + 8 * unit;
     ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
     ImGui::SetNextWindowSize({width, std::max(text.y, cross) + 2 * padding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha,
+                        std::clamp((kStays + kFades - banner.shown_for) / kFades, 0.0f, 1.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, unit);
     ThemeColour colour = banner.kind == BannerKind::error ? ThemeColour::warning : ThemeColour::accent;
@@ -32,9 +54,10 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::SetCursorPos({width - padding.x - cross + 4 * unit, padding.y});
     if (ImGui::Button("x", {cross, cross})) banner.message.clear();
     note_place("Close message");
+    if (ImGui::IsWindowHovered() && banner.shown_for > 0) banner.shown_for = 0;
     ImGui::End();
     ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace dapple

@@ -2,6 +2,7 @@
 // Our own file dialog, the same on every desktop: a path to type, a folder to walk.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,29 +20,57 @@ struct FolderEntry {
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
                                      const std::vector<std::string>& extensions);
 
+/// A kind of file that can be written.
+struct FileFormat {
+    const char* name;    // "SVG"
+    const char* ending;  // ".svg"
+};
+
+/// What is to be saved.
+struct SaveQuestion {
+    const char* title = "";
+    std::vector<FileFormat> formats{};  // the first is chosen unless the name's ending says another
+    std::filesystem::path start{};      // its folder is opened, its name filled in
+    std::filesystem::path own_file{};   // replaced without asking; none: empty
+    int option_rows = 0;                // room for draw()'s options, in rows
+};
+
 class FileDialog {
  public:
-    enum class Purpose { open_picture, save_drawing };
+    /// Opens it in the folder of `start`, to choose a picture.
+    void ask_what_to_open(const std::filesystem::path& start);
+    /// Opens it for a file to write. One that is there already is replaced only after it was asked for twice.
+    void ask_where_to_save(SaveQuestion question);
 
-    /// Opens it in the folder of `start`, with start's file name filled in when saving.
-    void show(Purpose purpose, const std::filesystem::path& start);
     bool is_open() const { return open_; }
-    Purpose purpose() const { return purpose_; }
+    bool saves() const { return saves_; }
 
-    /// Draws it while it is open. The path, once the person has chosen one.
-    std::optional<std::filesystem::path> draw();
+    /// Draws what goes with the format chosen, an index into SaveQuestion::formats.
+    using DrawOptions = std::function<void(std::size_t format)>;
+
+    /// Draws it while it is open. The path, with a known ending, once the person has chosen one.
+    std::optional<std::filesystem::path> draw(const DrawOptions& options = {});
 
  private:
+    void show(const std::filesystem::path& start);
     void enter(const std::filesystem::path& folder);
     std::optional<std::filesystem::path> draw_entries();
     void draw_formats();
+    std::optional<std::filesystem::path> draw_buttons();
+    std::optional<std::filesystem::path> draw_replace_question();
     std::optional<std::filesystem::path> accept(const std::filesystem::path& path);
+    std::vector<std::string> endings() const;
+    std::optional<std::size_t> format_of(const std::filesystem::path& path) const;
+    std::filesystem::path with_ending(const std::filesystem::path& path) const;
 
-    Purpose purpose_ = Purpose::open_picture;
+    bool saves_ = false;
     bool open_ = false, just_opened_ = false;
+    SaveQuestion question_;  // of use if it saves
+    std::size_t format_ = 0;
     std::filesystem::path folder_;
-    std::string typed_;    // the path box
-    std::string trouble_;  // why the path cannot be taken
+    std::string typed_;               // the path box
+    std::string trouble_;             // why the path cannot be taken
+    std::filesystem::path replaces_;  // what was asked for once and is there already
     std::vector<FolderEntry> entries_;
 };
 

@@ -51,7 +51,6 @@ bool draw_view_panel(ViewerSettings& settings) {
     }
     changed |= colour_row("Ink", settings.drawing.ink);
     changed |= colour_row("Paper", settings.drawing.paper);
-    changed |= switch_row("Paper in SVG", settings.drawing.background);
     changed |= switch_row("Every frame", settings.every_frame);
     return changed;
 }

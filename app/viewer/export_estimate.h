@@ -1,0 +1,46 @@
+#pragma once
+// How large a file would be, told before it is written.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "app/files/save_drawing.h"
+#include "app/viewer/pane.h"
+#include "app/viewer/panels/export_panel.h"
+
+namespace dapple {
+
+/// What would be written, as save_drawing() gets it; dots in memory.
+struct EstimatedDrawing {
+    const Dots& dots;
+    double scale = 0;
+    PageSize page;
+    std::span<const PlacedTile> tiles = {};
+    std::size_t tile_size = 16;
+    double dpi = 300;
+};
+
+/// Bytes, about: the format's own writer writes some of the dots, or some of the pixels, and the rest is
+/// taken to be like them. Throws std::runtime_error as the writer would.
+double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
+                       const EstimatedDrawing& drawing);
+
+/// Estimates anew only when something changed.
+class ExportEstimate {
+ public:
+    ExportFacts facts(const Pane& pane, const ViewerSettings& settings, DrawingFormat format);
+
+ private:
+    struct Key {
+        std::uint64_t placings = 0;
+        DrawingFormat format{};
+        DrawingSettings drawing;
+        double dpi = 0;
+        bool operator==(const Key&) const = default;
+    };
+    std::optional<Key> key_;
+    ExportFacts facts_;
+};
+
+}  // namespace dapple

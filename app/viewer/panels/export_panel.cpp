@@ -1,0 +1,79 @@
+#include "app/viewer/panels/export_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+namespace {
+
+constexpr const char* kOrders =
+    "The order of the dots in the file, in which a plotter draws them.\n"
+    "as placed: tile by tile.\n"
+    "short moves: each near the one before.\n"
+    "by priority: the first n dots are the drawing with n dots, so that a plot may stop at any time.";
+
+bool draw_order(DotOrder& order) {
+    // As DotOrder has them, but for the last two.
+    constexpr std::array kShown{DotOrder::recursion, DotOrder::space, DotOrder::priority};
+    int chosen = order == DotOrder::recursion ? 0 : order == DotOrder::space ? 1 : 2;
+    const bool changed =
+        segmented_row("Dot order", chosen, std::array{"as placed", "short moves", "by priority"}, kOrders);
+    if (changed) order = kShown[static_cast<std::size_t>(chosen)];
+    return changed;
+}
+
+// Two digits, or a whole number below a hundred thousand bytes.
+std::string bytes_in_words(double bytes) {
+    const char* unit = "kB";
+    double size = bytes / 1e3;
+    for (const char* larger : {"MB", "GB", "TB"}) {
+        if (size < 999.5) break;
+        size /= 1e3;
+        unit = larger;
+    }
+    if (size < 9.95) return fmt::format("{:.1f} {}", std::max(size, 0.1), unit);
+    const double step = size < 99.5 ? 1 : 10;
+    return fmt::format("{:.0f} {}", std::round(size / step) * step, unit);
+}
+
+}  // namespace
+
+std::string size_in_words(const ExportFacts& facts) {
+    const std::string dots = grouped(facts.dots) + (facts.dots == 1 ? " dot" : " dots");
+    return facts.bytes ? "about " + bytes_in_words(*facts.bytes) + ", " + dots : dots;
+}
+
+bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportFacts& facts) {
+    bool changed = false;
+    if (format == DrawingFormat::png)
+        changed |= slider_row("Dots per inch", settings.saving.dpi,
+                              {.min = 50,
+                               .max = 1200,
+                               .neutral = 300,
+                               .curve = SliderCurve::logarithmic,
+                               .format = "%.0f",
+                               .hard_min = 1,
+                               .hard_max = 100'000,
+                               .tip = "Pixels to the inch of the page, whose width is under Dots."});
+    else
+        changed |= draw_order(settings.saving.order);
+    if (format == DrawingFormat::svg) changed |= switch_row("Paper in SVG", settings.drawing.background);
+    if (!facts.trouble.empty()) {
+        hint(facts.trouble.c_str());
+        return changed;
+    }
+    hint(size_in_words(facts).c_str());
+    note_place("File size");
+    if (!settings.drawing.show_tiles) return changed;
+    hint(format == DrawingFormat::svg ? "With the tile boundaries as a layer of their own."
+                                      : "Without the tile boundaries: only an SVG has layers.");
+    note_place("Tile layer");
+    return changed;
+}
+
+}  // namespace dapple
