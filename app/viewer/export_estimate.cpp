@@ -117,12 +117,14 @@ double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawin
     const Mosaic mosaic = mosaic_of(drawing, raster_size(drawing.page, drawing.dpi));
     const Grid<float> coverage =
         coverage_of(mosaic.dots, mosaic.page, {.dot_radius_mm = radius, .dpi = drawing.dpi, .threads = 0});
-    return bytes_of([&](std::ostream& out) {
-               write_png(out, {coverage.width, coverage.height, drawing.dpi}, [&](const PixelSink& sink) {
-                   sink(ink_on_paper(coverage, settings.ink, settings.paper));
-               });
-           }) /
-           mosaic.share;
+    const auto is_grey = [](glm::vec3 colour) { return colour.r == colour.g && colour.g == colour.b; };
+    PngHeader header{coverage.width, coverage.height, drawing.dpi};
+    if (is_grey(settings.ink) && is_grey(settings.paper)) header.colours = PngColours::grey;
+    const auto write = [&](std::ostream& out) {
+        write_png(out, header,
+                  [&](const PixelSink& sink) { sink(ink_on_paper(coverage, settings.ink, settings.paper)); });
+    };
+    return bytes_of(write) / mosaic.share;
 }
 
 }  // namespace
