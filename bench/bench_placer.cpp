@@ -3,6 +3,7 @@
 // DAPPLE_BENCH_PICTURE.
 
 #include <benchmark/benchmark.h>
+#include <tbb/parallel_invoke.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -50,6 +51,26 @@ void exact(benchmark::State& state, const Density& density, const std::string& t
         benchmark::ClobberMemory();
     }
     report(state, dots.size());
+}
+
+// Two drawings beside each other: the most that a second thread can bring on this machine.
+void two_at_once(benchmark::State& state, const Density& density, const std::string& tile) {
+    RankedTile ranked[] = {tile_named(tile, RankingOrder::energy), tile_named(tile, RankingOrder::energy)};
+    PlacingRequest request;
+    request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
+    Dots dots[2];
+    const auto place = [&] {
+        tbb::parallel_invoke([&] { ranked[0].placer().place(density, request, dots[0]); },
+                             [&] { ranked[1].placer().place(density, request, dots[1]); });
+    };
+    place();
+    for (auto _ : state) {
+        place();
+        benchmark::DoNotOptimize(dots[0].x.data());
+        benchmark::DoNotOptimize(dots[1].x.data());
+        benchmark::ClobberMemory();
+    }
+    report(state, dots[0].size() + dots[1].size());
 }
 
 void exact_count(benchmark::State& state, const Density& density, const std::string& tile) {
@@ -125,6 +146,8 @@ void add_picture(const std::string& name, const Density& density) {
     }
     add(
         "exact_paper16_all_cores", [&density](benchmark::State& s) { exact(s, density, "paper16", 0); }, 0);
+    add(
+        "two_at_once_paper16", [&density](benchmark::State& s) { two_at_once(s, density, "paper16"); }, 2);
     add("exact_count_paper16", [&density](benchmark::State& s) { exact_count(s, density, "paper16"); });
 }
 

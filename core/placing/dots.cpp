@@ -1,8 +1,26 @@
 #include "core/placing/dots.h"
 
+#include <sys/mman.h>
+
 #include <cmath>
 
 namespace dapple {
+
+namespace {
+
+constexpr std::align_val_t kHugePage{2 << 20};
+
+}  // namespace
+
+void* allocate_large(std::size_t bytes) {
+    void* const memory = ::operator new(bytes, kHugePage);
+    madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: without, it is memory as well
+    return memory;
+}
+
+void deallocate_large(void* memory) {
+    ::operator delete(memory, kHugePage);
+}
 
 Birthplace birthplace_of(float threshold, std::size_t tile_size) {
     double birth = threshold * 16.0;
