@@ -184,6 +184,17 @@ TEST_CASE("windows that tile the page share its dots out without a lost or doubl
     CHECK(same == total);
 }
 
+TEST_CASE("a column of dots keeps its numbers while it grows into large memory and back") {
+    FloatBuffer column{1, 2, 3};
+    column.reserve(kLargeMemory / sizeof(float) + 1);
+    column.resize(column.capacity());
+    column.back() = 4;
+    CHECK(column[2] == 3);
+    column.resize(2);
+    column.shrink_to_fit();
+    CHECK(column == FloatBuffer{1, 2});
+}
+
 TEST_CASE("birthplaces can be read off thresholds") {
     for (const std::size_t n : {16u, 64u, 4096u}) {
         CHECK(birthplace_of(0.5f / 16, n).level == 0);

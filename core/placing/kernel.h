@@ -71,10 +71,9 @@ struct Kernels {
     /// Writes the square's dots, in the order of their births.
     PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
 
-    /// The same where the bounds alone decide on every point, so that nobody has to look the density up;
-    /// false, with nothing of use written, where they do not. output.critical has to be null, the square not
-    /// at an edge, and its source and all that belongs to it may be unset.
-    bool (*place_sure)(const KernelSquare& square, const KernelOutput& output, PlacedCount& placed);
+    /// Writes the square's first `count` points, whatever the density and the edges are: output.critical is
+    /// not written, and what belongs to the square's source may be unset.
+    void (*place_first)(const KernelSquare& square, std::size_t count, const KernelOutput& output);
 };
 
 extern const Kernels kBaselineKernels, kAvx2Kernels, kAvx512Kernels;

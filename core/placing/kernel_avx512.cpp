@@ -131,6 +131,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 namespace dapple {
 
 extern const Kernels kAvx512Kernels;
-const Kernels kAvx512Kernels{place_square, place_sure};
+const Kernels kAvx512Kernels{place_square, place_first};
 
 }  // namespace dapple

@@ -79,25 +79,15 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
     }
 }
 
-bool place_sure(const KernelSquare& s, const KernelOutput& out, PlacedCount& placed) {
-    const Lanes sure_below(s.sure_below), none_from(s.none_from);
-    std::size_t count = 0;
-    for (std::size_t i = 0;; i += kWidth) {
+void place_first(const KernelSquare& s, std::size_t count, const KernelOutput& out) {
+    for (std::size_t i = 0; i < count; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
-        const Lanes birth = load(points.birth + at);
-        const unsigned sure = bits_of(sure_below > birth);
-        if (sure != bits_of(none_from > birth)) return false;
         const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
-        store(out.x + count, Lanes(s.centre_x) + Lanes(s.half_x) * x);
-        store(out.y + count, Lanes(s.centre_y) + Lanes(s.half_y) * y);
-        store(out.threshold + count, birth * Lanes(s.threshold_per_birth));
-        // Births ascend: those that are sure come first.
-        count += static_cast<std::size_t>(__builtin_popcount(sure));
-        if (sure != (1u << kWidth) - 1) break;
+        store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
+        store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
+        store(out.threshold + i, load(points.birth + at) * Lanes(s.threshold_per_birth));
     }
-    placed = {count, 0};
-    return true;
 }
 
 template <bool kCritical, bool kLate>

@@ -127,6 +127,18 @@ CellPoint CellPoints::operator[](std::size_t i) const {
     return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
 }
 
+std::size_t CellPoints::born_before(float birth) const {
+    std::size_t low = 0, high = size_;
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if ((*this)[middle].birth < birth)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     PlacingTable table;
     table.tile_size = tile.size();

@@ -42,6 +42,8 @@ class CellPoints {
 
     std::size_t size() const { return size_; }
     CellPoint operator[](std::size_t i) const;
+    /// How many have a lower birth.
+    std::size_t born_before(float birth) const;
     const PointBlock* blocks() const { return blocks_.data(); }
 
  private:

@@ -69,7 +69,10 @@ void SquareEmitter::emit(const Visit& visit) {
     set_edges(visit, square);
     const KernelOutput output = room_for(points.size() + kKernelPadding);
     PlacedCount placed;
-    if (!bounds_may_decide(square, points) || !kernels_.place_sure(square, output, placed)) {
+    if (const auto sure = decided_by_bounds(square, points)) {
+        kernels_.place_first(square, *sure, output);
+        placed.dots = *sure;
+    } else {
         const bool across_seam = set_density(visit, square);
         placed = across_seam ? emit_across_seam(square, output) : kernels_.place(square, output);
     }
@@ -77,11 +80,16 @@ void SquareEmitter::emit(const Visit& visit) {
     late_ += placed.late;
 }
 
-// Whether trying without the density is worth it: the bounds are close, or beyond the last birth.
-bool SquareEmitter::bounds_may_decide(const KernelSquare& square, const CellPoints& points) const {
-    if (traversal_.request().critical || square.at_edge) return false;
-    return square.sure_below > kCloseBounds * square.none_from ||
-           square.sure_below > points[points.size() - 1].birth;
+// How many of the square's points exist, the first ones, if its bounds tell: no other point is born between
+// what is there all over the square and what is nowhere in it. Nobody has to look the density up then.
+std::optional<std::size_t> SquareEmitter::decided_by_bounds(const KernelSquare& square,
+                                                            const CellPoints& points) const {
+    if (traversal_.request().critical || square.at_edge) return std::nullopt;
+    const float last = points[points.size() - 1].birth;
+    if (square.sure_below <= std::min(kCloseBounds * square.none_from, last)) return std::nullopt;
+    const std::size_t sure = points.born_before(square.sure_below);
+    if (sure < points.size() && points[sure].birth < square.none_from) return std::nullopt;
+    return sure;
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
