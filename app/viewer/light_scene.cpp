@@ -52,6 +52,12 @@ double wrapped(double u) {
     return u - std::floor(u);
 }
 
+// Many markers are small, so that they cover a tenth of the map at most: at 96 dpi.
+float marker_radius(std::size_t samples, glm::vec2 map_size) {
+    const float area = map_size.x * map_size.y / static_cast<float>(std::max<std::size_t>(samples, 1));
+    return std::clamp(0.11f * std::sqrt(area), 0.35f, 1.6f);
+}
+
 }  // namespace
 
 LitMap::LitMap(EnvironmentMap environment)
@@ -134,7 +140,7 @@ void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& se
     piece(turn, 1, 0);
     if (turn > 0) piece(0, turn, 1 - turn);
     if (settings.samples_shown) {
-        const float radius = 1.6f * unit;
+        const float radius = marker_radius(shown_.places.size(), map_size) * unit;
         const auto discs = [&](float r, ImU32 colour) {
             for (const glm::dvec2 p : shown_.places) {
                 const glm::dvec2 at(wrapped(p.x - settings.turn_degrees / 360), p.y);
@@ -142,7 +148,7 @@ void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& se
                 list->AddCircleFilled({place.x, place.y}, r, colour, 8);
             }
         };
-        discs(radius + unit, IM_COL32(20, 20, 20, 255));
+        discs(radius * 1.6f, IM_COL32(20, 20, 20, 255));
         discs(radius, IM_COL32(255, 255, 255, 255));
     }
 

@@ -8,6 +8,7 @@
 #include <exception>
 #include <future>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -173,7 +174,9 @@ class LightViewer {
             const EnvironmentMap& map = scene_->map();
             hint((std::to_string(map.width()) + " x " + std::to_string(map.height()) + " pixels").c_str());
         }
-        draw_lights_panel(settings_, scene_ ? scene_->facts() : LightsFacts{});
+        std::optional<LightsFacts> facts;
+        if (scene_ && scene_->samplings() > 0) facts = scene_->facts();
+        draw_lights_panel(settings_, facts);
         ImGui::End();
         ImGui::PopStyleVar();
     }

@@ -77,14 +77,21 @@ void line(const char* label, const std::string& value) {
 
 }  // namespace
 
-bool draw_lights_panel(LightsSettings& settings, const LightsFacts& facts) {
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts) {
     bool changed = draw_samples(settings.request);
     changed |= draw_view(settings);
     if (section("Figures")) {
-        line("Irradiance differs by", fmt::format("{:.3g} %", 100 * facts.difference));
-        line("Total flux differs by", fmt::format("{:.1e}", facts.flux_error));
-        line("Placing", fmt::format("{:.1f} ms", facts.place_ms));
-        line("Sharing out the light", fmt::format("{:.1f} ms", facts.share_ms));
+        const auto figure = [&](const char* label, const auto& words) {
+            line(label, facts ? words(*facts) : std::string("measuring"));
+            note_place(label);
+        };
+        figure("Irradiance differs by",
+               [](const LightsFacts& f) { return fmt::format("{:.3g} %", 100 * f.difference); });
+        figure("Total flux differs by",
+               [](const LightsFacts& f) { return fmt::format("{:.1e}", f.flux_error); });
+        figure("Placing", [](const LightsFacts& f) { return fmt::format("{:.1f} ms", f.place_ms); });
+        figure("Sharing out the light",
+               [](const LightsFacts& f) { return fmt::format("{:.1f} ms", f.share_ms); });
         hint(
             "Irradiance: mean difference over all normals between the left sphere, lit by the samples, and "
             "the "

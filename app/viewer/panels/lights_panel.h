@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -26,6 +27,7 @@ struct LightsFacts {
 };
 
 /// Sections "Samples" and "View", and the figures. True while something changes.
-bool draw_lights_panel(LightsSettings& settings, const LightsFacts& facts);
+/// Without facts the samples are still being taken, and it says so in their place.
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts);
 
 }  // namespace dapple
