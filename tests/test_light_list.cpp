@@ -51,16 +51,20 @@ TEST_CASE("a JSON light list reads back to the very numbers") {
     CHECK(second["direction"][2].get<double>() == doctest::Approx(-1));
 }
 
-TEST_CASE("a CSV light list has a line a sample") {
-    CHECK(written(write_light_csv, {})
-              .starts_with("x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b\n"));
-    std::istringstream lines(written(write_light_csv, {}));
+TEST_CASE("a CSV light list says what it is of, and has a line a sample") {
+    std::istringstream lines(written(write_light_csv, {.rotation_degrees = 90, .source = "a\nb.hdr"}));
     std::string line;
-    std::getline(lines, line);
+    for (const char* expected :
+         {"# convention: openexr", "# rotation_degrees: 90", "# source: a?b.hdr", "# count: 2",
+          "# total_flux: 0.10000010000000001 3.2 100000.3",
+          "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b"}) {
+        std::getline(lines, line);
+        CHECK(line == expected);
+    }
     std::getline(lines, line);
     double x = 0, y = 0, z = 0, u = 0, v = 0;
     CHECK(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &x, &y, &z, &u, &v) == 5);
-    CHECK(z == doctest::Approx(1));
+    CHECK(x == doctest::Approx(1));  // the centre's +Z, a quarter turn about +Y
     CHECK(u == 0.5);
     CHECK(line.ends_with(",0.25,0.1,0.2,0.3"));
 }

@@ -90,8 +90,9 @@ TEST_CASE("dapple lights writes CSV, pbrt, Mitsuba and a picture, and takes all 
         return text_of(folder / output);
     };
     const std::string csv = run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7");
-    CHECK(std::ranges::count(csv, '\n') == 21);
-    CHECK(csv.starts_with("x,y,z,u,v,"));
+    CHECK(std::ranges::count(csv, '\n') == 26);
+    CHECK(csv.starts_with("# convention: blender\n# rotation_degrees: 90\n"));
+    CHECK(csv.find("\nx,y,z,u,v,") != csv.npos);
     CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7") == csv);
     CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 8") != csv);
     const std::string pbrt = run("s.pbrt", "--placer figure8");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -222,6 +223,16 @@ TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files
     check_refused("tile", "subcommand");
     CHECK(text_of(kept) == "mine");
     CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("check tells the words of small tiles, and of large ones when asked") {
+    const Outcome small = run_dapple("tile check paper16"), large = run_dapple("tile check aperiodic4096"),
+                  all = run_dapple("tile check aperiodic4096 --words");
+    CHECK(small.out.find("\nwords\n  ") != std::string::npos);
+    CHECK(std::ranges::count(large.out, '\n') < 20);
+    CHECK(large.out.find(" words; --words shows them\n") != std::string::npos);
+    CHECK(std::ranges::count(all.out, '\n') > 1000);
+    CHECK(all.out.starts_with(large.out.substr(0, large.out.rfind("\n\n"))));
 }
 
 }  // namespace dapple

@@ -47,7 +47,7 @@ TEST_CASE("a tile's figure shows every point, every copy, every rank and growing
 
 TEST_CASE("every circled point of a tile's figure lies on a point of a copy, and none twice") {
     for (const StoredTile& stored :
-         {ranked(make_tile(14217, 2895, 16), RankingOrder::paper), turned_tile(64)}) {
+         {ranked(make_tile(14217, 2895, 16), RankingOrder::paper), turned_tile(64), turned_tile(1024)}) {
         const pugi::xml_document figure = figure_of(stored);
         const auto copies = under(figure, "copies", "circle");
         std::set<std::size_t> met;
@@ -61,6 +61,36 @@ TEST_CASE("every circled point of a tile's figure lies on a point of a copy, and
             }
         }
         CHECK(met.size() == stored.tile.size());
+    }
+}
+
+TEST_CASE("own points are seen among the copies: circled in a small tile, black in a large one") {
+    const pugi::xml_document small = figure_of(turned_tile(64)), large = figure_of(turned_tile(1024));
+    const auto group = [](const pugi::xml_document& figure) {
+        return figure.select_node("//g[@id='coinciding']").node();
+    };
+    const auto words = [](const pugi::xml_document& figure, const char* text) {
+        return !figure.select_nodes((std::string("//text[contains(., '") + text + "')]").c_str()).empty();
+    };
+    CHECK(group(small).attribute("fill").value() == std::string("none"));
+    CHECK(group(small).attribute("stroke-width").as_double() > 0.4);
+    CHECK(words(small, "own points circled"));
+    CHECK(group(large).attribute("fill").value() == std::string("#1d1d1f"));
+    CHECK(words(large, "own points black"));
+    // Larger than the copies' points, so not hidden among them.
+    const double copy = under(large, "copies", "circle")[0].node().attribute("r").as_double();
+    CHECK(under(large, "coinciding", "circle")[0].node().attribute("r").as_double() > 1.2 * copy);
+}
+
+TEST_CASE("no caption of a tile's figure is wider than its panel") {
+    for (const std::size_t n : {std::size_t{64}, std::size_t{1024}}) {
+        const pugi::xml_document figure = figure_of(turned_tile(n));
+        for (const pugi::xpath_node& found : figure.select_nodes("/svg/text[@font-size='11.5']")) {
+            const std::string text = found.node().text().get();
+            CAPTURE(text);
+            // A sans-serif letter is about half as wide as its size; panels of the upper row are 216 px.
+            CHECK(double(text.size()) * 0.5 * 11.5 < 216);
+        }
     }
 }
 

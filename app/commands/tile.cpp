@@ -23,6 +23,8 @@
 namespace dapple {
 namespace {
 
+constexpr std::size_t kMostPointsInWords = 64;
+
 // Any tile that has a name, or a file of words alone, which has no ranking.
 StoredTile load_perhaps_unranked(const std::string& name) {
     std::error_code error;
@@ -133,7 +135,7 @@ std::string_view name_of(NewOrder order) {
     return "";
 }
 
-void check_tile(std::ostream& out, const std::string& name, CheckFormat format) {
+void check_tile(std::ostream& out, const std::string& name, CheckFormat format, ShownWords words) {
     const StoredTile stored = load_tile(name);
     const TileMarks marks = marks_of(stored.tile, stored.ranking);
     if (format == CheckFormat::json) {
@@ -143,6 +145,10 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format) 
     out << fmt::format("{}: {}, ranking {}\n\n", name, headline(stored.tile), name_of(stored.order));
     for (const TileMark& mark : in_words(marks))
         out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
+    if (stored.tile.size() > kMostPointsInWords && words == ShownWords::of_small_tiles) {
+        out << fmt::format("\n{} words; --words shows them\n", stored.tile.words.size());
+        return;
+    }
     out << "\nwords\n";
     for (const std::string& word : stored.tile.words) out << "  " << word << '\n';
 }
@@ -222,7 +228,9 @@ void TileCommand::add_check(CLI::App& parent) {
     add_tile_name(*command, name_);
     command->add_flag_callback(
         "--json", [this] { format_ = CheckFormat::json; }, "As JSON, for programs");
-    command->callback([this] { check_tile(std::cout, name_, format_); });
+    command->add_flag_callback(
+        "--words", [this] { words_ = ShownWords::of_all; }, "The words of a tile of over 64 points too");
+    command->callback([this] { check_tile(std::cout, name_, format_, words_); });
 }
 
 void TileCommand::add_search(CLI::App& parent) {

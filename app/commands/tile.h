@@ -23,8 +23,12 @@ std::string_view name_of(NewOrder order);
 
 enum class CheckFormat { text, json };
 
-/// Writes all criteria of a tile, with its words.
-void check_tile(std::ostream& out, const std::string& name, CheckFormat format);
+/// Which tiles `tile check` shows the words of: those whose words are few enough to look at, or all.
+enum class ShownWords { of_small_tiles, of_all };
+
+/// Writes all criteria of a tile. As text with its words, if they are shown; as JSON always with them.
+void check_tile(std::ostream& out, const std::string& name, CheckFormat format,
+                ShownWords words = ShownWords::of_small_tiles);
 
 /// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
 class TileCommand {
@@ -46,6 +50,7 @@ class TileCommand {
     NewOrder order_ = NewOrder::energy;
     std::optional<RankingOrder> ranking_;  // none: the tile's own
     CheckFormat format_ = CheckFormat::text;
+    ShownWords words_ = ShownWords::of_small_tiles;
     int rules_ = 20;  // listed
     TileSearchOptions search_;
 };

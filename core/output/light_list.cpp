@@ -13,11 +13,16 @@ void put(TextBuffer& text, const glm::dvec3& v, std::string_view between) {
     text << v.x << between << v.y << between << v.z;
 }
 
+// Printable ASCII.
+char printable(char c) {
+    return c < ' ' || c > '~' ? '?' : c;
+}
+
 std::string json_text(std::string_view bytes) {
     std::string text;
     for (const char c : bytes) {
         if (c == '"' || c == '\\') text += '\\';
-        text += c < ' ' || c > '~' ? '?' : c;
+        text += printable(c);
     }
     return text;
 }
@@ -66,6 +71,13 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
 
 void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
     TextBuffer text(out);
+    std::string source(style.source);
+    std::ranges::transform(source, source.begin(), printable);
+    text << "# convention: " << name_of(style.convention)
+         << "\n# rotation_degrees: " << style.rotation_degrees << "\n# source: " << source
+         << "\n# count: " << static_cast<std::int64_t>(lights.samples.size()) << "\n# total_flux: ";
+    put(text, lights.total_flux, " ");
+    text << '\n';
     text << "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b\n";
     for (const LightSample& sample : lights.samples) {
         put(text, direction_of(sample, style), ",");

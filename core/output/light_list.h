@@ -27,7 +27,9 @@ glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style);
 /// Bytes of the source that are not ASCII become '?', since JSON must be UTF-8 and file names need not.
 void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
-/// x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b and a line a sample.
+/// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# count: n" and
+/// "# total_flux: r g b", then x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b and
+/// a line a sample.
 void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
 /// Distant lights for a pbrt-v4 scene, to be included after WorldBegin. pbrt's "L" is the irradiance, and the

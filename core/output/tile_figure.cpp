@@ -24,6 +24,7 @@ constexpr double kSmallSide = 155.5;
 constexpr double kTop = 54;  // of the upper row
 constexpr double kCaption = 38;
 constexpr std::size_t kMostNumbers = 64;
+constexpr std::size_t kMostCircled = 256;  // smaller circles cannot be told from the points
 
 constexpr std::string_view kInkColour = "#1d1d1f";
 constexpr std::string_view kQuietColour = "#6e6e73";
@@ -173,12 +174,16 @@ void Figure::write_copies(const Panel& panel) {
         }
         text_ << "</g>\n";
     }
-    text_ << R"(</g><g id="coinciding" fill="none" stroke=")" << kInkColour << R"(" stroke-width=")";
-    number(std::min(1.0, 0.6 * radius));
+    const bool circled = size() <= kMostCircled;
+    text_ << R"(</g><g id="coinciding" fill=")" << (circled ? "none" : kInkColour);
+    if (circled) {
+        text_ << R"(" stroke=")" << kInkColour << R"(" stroke-width=")";
+        number(std::min(1.0, 0.6 * radius));
+    }
     text_ << "\">\n";
-    for (const glm::dvec2 p : points_) circle(panel.at(p), 2.1 * radius);
+    for (const glm::dvec2 p : points_) circle(panel.at(p), (circled ? 2.1 : 1.3) * radius);
     text_ << "</g>\n";
-    caption(panel, "half-size copies, its own points circled");
+    caption(panel, circled ? "half-size copies, own points circled" : "half-size copies, own points black");
 }
 
 void Figure::write_ranks(const Panel& panel) {
@@ -207,7 +212,7 @@ void Figure::write_ranks(const Panel& panel) {
         }
     }
     text_ << "</g>\n";
-    caption(panel, numbers ? "ranks: the order of appearance" : "ranks: early points dark, late ones pale");
+    caption(panel, numbers ? "ranks: the order of appearance" : "ranks: early dark, late pale");
 }
 
 void Figure::write_first(const Panel& panel, int quarters) {

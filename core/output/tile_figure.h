@@ -3,8 +3,8 @@
 //
 //      +----------+  +----------+  +----------+
 //      | points   |  | half-size|  | ranks    |      upper row: the tile; its copies on the quadrants, with
-//      |          |  | copies   |  |          |      its own points circled where a copy's point coincides;
-//      +----------+  +----------+  +----------+      the ranks, as numbers for up to 64 points
+//      |          |  | copies   |  |          |      its own points circled where a copy's point coincides
+//      +----------+  +----------+  +----------+      (over 256, black); the ranks, as numbers for up to 64
 //      +------+  +------+  +------+  +------+
 //      | N/4  |  | N/2  |  | 3N/4 |  | N    |        lower row: the first points of the ranking
 //      +------+  +------+  +------+  +------+
