@@ -20,7 +20,11 @@ std::string in_words(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+bool on_terminal() {
+    return ::isatty(STDERR_FILENO) == 1;
+}
+
+ProgressLine::ProgressLine() : terminal_(on_terminal()) {}
 
 ProgressLine::~ProgressLine() {
     if (shown_) std::fputs("\r\033[K", stderr);

@@ -6,6 +6,9 @@
 
 namespace dapple {
 
+/// Whether standard error is a terminal, with a person before it.
+bool on_terminal();
+
 /// Writes to standard error, if that is a terminal; else nothing. At most ten times a second. The line is
 /// gone at the end.
 ///

@@ -194,7 +194,7 @@ TEST_CASE("the same dots come out in every format, on any number of threads") {
     const std::string from = "render " + scene("cat.png") + " --dots 1500 -o ";
     REQUIRE(run_dapple(from + scene("one.csv") + " --threads 1").status == 0);
     REQUIRE(run_dapple(from + scene("two.csv") + " --threads 2").status == 0);
-    REQUIRE(run_dapple(from + scene("dots.svg")).status == 0);
+    REQUIRE(run_dapple(from + scene("dots.svg") + " --order recursion").status == 0);
     const std::string table = text_of(scene("one.csv"));
     CHECK(table == text_of(scene("two.csv")));
     std::istringstream lines(table);
@@ -332,19 +332,129 @@ TEST_CASE("dots that are sorted in memory are those that are written as they are
     CHECK(placed.size() > 100);
     CHECK(sorted_lines(" --order priority") == placed);
     CHECK(sorted_lines(" --order space") == placed);
+    CHECK(sorted_lines(" --order recursion") == placed);
 }
 
-TEST_CASE("on a terminal a bar shows how much is written, and is gone at the end") {
+TEST_CASE("on a terminal a bar shows how much is written, and then what a plotter will make of it") {
     const Scene scene;
-    const std::string command =
-        "\"$DAPPLE\" render " + scene("cat.png") + " -o " + scene("cat.svg") + " --dots 3000";
+    const std::string command = "\"$DAPPLE\" render " + scene("cat.png") + " -o " + scene("cat.svg") +
+                                " --dots 3000 --stats " + scene("cat.json");
     const Outcome outcome =
         run_in_shell("export ASAN_OPTIONS=detect_leaks=0; script -qec '" + command + "' /dev/null");
     REQUIRE(outcome.status == 0);
     // Before it, on a slow machine, how long it will take.
     CHECK(outcome.out.find("writing 3000 dots") != std::string::npos);
-    CHECK(outcome.out.ends_with("\r\033[K"));
+    CHECK(outcome.out.find("\r\033[K3000 dots, 0.1 MB; the pen moves ") != std::string::npos);
+    const nlohmann::json preflight = read_json(scene("cat.json"))["preflight"];
+    CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
+                           " dots reach over the page's edge; --margin ") != std::string::npos);
     CHECK(read_svg(scene("cat.svg")).circles().size() == 3000);
+}
+
+TEST_CASE("an SVG is in an order of short pen moves, and its travel, distances and edges are told") {
+    const Scene scene;
+    const auto told = [&](const std::string& options) {
+        REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 3000 --stats " + scene("s.json") + " -o " +
+                           scene("cat.svg") + options)
+                    .status == 0);
+        // Measured on what is in the file.
+        const double mm = 25.4 / 96;
+        double travel = 0, x = 0, y = 0;
+        std::uint64_t over = 0, near = 0;
+        const Svg svg = read_svg(scene("cat.svg"));
+        std::vector<std::pair<double, double>> places;
+        for (const pugi::xml_node& circle : svg.circles()) {
+            const double cx = circle.attribute("cx").as_double() * mm,
+                         cy = circle.attribute("cy").as_double() * mm,
+                         r = circle.attribute("r").as_double() * mm;
+            if (!places.empty()) travel += std::hypot(cx - x, cy - y);
+            x = cx;
+            y = cy;
+            places.emplace_back(x, y);
+            over += std::min({x, y, 200 - x, 200 * 64 / 96.0 - y}) < r;
+        }
+        for (const auto& a : places) {
+            near += std::ranges::count_if(places, [&](const auto& b) {
+                        return std::hypot(a.first - b.first, a.second - b.second) < 0.5;
+                    }) > 1;
+        }
+        const nlohmann::json stats = read_json(scene("s.json")), preflight = stats["preflight"];
+        CHECK(preflight["pen_up_m"].get<double>() == doctest::Approx(travel / 1000).epsilon(0.001));
+        // Two decimals of a px leave it open for a few.
+        CHECK(std::abs(preflight["over_the_edge"].get<double>() - double(over)) <= 2);
+        CHECK(std::abs(preflight["nearer_than_0.5_mm"].get<double>() - double(near)) <= 2);
+        CHECK(stats["file_bytes"] == std::filesystem::file_size(scene("cat.svg")));
+        return std::pair(stats["order"].get<std::string>(), travel);
+    };
+    const auto [usual, short_way] = told("");
+    CHECK(usual == "space");
+    CHECK(told(" --order space").second == short_way);
+    CHECK(told(" --order recursion").second > 2 * short_way);
+}
+
+TEST_CASE("within a margin no dot reaches over the edge, in any format, and sheets still join") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") +
+                             " --width 150 --margin 15 --dots 4000 --dpi 60 --stats " + scene("m.json");
+    REQUIRE(run_dapple(from + " -o " + scene("m.svg")).status == 0);
+    const Svg svg = read_svg(scene("m.svg"));
+    // The picture is 3 by 2, so 120 by 80 mm of it are left.
+    CHECK(svg.document.child("svg").attribute("width").value() == std::string("150mm"));
+    CHECK(svg.document.child("svg").attribute("height").value() == std::string("110mm"));
+    const double px = 96 / 25.4;
+    REQUIRE(svg.circles().size() == 4000);
+    for (const pugi::xml_node& circle : svg.circles()) {
+        const double x = circle.attribute("cx").as_double() / px, y = circle.attribute("cy").as_double() / px;
+        CHECK((x >= 14.99 && x <= 135.01 && y >= 14.99 && y <= 95.01));
+    }
+    CHECK(read_json(scene("m.json"))["preflight"]["over_the_edge"] == 0);
+    CHECK(read_json(scene("m.json"))["duplicates"] == 0);
+
+    REQUIRE(run_dapple(from + " -o " + scene("m.png")).status == 0);
+    const Picture png = read_picture(scene("m.png"));
+    CHECK(png.light.width == 354);
+    CHECK(png.light.height == 260);
+    for (int x = 0; x < png.light.width; ++x) CHECK(png.light.at(x, 20) == 1);
+    double ink = 0;
+    for (const float light : png.light.values) ink += 1 - light;
+    CHECK(ink > 5000);
+
+    std::size_t on_sheets = 0;
+    for (const std::string sheet : {"1,1/2x2", "2,1/2x2", "1,2/2x2", "2,2/2x2"}) {
+        REQUIRE(run_dapple(from + " -o " + scene("s.svg") + " --sheet " + sheet).status == 0);
+        on_sheets += read_svg(scene("s.svg")).circles().size();
+    }
+    CHECK(on_sheets == 4000);
+    REQUIRE(run_dapple(from + " -o " + scene("r.svg") + " --region 0,0,75x55").status == 0);
+    REQUIRE(run_dapple(from + " -o " + scene("s.svg") + " --sheet 1,1/2x2").status == 0);
+    CHECK(text_of(scene("r.svg")) == text_of(scene("s.svg")));
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.svg") + " --margin 100",
+                    "--margin: 100 mm on either side leave no room on a page 200 mm wide");
+}
+
+TEST_CASE("a count is understood as people write it") {
+    const Scene scene;
+    const auto dots = [&](const std::string& text) {
+        REQUIRE(
+            run_dapple("render " + scene("cat.png") + " -o " + scene("n.csv") + " --dots " + text).status ==
+            0);
+        const std::string table = text_of(scene("n.csv"));
+        return std::ranges::count(table, '\n') - 1;
+    };
+    CHECK(dots("1,200") == 1200);
+    CHECK(dots("2k") == 2000);
+    CHECK(dots("1.5K") == 1500);
+    CHECK(dots("0.002M") == 2000);
+    CHECK(dots("1e3") == 1000);
+}
+
+TEST_CASE("a misspelt command is told with the nearest one, and a name that may be a picture is none") {
+    const Scene scene;
+    scene.must_fail("rendr x", "there is no command \"rendr\"; did you mean \"render\"?");
+    scene.must_fail("analyze x -o y", "there is no command \"analyze\"; did you mean \"analyse\"?");
+    scene.must_fail("tile chekc paper16", "there is no command \"chekc\"; did you mean \"check\"?");
+    scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help shows");
+    scene.must_fail("missing.png --nonsense", "--nonsense");
 }
 
 TEST_CASE(
@@ -386,11 +496,11 @@ TEST_CASE("help names every option and shows examples") {
     CHECK(all.err.empty());
     CHECK(all.out.find("render") != std::string::npos);
     for (const char* option :
-         {"--output",     "--scale", "--dots",   "--placer",      "--tile",        "--ranking",
-          "--dot-radius", "--width", "--dpi",    "--black-point", "--white-point", "--contrast",
-          "--brightness", "--gamma", "--blur",   "--invert",      "--ink",         "--paper",
-          "--order",      "--sheet", "--region", "--tiles",       "--background",  "--threads",
-          "--huge",       "--stats", "Examples:"}) {
+         {"--output",     "--scale",      "--dots",   "--placer", "--tile",        "--ranking",
+          "--dot-radius", "--width",      "--margin", "--dpi",    "--black-point", "--white-point",
+          "--contrast",   "--brightness", "--gamma",  "--blur",   "--invert",      "--ink",
+          "--paper",      "--order",      "--sheet",  "--region", "--tiles",       "--background",
+          "--threads",    "--huge",       "--stats",  "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }
@@ -451,7 +561,12 @@ TEST_CASE("pictures that are odd but whole are drawn") {
     const std::string convert = "convert " + scene("cat.png") + " -fill red -draw 'rectangle 0,0 20,20' ";
     REQUIRE(run_in_shell(convert + "-type Palette PNG8:" + scene("palette.png")).status == 0);
     REQUIRE(run_in_shell(convert + "-colorspace CMYK " + scene("cmyk.jpg")).status == 0);
-    for (const char* name : {"1x1.png", "1x10000.png", "black.png", "deep.tif", "palette.png", "cmyk.jpg"}) {
+    scene.must_fail(
+        "render " + scene("1x10000.png") + " -o " + scene("old.svg"),
+        "1x10000.png: 1 x 10000 pixels would make a page 200 mm wide and 2000 m high, and 100 m is "
+        "the most; choose a --width of 9.5 or less");
+    CHECK(drawn("1x10000.png", "--dots 100 --width 9.5") == 100);
+    for (const char* name : {"1x1.png", "black.png", "deep.tif", "palette.png", "cmyk.jpg"}) {
         CHECK(drawn(name) == 100);
     }
     // Asked for by scale, white paper has no dots, and that is a drawing too.
@@ -540,6 +655,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
         const char* words;
     };
     for (const Wrong& wrong : {Wrong{"--scale -1", "--scale: -1 is not possible"},
+                               Wrong{"--scale 0", "--scale: 0 is not possible"},
                                Wrong{"--scale nan", "--scale: nan is not a number"},
                                Wrong{"--scale inf", "--scale: inf is not a number"},
                                Wrong{"--scale 12x", "--scale: 12x is not a number"},
@@ -547,6 +663,10 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
                                Wrong{"--dots 0", "--dots: 0 is not possible"},
                                Wrong{"--dots -5", "--dots: -5 is not possible"},
                                Wrong{"--dots 1.5", "--dots: 1.5 is not possible"},
+                               Wrong{"--dots 10.000", "--dots: 10.000 is not possible"},
+                               Wrong{"--dots 10,00", "--dots: 10,00 is not possible"},
+                               Wrong{"--dots 1,0000", "--dots: 1,0000 is not possible"},
+                               Wrong{"--dots 1.2345k", "--dots: 1.2345k is not possible"},
                                Wrong{"--dots 99999999999", "--dots: 99999999999 is not possible"},
                                Wrong{"--dots 10 --scale 10", "--dots: cannot be given together with --scale"},
                                Wrong{"--dots 10 --placer figure8", "--dots: the figure8 placer"},

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,28 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
         fs::remove(folder / name);
         CHECK(fs::is_empty(folder / "."));
     }
+}
+
+TEST_CASE("a few dots are saved for plotters in an order of short moves, unless another is asked for") {
+    const Dots dots = many_dots();
+    CHECK(usual_order(DrawingFormat::svg, dots.size()) == DotOrder::space);
+    CHECK(usual_order(DrawingFormat::svg, kMostSortedDots + 1) == DotOrder::recursion);
+    CHECK(usual_order(DrawingFormat::csv, 10) == DotOrder::recursion);
+    TemporaryFolder folder;
+    const auto saved = [&](std::optional<DotOrder> order) {
+        CHECK(save_drawing(folder / "a.svg", {},
+                           {.dots = stream_of(dots, 100), .page = kPage, .order = order}));
+        return text_of(folder / "a.svg");
+    };
+    CHECK(saved({}) == saved(DotOrder::space));
+    CHECK(saved({}) != saved(DotOrder::recursion));
+    // The first dot along a Hilbert curve is the one in the corner, the last the one across.
+    const Dots sorted = sorted_dots(stream_of(dots, 100), DotOrder::space);
+    CHECK(sorted.size() == dots.size());
+    CHECK(sorted.x[0] == 0);
+    CHECK(sorted.y[0] == 0);
+    CHECK(sorted.x[dots.size() - 1] > 0.99f);
+    CHECK(sorted.y[dots.size() - 1] < 0.01f);
 }
 
 }  // namespace dapple

@@ -170,7 +170,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
         ->add_option_function<std::string>(
             "-n,--samples",
             [&request, whole](const std::string& text) {
-                request.count = whole("--samples", text, 1, kMostLightSamples);
+                request.count = count_in("--samples", text, kMostLightSamples);
             },
             "Exactly so many samples")
         ->type_name("N")

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -24,6 +25,37 @@ std::optional<T> whole_text_as(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return value;
+}
+
+// "10,000" without its commas; as it is if they don't part thousands.
+std::string without_separators(const std::string& text) {
+    const std::size_t whole = std::min(text.find_first_not_of("0123456789,"), text.size());
+    const std::size_t first = text.find(',');
+    if (first > 3 || first == 0 || (whole - first) % 4 != 0) return text;
+    std::string digits;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool comma_due = i >= first && i < whole && (i - first) % 4 == 0;
+        if (comma_due != (text[i] == ',')) return text;
+        if (!comma_due) digits += text[i];
+    }
+    return digits;
+}
+
+std::optional<std::uint64_t> whole_number(const std::string& text) {
+    std::string number = without_separators(text);
+    double unit = 1;
+    if (number.ends_with('k') || number.ends_with('K')) unit = 1e3;
+    if (number.ends_with('M')) unit = 1e6;
+    if (unit > 1) number.pop_back();
+    // A point without a unit may stand for a comma: "10.000" is ten to some and ten thousand to others.
+    const bool scientific = number.find('e') != std::string::npos;
+    if (unit == 1 && !scientific) return whole_text_as<std::uint64_t>(number);
+    const std::optional<double> value = whole_text_as<double>(number);
+    if (!value || !(*value >= 0 && *value * unit <= 1e15)) return std::nullopt;
+    const double count = std::round(*value * unit);
+    // 1.001k is 1001 but for rounding; 1.0001k is no whole number.
+    if (std::abs(count - *value * unit) > 1e-6) return std::nullopt;
+    return static_cast<std::uint64_t>(count);
 }
 
 std::string in_words(const NumberRange& range) {
@@ -118,6 +150,15 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
 }
 
+std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most) {
+    const std::optional<std::uint64_t> count = whole_number(text);
+    if (!count || *count < 1 || *count > most) {
+        throw CLI::ValidationError(
+            name, fmt::format("{} is not possible; give a whole number from 1 to {}", text, most));
+    }
+    return *count;
+}
+
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking) {
     const auto read = [&ranking](const std::string& text) {
         ranking =
@@ -135,20 +176,14 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     StippleRequest& stipple = settings.stipple;
 
     const auto read_count = [&stipple](const std::string& text) {
-        const std::optional<std::uint64_t> count = whole_text_as<std::uint64_t>(text);
-        if (!count || *count < 1 || *count > kMostDots) {
-            throw CLI::ValidationError(
-                "--dots",
-                fmt::format("{} is not possible; give a whole number from 1 to {}", text, kMostDots));
-        }
-        stipple.count = *count;
+        stipple.count = count_in("--dots", text, kMostDots);
     };
-    add_text(app, "--dots", "N", "Exactly so many dots on the page", read_count)
+    add_text(app, "--dots", "N", "Exactly so many dots on the page: 40000, 40,000 or 40k", read_count)
         ->default_str(fmt::format("{}", kDefaultDots));
 
     // A scale takes the place of the count, whichever comes first; both are refused once all is read.
     const auto read_scale = [&stipple](const std::string& text) {
-        stipple.scale = number_in("--scale", text, {.least = 0});
+        stipple.scale = number_in("--scale", text, {.least = 0, .at_least = NumberRange::Least::excluded});
         stipple.count.reset();
     };
     add_text(app, "--scale", "S",
@@ -198,23 +233,25 @@ void add_tone_options(CLI::App& app, Tone& tone) {
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     add_number(app, "--width", settings.width_mm,
-               {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
+               {.least = 0, .most = kLongestSideMm, .at_least = NumberRange::Least::excluded}, "MM",
                "Width of the page; the picture fills it, so its shape gives the height");
     add_colour(app, "--ink", settings.ink, "Colour of the dots");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
 
-void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::optional<Region>& region) {
+void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
+                             std::optional<Region>& region) {
     const Heading heading(app, "Page");
     const auto read_order = [&order](const std::string& text) {
         order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
     };
-    add_text(app, "--order", "NAME",
-             "Order of the dots in the file, which is the order they are plotted in: recursion, as they are "
-             "placed; space, each near the one before, for short pen moves; priority, the first n being the "
-             "drawing with n dots. space, priority and --placer figure8 hold all dots in memory",
-             read_order)
-        ->default_str(std::string(name_of(order)));
+    add_text(
+        app, "--order", "NAME",
+        "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
+        "before, for short pen moves; recursion, as they are placed; priority, the first n being the "
+        "drawing with n dots. Without it, space for an SVG of up to 5 million dots, else recursion. "
+        "space, priority and --placer figure8 hold all dots in memory",
+        read_order);
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
         return [name, parse, &target](const std::string& text) {
             try {

@@ -4,6 +4,7 @@
 // A value that cannot be is refused while parsing, with a sentence that begins with the option's name.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@
 #include "core/placing/dot_order.h"
 
 namespace dapple {
+
+/// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
+inline constexpr double kLongestSideMm = 100'000;
 
 struct NumberRange {
     double least = 0;
@@ -32,6 +36,10 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 /// A whole number.
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help);
+
+/// A whole number of things from 1 to `most`, as people write it: 10000, 10,000, 10k, 1.5M, 1e5. Throws
+/// CLI::ValidationError beginning with the option's name.
+std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most);
 
 /// One of several values, by the name that name_of() gives them.
 template <class Value>
@@ -66,7 +74,8 @@ void add_tone_options(CLI::App& app, Tone& tone);
 void add_page_options(CLI::App& app, DrawingSettings& settings);
 
 /// --order, --sheet, --region.
-void add_arrangement_options(CLI::App& app, DotOrder& order, Sheet& sheet, std::optional<Region>& region);
+void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
+                             std::optional<Region>& region);
 
 /// What no single option can see: throws CLI::ValidationError if those of the command contradict each other.
 /// To be called after parsing.

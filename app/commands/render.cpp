@@ -4,7 +4,10 @@
 #include <tbb/info.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +20,7 @@
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
+#include "core/output/preflight.h"
 #include "core/output/raster.h"
 #include "core/tile/tile_file.h"
 
@@ -71,27 +75,41 @@ StippleRequest request_for(const RenderOptions& options, const Density& density)
     return request;
 }
 
+// The page, its margin included.
+PageSize page_of(const Density& density, const RenderOptions& options) {
+    const double width = options.drawing.width_mm;
+    if (2 * options.margin_mm >= width) {
+        throw std::runtime_error(
+            fmt::format("--margin: {:g} mm on either side leave no room on a page {:g} mm wide",
+                        options.margin_mm, width));
+    }
+    const PageSize page = with_margin(page_size(density, width - 2 * options.margin_mm), options.margin_mm);
+    if (page.height_mm > kLongestSideMm) {
+        throw std::runtime_error(fmt::format(
+            "{}: {} x {} pixels would make a page {:g} mm wide and {:.4g} m high, and {:g} m is the most; "
+            "choose a --width of {:.2g} or less",
+            name_of_image(options), density.width(), density.height(), width, page.height_mm / 1000,
+            kLongestSideMm / 1000, width * kLongestSideMm / page.height_mm * 0.95));
+    }
+    return page;
+}
+
 // The page, or the part of it that is drawn.
 Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
-    if (!options.region) return sheet_of(page, options.sheet);
+    if (!options.region) return sheet_of(page, options.sheet, options.margin_mm);
     try {
-        return region_of(page, *options.region);
+        return region_of(page, *options.region, options.margin_mm);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("--region: {}", error.what()));
     }
 }
 
-// Sorting needs all dots at once, and so does Figure 8, which counts the duplicates among them.
-bool can_stream(const RenderOptions& options) {
-    return options.order == DotOrder::recursion && options.drawing.stipple.placer == PlacerKind::exact;
-}
-
-// All of the page's dots in `whole`, which has to outlive the stream of those on the part.
+// Figure 8 needs all dots at once: it counts the duplicates among them. They are in `whole`, which has to
+// outlive the stream of those on the part.
 DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRequest& request,
-                        DotOrder order, Stippling& whole) {
+                        Stippling& whole) {
     stipple(tile, density, request.stipple, whole);
     if (request.stipple.critical) fill_critical_scales(whole.dots, density);
-    sort_dots(whole.dots, order);
     cut_to(request.part, whole.dots);
     return stream_of(whole.dots, whole.scale);
 }
@@ -105,8 +123,32 @@ struct Drawn {
     std::optional<std::uint64_t> duplicates;  // among them; none if that is not known
     PageSize page;                            // the sheet, the region or all of it
     double radius_mm = 0;
+    DotOrder order = DotOrder::recursion;
+    std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
     Times times;
 };
+
+// What someone who is about to plot it should know, in a line or two.
+void tell(const RenderOptions& options, const Drawn& drawn) {
+    std::error_code error;
+    const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
+    const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
+    const Preflight& found = *drawn.preflight;
+    fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them; the nearest are {:.2g} mm apart\n",
+               drawn.dots.count, size, found.pen_up_m, found.nearest_mm);
+    if (100 * found.nearer_than_saxi > drawn.dots.count) {
+        fmt::print(
+            stderr,
+            "{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
+            "{:g} mm, which AxiDraw's program does; fewer dots or a wider page part them\n",
+            found.nearer_than_saxi, kSaxiJoins, found.nearer_than_axidraw, kAxiDrawJoins);
+    }
+    const bool whole_page = !options.region && options.sheet == Sheet{};
+    if (whole_page && found.over_edge > 0) {
+        fmt::print(stderr, "{} dots reach over the page's edge; --margin {:.1f} keeps them on it\n",
+                   found.over_edge, std::ceil(drawn.radius_mm * 10) / 10);
+    }
+}
 
 void write_stats(std::ostream& out, const RenderOptions& options, const Density& density,
                  const Drawn& drawn) {
@@ -117,6 +159,17 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Density&
         distinct = drawn.dots.count - *drawn.duplicates;
         duplicates = *drawn.duplicates;
     }
+    nlohmann::ordered_json preflight;
+    if (drawn.preflight) {
+        const Preflight& found = *drawn.preflight;
+        preflight = {{"pen_up_m", found.pen_up_m},
+                     {"nearest_mm", found.nearest_mm},  // null if there are not two
+                     {"nearer_than_0.5_mm", found.nearer_than_saxi},
+                     {"nearer_than_0.152_mm", found.nearer_than_axidraw},
+                     {"over_the_edge", found.over_edge}};
+    }
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(options.output, error);
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", density.width()},
@@ -133,6 +186,10 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Density&
         {"width_mm", drawn.page.width_mm},
         {"height_mm", drawn.page.height_mm},
         {"dot_radius_mm", drawn.radius_mm},
+        {"margin_mm", options.margin_mm},
+        {"order", name_of(drawn.order)},
+        {"preflight", preflight},
+        {"file_bytes", error ? 0 : bytes},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
         {"read_ms", drawn.times.read},
@@ -160,16 +217,16 @@ void render(const RenderOptions& options) {
     const Density density(density_of(std::move(picture.light), settings.tone));
     times.tone = watch.lap();
 
-    const Excerpt excerpt = excerpt_of(page_size(density, settings.width_mm), options);
+    const Excerpt excerpt = excerpt_of(page_of(density, options), options);
     // Better now than after the placing.
     if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
     const StreamRequest request{.stipple = request_for(options, density), .part = excerpt.part};
 
-    ProgressLine line;
-    line.show(0, "placing the dots");
+    std::optional<ProgressLine> line(std::in_place);
+    line->show(0, "placing the dots");
     const auto place = [&](const StreamRequest& part, Stippling& whole) {
-        return can_stream(options) ? stream(tile, density, part)
-                                   : place_at_once(tile, density, part, options.order, whole);
+        return settings.stipple.placer == PlacerKind::exact ? stream(tile, density, part)
+                                                            : place_at_once(tile, density, part, whole);
     };
     Stippling whole, whole_again;
     const DotStream dots = place(request, whole);
@@ -184,27 +241,39 @@ void render(const RenderOptions& options) {
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = tiles_of(tile, density, settings.stipple.placer, dots.scale);
     move_to(excerpt.part, tiles);
+    const DotOrder order = options.order.value_or(usual_order(format, dots.count));
+    Dots sorted;
+    const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
+    if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
+        sorted = sorted_dots(dots, order);
+        drawn_dots = stream_of(sorted, dots.scale);
+    }
     times.place = watch.lap();
 
-    line.restart(0);
+    line->restart(0);
     const std::string what = fmt::format("writing {} dots", dots.count);
     save_drawing(options.output, settings,
                  {.dots = drawn_dots,
                   .page = excerpt.size,
                   .tiles = tiles,
                   .tile_size = tile.tile().size(),
-                  .dpi = options.dpi},
-                 {.stop = {}, .progress = [&](double share) { line.show(share, what); }});
+                  .dpi = options.dpi,
+                  .order = DotOrder::recursion},
+                 {.stop = {}, .progress = [&](double share) { line->show(share, what); }});
     times.write = watch.lap();
-    if (!options.stats) return;
+    line.reset();
 
     Drawn drawn{.dots = dots,
                 .duplicates = whole.duplicates,
                 .page = excerpt.size,
                 .radius_mm = radius_mm,
+                .order = order,
                 .times = times};
+    if (is_plot) drawn.preflight = preflight(sorted, excerpt.size, radius_mm);
+    if (is_plot && on_terminal()) tell(options, drawn);
+    if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
-    if (whole.duplicates > 0 && request.part != PagePart{}) drawn.duplicates.reset();
+    if (whole.duplicates > 0 && (options.region || options.sheet != Sheet{})) drawn.duplicates.reset();
     save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, density, drawn); });
 }
 
@@ -226,6 +295,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_page_options(*command, options_.drawing);
     add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N", "PNG: pixels to the inch")
         ->group("Page");
+    add_number(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm}, "MM",
+               "Bare paper on each side, within the width; the dots' radius keeps all of them on the sheet")
+        ->group("Page");
     command->add_flag("--background", options_.drawing.background, "SVG: paint the paper under the dots")
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
@@ -236,7 +308,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
         "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
-        "  dapple render cat.jpg -o cat.svg --order space      short ways for a plotter's pen\n"
+        "  dapple render cat.jpg -o cat.svg --width 210 --margin 15   with a border for the pen\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"

@@ -53,10 +53,35 @@ DrawingFormat drawing_format(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() + ": a drawing's name must end in .svg, .png or .csv");
 }
 
+DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
+    return format == DrawingFormat::svg && dots <= kMostSortedDots ? DotOrder::space : DotOrder::recursion;
+}
+
+Dots sorted_dots(const DotStream& stream, DotOrder order) {
+    Dots all;
+    const auto append = [](FloatBuffer& to, const FloatBuffer& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    for (FloatBuffer* column : {&all.x, &all.y, &all.threshold}) column->reserve(stream.count);
+    stream.for_each_piece([&](const Dots& piece) {
+        append(all.x, piece.x);
+        append(all.y, piece.y);
+        append(all.threshold, piece.threshold);
+        append(all.critical, piece.critical);
+        return true;
+    });
+    sort_dots(all, order);
+    return all;
+}
+
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch) {
     const DrawingFormat format = drawing_format(path);
-    const DotStream& dots = drawing.dots;
+    const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count));
+    Dots sorted;
+    if (order != DotOrder::recursion) sorted = sorted_dots(drawing.dots, order);
+    const DotStream dots =
+        order != DotOrder::recursion ? stream_of(sorted, drawing.dots.scale) : drawing.dots;
     const double radius = dot_radius_mm(settings, dots.scale, drawing.page);
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();

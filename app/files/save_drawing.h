@@ -1,12 +1,15 @@
 #pragma once
 // A drawing into a file, for the window and the command line alike.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 
 #include "app/drawing_settings.h"
+#include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/stipple.h"
 
@@ -17,12 +20,22 @@ enum class DrawingFormat { svg, png, csv };
 /// What a name's ending says, in upper or lower case. Throws std::runtime_error if it is another.
 DrawingFormat drawing_format(const std::filesystem::path& path);
 
+/// More dots than this are not held in memory to be sorted unless someone asks for an order.
+inline constexpr std::uint64_t kMostSortedDots = 5'000'000;
+
+/// The order that suits such a file: SVG is plotted, so space, up to kMostSortedDots; else as placed.
+DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
+
+/// All dots of a stream, sorted; `recursion` leaves them as they come.
+Dots sorted_dots(const DotStream& stream, DotOrder order);
+
 struct DrawingToSave {
     DotStream dots;  // with Dots::critical if they go into a table
     PageSize page;
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
     std::size_t tile_size = 16;              // N
     double dpi = 300;                        // of a PNG
+    std::optional<DotOrder> order = {};      // none: the usual one; `recursion` writes the dots as they come
 };
 
 /// For someone who waits.

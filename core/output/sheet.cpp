@@ -19,16 +19,18 @@ constexpr double kRoundingMm = 0.1;  // of a page size that someone has read and
 
 constexpr float kPageStart = PageSpan{}.first, kPageEnd = PageSpan{}.end;
 
-PageSpan span_of(int index, int count, double length) {
-    const auto edge = [&](int i) { return static_cast<float>(length * i / count); };
+// Lengths in page units, counted from the picture's corner, which lies a margin from the page's.
+PageSpan span_of(int index, int count, double length, double margin) {
+    const auto edge = [&](int i) { return static_cast<float>(length * i / count - margin); };
     return {index == 1 ? kPageStart : edge(index - 1), index == count ? kPageEnd : edge(index),
-            length * (index - 1) / count};
+            length * (index - 1) / count - margin};
 }
 
 // From and to in millimetres.
-PageSpan span_between(double from, double to, double page_mm, double mm_per_page_unit) {
-    const auto edge = [&](double mm) { return static_cast<float>(mm / mm_per_page_unit); };
-    return {from > 0 ? edge(from) : kPageStart, to < page_mm ? edge(to) : kPageEnd, from / mm_per_page_unit};
+PageSpan span_between(double from, double to, double page_mm, double mm_per_page_unit, double margin) {
+    const auto edge = [&](double mm) { return static_cast<float>(mm / mm_per_page_unit - margin); };
+    return {from > 0 ? edge(from) : kPageStart, to < page_mm ? edge(to) : kPageEnd,
+            from / mm_per_page_unit - margin};
 }
 
 // Numbers with a separator after each but the last; nothing if the text is not that.
@@ -84,13 +86,19 @@ Region parse_region(std::string_view text) {
     return {x, y, width, height};
 }
 
-Excerpt sheet_of(const PageSize& page, const Sheet& sheet) {
-    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit),
-             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit)},
+PageSize with_margin(const PageSize& picture, double margin_mm) {
+    return {picture.width_mm + 2 * margin_mm, picture.height_mm + 2 * margin_mm, picture.mm_per_page_unit};
+}
+
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm) {
+    const double margin = margin_mm / page.mm_per_page_unit;
+    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit, margin),
+             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit, margin)},
             {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
 }
 
-Excerpt region_of(const PageSize& page, const Region& region) {
+Excerpt region_of(const PageSize& page, const Region& region, double margin_mm) {
+    const double margin = margin_mm / page.mm_per_page_unit;
     const double right = region.x + region.width, lower = region.y + region.height;
     const bool begins_on_page = region.x < page.width_mm && region.y < page.height_mm;
     if (!begins_on_page || right > page.width_mm + kRoundingMm || lower > page.height_mm + kRoundingMm) {
@@ -98,8 +106,8 @@ Excerpt region_of(const PageSize& page, const Region& region) {
             fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
                         right, lower, page.width_mm, page.height_mm));
     }
-    return {{span_between(region.x, right, page.width_mm, page.mm_per_page_unit),
-             span_between(region.y, lower, page.height_mm, page.mm_per_page_unit)},
+    return {{span_between(region.x, right, page.width_mm, page.mm_per_page_unit, margin),
+             span_between(region.y, lower, page.height_mm, page.mm_per_page_unit, margin)},
             {std::min(region.width, page.width_mm - region.x),
              std::min(region.height, page.height_mm - region.y), page.mm_per_page_unit}};
 }

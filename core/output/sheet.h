@@ -36,11 +36,15 @@ struct Excerpt {
     PageSize size;
 };
 
+/// The page on which that much bare paper surrounds the picture, which fills `picture`.
+PageSize with_margin(const PageSize& picture, double margin_mm);
+
 /// Each dot is on exactly one sheet: sheets made one by one join without a lost or a doubled dot.
-Excerpt sheet_of(const PageSize& page, const Sheet& sheet);
+/// `margin_mm` is that of the page: its dots lie so much further right and down.
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm = 0);
 
 /// Regions with a common edge join as sheets do. A tenth of a millimetre over the page's edge is cut off:
 /// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
-Excerpt region_of(const PageSize& page, const Region& region);
+Excerpt region_of(const PageSize& page, const Region& region, double margin_mm = 0);
 
 }  // namespace dapple
