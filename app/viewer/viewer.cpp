@@ -228,12 +228,12 @@ SideCaption Viewer::caption(const Pane& pane, const RepetitionMeter& meter) cons
     SideCaption caption;
     caption.title = drawn_with(order);
     if (&pane == &session_.pane()) caption.title += " - this side is saved";
-    caption.facts = dots_in_words({.dots = stippling.dots.size(),
-                                   .duplicates = stippling.duplicates,
-                                   .figure8 = order.stipple.placer == PlacerKind::figure8});
+    caption.facts = {dots_in_words({.dots = stippling.dots.size(),
+                                    .duplicates = stippling.duplicates,
+                                    .figure8 = order.stipple.placer == PlacerKind::figure8})};
     if (const auto value = meter.value())
-        caption.facts += fmt::format("; periodicity over {}-point tiles {:.2f}", compared_tile_size(),
-                                     std::clamp(*value, 0.0, 1.0));
+        caption.facts.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
+                                            std::clamp(*value, 0.0, 1.0)));
     return caption;
 }
 

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/viewer/theme.h"
@@ -10,33 +9,36 @@
 namespace dapple {
 namespace {
 
-ImVec2 title_size(const std::string& title) {
-    push_title_font();
-    const ImVec2 size = ImGui::CalcTextSize(title.c_str());
-    pop_title_font();
-    return size;
+constexpr std::size_t kFactLines = 2;
+
+// As much of a line in the font in use as fits.
+std::string fitting(std::string line, float width) {
+    if (ImGui::CalcTextSize(line.c_str()).x <= width) return line;
+    while (!line.empty() && ImGui::CalcTextSize((line + "...").c_str()).x > width) line.pop_back();
+    return line + "...";
 }
 
 void draw_caption(const SideCaption& caption, float left, float right, float top, float height) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    const float air = ImGui::GetFontSize() * 0.7f;
-    const ImVec2 title = title_size(caption.title), facts = ImGui::CalcTextSize(caption.facts.c_str());
-    const float y = std::floor(top + (height - title.y - facts.y) / 2);
-    const auto centred = [&](float width) {
-        return std::floor(std::max(left + air, (left + right - width) / 2));
+    const float air = ImGui::GetFontSize() * 0.7f, room = right - left - 2 * air;
+    if (room <= 0) return;
+    float y = std::floor(top + (height - (1 + kFactLines) * ImGui::GetTextLineHeight()) / 2);
+    const auto draw_line = [&](const std::string& line, ThemeColour colour) {
+        const std::string shown = fitting(line, room);
+        const float x = std::floor((left + right - ImGui::CalcTextSize(shown.c_str()).x) / 2);
+        list->AddText({x, y}, colour_of(colour), shown.c_str());
+        y += ImGui::GetTextLineHeight();
     };
-    list->PushClipRect({left, top}, {right - air / 2, top + height}, true);
     push_title_font();
-    list->AddText({centred(title.x), y}, colour_of(ThemeColour::text), caption.title.c_str());
+    draw_line(caption.title, ThemeColour::text);
     pop_title_font();
-    list->AddText({centred(facts.x), y + title.y}, colour_of(ThemeColour::quiet), caption.facts.c_str());
-    list->PopClipRect();
+    for (const std::string& fact : caption.facts) draw_line(fact, ThemeColour::quiet);
 }
 
 }  // namespace
 
 float side_captions_height() {
-    return std::round(ImGui::GetFontSize() * 3.1f);
+    return std::round(ImGui::GetFontSize() * (2.2f + kFactLines));
 }
 
 void draw_side_captions(const std::array<SideCaption, 2>& captions, float share, glm::vec2 corner,
