@@ -7,9 +7,9 @@
 //      square (cell c, orientation g)  ->  its quadrant g(q):  (next_cell[q] of c, g * next_turn[q] of c)
 //
 // Making a square ready costs as much as testing some hundred points. So a cell brings up to about a thousand
-// at once, by ascending birth, whatever the tile's size: a tile of more than 256 points is cut into cells, a
-// power of four of them, and below a cell of a smaller tile several generations of newborn points are sorted
-// into one subtree. Tiles of any size run through one recursion with the same pruning.
+// at once, by ascending birth: a tile of more than 64 points is cut into cells, a power of four of them, and
+// below each cell several generations of newborn points are sorted into one subtree. Tiles of any size run
+// through one recursion with the same pruning.
 
 #include <array>
 #include <cstdint>
