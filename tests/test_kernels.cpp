@@ -38,6 +38,19 @@ Placed run(const Kernels& kernels, const KernelSquare& square, bool critical, bo
     return placed;
 }
 
+float unit_in(std::mt19937& random) {
+    return static_cast<float>(random()) * 0x1p-32f;
+}
+
+CellPoints some_points(std::mt19937& random) {
+    CellPoints points;
+    for (std::size_t i = random() % 70; i > 0; --i) {
+        const float x = 2 * unit_in(random) - 1, y = 2 * unit_in(random) - 1;
+        points.add({x, y, 16 + static_cast<float>(points.size())});
+    }
+    return points;
+}
+
 // Those beside the baseline that this processor runs.
 std::vector<const Kernels*> wider_kernels() {
     std::vector<const Kernels*> kernels;
@@ -51,7 +64,7 @@ std::vector<const Kernels*> wider_kernels() {
 
 TEST_CASE("every kernel that this processor runs places the same dots, to the bit") {
     std::mt19937 random(12);
-    const auto unit = [&random] { return static_cast<float>(random()) * 0x1p-32f; };
+    const auto unit = [&random] { return unit_in(random); };
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
@@ -59,10 +72,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
-        const std::size_t count = random() % 70;
-        CellPoints points;
-        for (std::size_t i = 0; i < count; ++i)
-            points.add({2 * unit() - 1, 2 * unit() - 1, 16 + static_cast<float>(i)});
+        const CellPoints points = some_points(random);
         KernelSquare square;
         square.points = points.blocks();
         square.swap = random() % 2;
@@ -126,14 +136,11 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 TEST_CASE(
     "every kernel that this processor runs places the first points of a square where place() has them") {
     std::mt19937 random(7);
-    const auto unit = [&random] { return static_cast<float>(random()) * 0x1p-32f; };
+    const auto unit = [&random] { return unit_in(random); };
     std::vector<const Kernels*> all = wider_kernels();
     all.push_back(&kBaselineKernels);
     for (int trial = 0; trial < 500; ++trial) {
-        const std::size_t count = random() % 70;
-        CellPoints points;
-        for (std::size_t i = 0; i < count; ++i)
-            points.add({2 * unit() - 1, 2 * unit() - 1, 16 + static_cast<float>(i)});
+        const CellPoints points = some_points(random);
         // Black: a point exists where its birth is below births_per_density.
         KernelSquare square;
         square.points = points.blocks();

@@ -382,6 +382,8 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
         [&] { draw_export_panel(settings, format, {.dots = 400'000, .bytes = 23.8e6, .trouble = {}}); });
     CHECK_FALSE(ui.has("Dots per inch"));
     CHECK_FALSE(ui.has("Tile layer"));
+    ui.click("as placed");
+    CHECK(settings.saving.order == DotOrder::recursion);
     ui.click("short moves");
     CHECK(settings.saving.order == DotOrder::space);
     ui.click("by priority");

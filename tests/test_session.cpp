@@ -249,17 +249,23 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
               doctest::Approx(*facts.bytes).epsilon(0.1));
     }
     // x_mm,y_mm,radius_mm,level,rank,critical_scale: by priority the last column ascends.
-    std::ifstream table(folder / "a.csv");
-    std::string line;
+    std::ifstream table(folder / "a.csv"), svg(folder / "a.svg");
+    std::string line, circle;
     std::getline(table, line);
+    while (std::getline(svg, circle) && !circle.starts_with("<circle")) continue;
     double last = 0;
-    bool ascends = true;
+    bool ascends = true, same_order = true;
     int lines = 0;
     for (; std::getline(table, line); ++lines) {
         const double critical = std::stod(line.substr(line.rfind(',') + 1));
         ascends = ascends && critical >= last;
         last = critical;
+        // The SVG has the same dots in the same order, in px.
+        const double x = std::stod(circle.substr(circle.find("cx=") + 4)) * 25.4 / 96;
+        same_order = same_order && std::abs(x - std::stod(line)) < 0.01;
+        std::getline(svg, circle);
     }
+    CHECK(same_order);
     CHECK(lines == 40'000);
     CHECK(ascends);
 }

@@ -47,16 +47,17 @@ void Session::save(const fs::path& path) {
     const std::uint64_t most = most_dots_;
     const auto prepare = [=](Workbench& bench, std::stop_token stop) -> Worker::Write {
         const DrawingFormat format = drawing_format(path);
-        const bool sorted = format != DrawingFormat::png;
         PlacedDrawing drawing;
         PlaceOrder order = order_of(drawn, choice);
         order.most_dots = most;
-        order.stipple.critical =
-            format == DrawingFormat::csv || (sorted && saving.order == DotOrder::priority);
+        order.stipple.critical = format == DrawingFormat::csv ||
+                                 (format == DrawingFormat::svg && saving.order == DotOrder::priority);
         if (!bench.place(order, drawing, stop)) return {};
         const Density& density = bench.density(drawn.tone, choice);
         if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
-        if (sorted) sort_dots(drawing.stippling.dots, saving.order);
+        Dots& dots = drawing.stippling.dots;
+        if (format != DrawingFormat::png)
+            sort_dots(dots, saving.order.value_or(usual_order(format, dots.size())));
         const PageSize page = page_size(density, drawn.width_mm);
         const std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
         const double dpi = saving.dpi;
@@ -66,7 +67,8 @@ void Session::save(const fs::path& path) {
                                  .page = page,
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size,
-                                 .dpi = dpi},
+                                 .dpi = dpi,
+                                 .order = DotOrder::recursion},  // as they lie
                                 watch);
         };
     };

@@ -1,6 +1,8 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
+#include <optional>
+
 #include "app/drawing_settings.h"
 #include "app/viewer/comparison.h"
 #include "app/viewer/density_choice.h"
@@ -24,8 +26,8 @@ struct LoupeChoice {
 
 /// How the drawing is saved, beside how it looks.
 struct SavingChoice {
-    DotOrder order = DotOrder::recursion;  // in an SVG or a table
-    double dpi = 300;                      // of a PNG
+    std::optional<DotOrder> order = {};  // in an SVG or a table; none: the usual one
+    double dpi = 300;                    // of a PNG
 
     bool operator==(const SavingChoice&) const = default;
 };

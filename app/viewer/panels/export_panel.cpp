@@ -17,13 +17,14 @@ constexpr const char* kOrders =
     "short moves: each near the one before.\n"
     "by priority: the first n dots are the drawing with n dots, so that a plot may stop at any time.";
 
-bool draw_order(DotOrder& order) {
+bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
+    const DotOrder order = choice.value_or(usual);
     // As DotOrder has them, but for the last two.
     constexpr std::array kShown{DotOrder::recursion, DotOrder::space, DotOrder::priority};
     int chosen = order == DotOrder::recursion ? 0 : order == DotOrder::space ? 1 : 2;
     const bool changed =
         segmented_row("Dot order", chosen, std::array{"as placed", "short moves", "by priority"}, kOrders);
-    if (changed) order = kShown[static_cast<std::size_t>(chosen)];
+    if (changed) choice = kShown[static_cast<std::size_t>(chosen)];
     return changed;
 }
 
@@ -61,7 +62,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                .hard_max = 100'000,
                                .tip = "Pixels to the inch of the page, whose width is under Dots."});
     else
-        changed |= draw_order(settings.saving.order);
+        changed |= draw_order(settings.saving.order, usual_order(format, facts.dots));
     if (format == DrawingFormat::svg) changed |= switch_row("Paper in SVG", settings.drawing.background);
     if (!facts.trouble.empty()) {
         hint(facts.trouble.c_str());

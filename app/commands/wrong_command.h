@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace dapple {
+
+/// What is wrong with a first word that was meant as a command: "rendr" for "render". Nothing if it is one,
+/// or may be a picture.
+std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words);
+
+}  // namespace dapple
