@@ -396,7 +396,7 @@ TEST_CASE("within a margin no dot reaches over the edge, in any format, and shee
     const Scene scene;
     const std::string from = "render " + scene("cat.png") +
                              " --width 150 --margin 15 --dots 4000 --dpi 60 --stats " + scene("m.json");
-    REQUIRE(run_dapple(from + " -o " + scene("m.svg")).status == 0);
+    REQUIRE(run_dapple(from + " -o " + scene("m.svg") + " --tiles").status == 0);
     const Svg svg = read_svg(scene("m.svg"));
     // The picture is 3 by 2, so 120 by 80 mm of it are left.
     CHECK(svg.document.child("svg").attribute("width").value() == std::string("150mm"));
@@ -406,6 +406,12 @@ TEST_CASE("within a margin no dot reaches over the edge, in any format, and shee
     for (const pugi::xml_node& circle : svg.circles()) {
         const double x = circle.attribute("cx").as_double() / px, y = circle.attribute("cy").as_double() / px;
         CHECK((x >= 14.99 && x <= 135.01 && y >= 14.99 && y <= 95.01));
+    }
+    for (const pugi::xpath_node& found : svg.document.select_nodes("//g[@id]/rect")) {
+        const pugi::xml_node tile = found.node();
+        const auto mm = [&](const char* name) { return tile.attribute(name).as_double() / px; };
+        CHECK((mm("x") >= 14.99 && mm("x") + mm("width") <= 135.01));
+        CHECK((mm("y") >= 14.99 && mm("y") + mm("height") <= 95.01));
     }
     CHECK(read_json(scene("m.json"))["preflight"]["over_the_edge"] == 0);
     CHECK(read_json(scene("m.json"))["duplicates"] == 0);

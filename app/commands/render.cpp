@@ -241,6 +241,9 @@ void render(const RenderOptions& options) {
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = tiles_of(tile, density, settings.stipple.placer, dots.scale);
     move_to(excerpt.part, tiles);
+    const double left = -excerpt.part.across.offset, top = -excerpt.part.down.offset;
+    const auto longer = static_cast<double>(density.longer_side());
+    const PageBox picture_box{left, top, left + density.width() / longer, top + density.height() / longer};
     const DotOrder order = options.order.value_or(usual_order(format, dots.count));
     Dots sorted;
     const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
@@ -256,6 +259,7 @@ void render(const RenderOptions& options) {
                  {.dots = drawn_dots,
                   .page = excerpt.size,
                   .tiles = tiles,
+                  .picture = picture_box,
                   .tile_size = tile.tile().size(),
                   .dpi = options.dpi,
                   .order = DotOrder::recursion},

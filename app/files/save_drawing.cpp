@@ -90,8 +90,11 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const auto write = [&](std::ostream& out) {
         switch (format) {
             case DrawingFormat::svg: {
-                SvgStyle style{
-                    .dot_radius_mm = radius, .ink = settings.ink, .background = {}, .tiles = drawing.tiles};
+                SvgStyle style{.dot_radius_mm = radius,
+                               .ink = settings.ink,
+                               .background = {},
+                               .tiles = drawing.tiles,
+                               .picture = drawing.picture};
                 if (settings.background) style.background = settings.paper;
                 write_svg(out, dots, drawing.page, style, progress);
                 break;

@@ -33,6 +33,7 @@ struct DrawingToSave {
     DotStream dots;  // with Dots::critical if they go into a table
     PageSize page;
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
+    std::optional<PageBox> picture = {};     // where they end; none: at the page's edges
     std::size_t tile_size = 16;              // N
     double dpi = 300;                        // of a PNG
     std::optional<DotOrder> order = {};      // none: the usual one; `recursion` writes the dots as they come

@@ -47,17 +47,28 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
     text << "</g>\n";
 }
 
-void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page) {
+// The part of the picture that is on the page, in px.
+PageBox drawn_area(const PageSize& page, const std::optional<PageBox>& picture) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    const double width = page.width_mm * kPxPerMm, height = page.height_mm * kPxPerMm;
-    // Tiles cover a square, the page need not be one and may be a part of another: what lies over its edges
-    // is cut off, and an outline that lies all around it is none.
+    const PageBox area{0, 0, page.width_mm * kPxPerMm, page.height_mm * kPxPerMm};
+    if (!picture) return area;
+    return {std::max(area.left, picture->left * px_per_unit), std::max(area.top, picture->top * px_per_unit),
+            std::min(area.right, picture->right * px_per_unit),
+            std::min(area.bottom, picture->bottom * px_per_unit)};
+}
+
+void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page,
+                 const PageBox& area) {
+    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
+    // Tiles cover a square, the picture need not be one and a part of it may be on the page: what lies over
+    // the edges is cut off, and an outline that lies all around is none.
     std::map<int, std::vector<PlacedTile>> by_level;
     for (const PlacedTile& tile : tiles) {
         const double left = tile.x * px_per_unit, right = (tile.x + tile.side) * px_per_unit;
         const double top = tile.y * px_per_unit, bottom = (tile.y + tile.side) * px_per_unit;
-        const bool beside = left >= width || top >= height || right <= 0 || bottom <= 0;
-        const bool around = left < 0 && top < 0 && right > width && bottom > height;
+        const bool beside =
+            left >= area.right || top >= area.bottom || right <= area.left || bottom <= area.top;
+        const bool around = left < area.left && top < area.top && right > area.right && bottom > area.bottom;
         if (!beside && !around) by_level[tile.level].push_back(tile);
     }
     begin_layer(text, 2, "Tiles");
@@ -67,16 +78,16 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
         text << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
              << hex_of(level_colour(level->first)) << "\">\n";
         for (const PlacedTile& tile : level->second) {
-            const double left = std::max(tile.x, 0.0) * px_per_unit,
-                         top = std::max(tile.y, 0.0) * px_per_unit;
+            const double left = std::max(tile.x * px_per_unit, area.left),
+                         top = std::max(tile.y * px_per_unit, area.top);
             text << R"(<rect x=")";
             text.fixed(left, 3);
             text << R"(" y=")";
             text.fixed(top, 3);
             text << R"(" width=")";
-            text.fixed(std::min((tile.x + tile.side) * px_per_unit, width) - left, 3);
+            text.fixed(std::min((tile.x + tile.side) * px_per_unit, area.right) - left, 3);
             text << R"(" height=")";
-            text.fixed(std::min((tile.y + tile.side) * px_per_unit, height) - top, 3);
+            text.fixed(std::min((tile.y + tile.side) * px_per_unit, area.bottom) - top, 3);
             text << "\"/>\n";
         }
         text << "</g>\n";
@@ -106,7 +117,7 @@ void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, c
         text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
     }
     write_dots(text, dots, page, style, progress);
-    if (!style.tiles.empty()) write_tiles(text, style.tiles, page);
+    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture));
     text << "</svg>\n";
     text.flush();
 }

@@ -23,6 +23,7 @@ struct SvgStyle {
     glm::vec3 ink = kBlack;
     std::optional<glm::vec3> background;     // a rectangle under everything
     std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
+    std::optional<PageBox> picture = {};     // outlines end at its edges; none: at the page's
 };
 
 /// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where
