@@ -58,6 +58,7 @@ struct KernelOutput {
     float* critical = nullptr;
     LateDot* late = nullptr;
     std::size_t first_index = 0;  // of x[0], for late dots
+    bool beyond_caches = false;   // the columns: their lines are asked for before they are written
 };
 
 /// How many a kernel wrote.

@@ -32,6 +32,16 @@ inline Lanes density_at(const KernelSquare& s, const Block& block, Lanes x, Lane
     return upper + (lower - upper) * v.fraction;
 }
 
+// A store that waits for memory soon blocks the loads behind it. At one point of each block; `at` is the next
+// dot to be written. Inlined always, since GCC takes a function that only prefetches for one without effect.
+[[gnu::always_inline]] inline void ask_for_lines(const KernelOutput& out, std::size_t point, std::size_t at) {
+    constexpr std::size_t kAhead = 512;  // dots: 100 ns and more
+    if (!out.beyond_caches || point % kBlockPoints != 0) return;
+    __builtin_prefetch(out.x + at + kAhead, 1);
+    __builtin_prefetch(out.y + at + kAhead, 1);
+    __builtin_prefetch(out.threshold + at + kAhead, 1);
+}
+
 // Few dots are late: one by one.
 inline void list_late(Mask late, Mask exists, Lanes critical, const KernelOutput& out, PlacedCount& placed) {
     float values[kWidth];
@@ -53,6 +63,7 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
         if (!(points.birth[at] < s.none_from)) return placed;
+        ask_for_lines(out, i, placed.dots);
         const Lanes birth = load(points.birth + at);
         const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
         const Lanes threshold = birth * Lanes(s.threshold_per_birth);
@@ -83,6 +94,7 @@ void place_first(const KernelSquare& s, std::size_t count, const KernelOutput& o
     for (std::size_t i = 0; i < count; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
+        ask_for_lines(out, i, i);
         const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
         store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);

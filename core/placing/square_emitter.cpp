@@ -9,6 +9,7 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
+constexpr std::size_t kBeyondCaches = 2 << 20;  // dots: three columns of 8 MiB
 constexpr float kCloseBounds = 0.95f;
 
 // Columns are used to their full capacity while dots are appended.
@@ -198,7 +199,8 @@ KernelOutput SquareEmitter::room_for(std::size_t count) {
             dots_.threshold.data() + count_,
             critical ? dots_.critical.data() + count_ : nullptr,
             late ? memory_.late.data() + late_ : nullptr,
-            count_};
+            count_,
+            capacity_ >= kBeyondCaches};
 }
 
 }  // namespace dapple
