@@ -30,7 +30,7 @@ struct DialogUi {
 
     void open(const fs::path& start) {
         ImGui::GetIO().DisplaySize = {900, 700};
-        dialog.ask_what_to_open(start);
+        dialog.ask_what_to_open({"Open a picture", {".png", ".tif"}, start});
         for (int i = 0; i < 4; ++i) ui.frame();
     }
     void save(const fs::path& start, const fs::path& own_file = {}) {

@@ -73,13 +73,17 @@ TEST_CASE("while text is typed, keys are letters") {
     CHECK(keyboard.press(GLFW_KEY_Z, true).empty());
 }
 
-TEST_CASE("every action is in the help, once") {
-    std::set<Action> seen;
-    for (const Shortcut& shortcut : shortcuts()) {
-        CHECK(seen.insert(shortcut.action).second);
-        CHECK(std::string(shortcut.meaning).size() > 3);
+TEST_CASE("every action is in a window's help, and no help has one twice") {
+    std::set<Action> all;
+    for (const auto help : {shortcuts(), light_shortcuts()}) {
+        std::set<Action> seen;
+        for (const Shortcut& shortcut : help) {
+            CHECK(seen.insert(shortcut.action).second);
+            CHECK(std::string(shortcut.meaning).size() > 3);
+        }
+        all.merge(seen);
     }
-    CHECK(seen.size() == static_cast<std::size_t>(Action::quit) + 1);
+    CHECK(all.size() == static_cast<std::size_t>(Action::quit) + 1);
 }
 
 }  // namespace dapple

@@ -364,6 +364,36 @@ TEST_CASE("the samples of an environment map follow their slider, and exposing i
     CHECK(viewer.wait_for_end() == 0);
 }
 
+TEST_CASE("the wheel zooms into an environment map, and F shows all of it again") {
+    TemporaryFolder folder;
+    write_even_map(folder / "even.hdr");
+    Display display;
+    RunningViewer viewer({}, {"lights", (folder / "even.hdr").string()});
+    const auto zoom = [&] { return viewer.status()["zoom"].get<double>(); };
+    CHECK(zoom() == doctest::Approx(1));
+    viewer.point_at("Map", 0.3);
+    for (int i = 0; i < 4; ++i) viewer.wheel_up();
+    CHECK(viewer.shows([&] { return zoom() > 1.5; }));
+    viewer.key("f");
+    CHECK(viewer.shows([&] { return zoom() < 1.001; }));
+}
+
+TEST_CASE("the samples that the window exports are those of the command, to the byte") {
+    TemporaryFolder folder;
+    const std::string map = (folder / "even.hdr").string(), command = (folder / "command.json").string();
+    write_even_map(map);
+    ChildProcess program({DAPPLE_PROGRAM, "lights", map, "-n", "300", "-o", command});
+    REQUIRE(program.wait() == 0);
+    Display display;
+    RunningViewer viewer(folder.path(), {"lights", map, "-n", "300"});
+    viewer.move(300, 200);
+    viewer.key("ctrl+e");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
+    REQUIRE(viewer.shows([&] { return fs::exists(folder / "even.json"); }));
+    CHECK(text_of(folder / "even.json") == text_of(command));
+}
+
 TEST_CASE("a picture that is not there ends the program with a sentence") {
     TemporaryFolder folder;
     Display display;

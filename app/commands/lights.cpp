@@ -5,19 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
-#include <vector>
 
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment.h"
-#include "app/files/png_file.h"
+#include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
 #include "core/image/sky.h"
-#include "core/lights/light_picture.h"
-#include "core/output/light_list.h"
 #include "core/output/light_report.h"
 
 namespace dapple {
@@ -25,37 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class LightFile { json, csv, pbrt, mitsuba, png };
-
 constexpr const char* kReportEndings = ".html, .csv or .svg";
-constexpr const char* kEndings = ".json, .csv, .pbrt, .xml or .png";
 
 std::string ending_of(const fs::path& output) {
     std::string ending = output.extension().string();
     std::ranges::transform(ending, ending.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
-}
-
-std::optional<LightFile> kind_of(const fs::path& output) {
-    const std::string ending = ending_of(output);
-    if (ending == ".json") return LightFile::json;
-    if (ending == ".csv") return LightFile::csv;
-    if (ending == ".pbrt") return LightFile::pbrt;
-    if (ending == ".xml") return LightFile::mitsuba;
-    if (ending == ".png") return LightFile::png;
-    return std::nullopt;
-}
-
-SphereConvention usual_convention(LightFile kind) {
-    switch (kind) {
-        case LightFile::pbrt:
-            return SphereConvention::pbrt;
-        case LightFile::mitsuba:
-            return SphereConvention::mitsuba;
-        default:
-            return SphereConvention::openexr;
-    }
 }
 
 void check_files(const LightsOptions& options) {
@@ -76,19 +48,12 @@ EnvironmentMap map_of(const LightsOptions& options) {
     return options.map ? read_environment(*options.map) : sky_map();
 }
 
-void write_picture(std::ostream& out, const EnvironmentMap& map, const LightSamples& lights, double stops) {
-    std::vector<glm::dvec2> places;
-    for (const LightSample& sample : lights.samples) places.push_back(sample.uv);
-    const Grid<glm::u8vec3> picture = light_picture(map, places, natural_exposure(map) * std::exp2(stops));
-    write_png(out, {picture.width, picture.height, 96}, [&](const PixelSink& sink) { sink(picture); });
-}
-
 }  // namespace
 
 void lights(const LightsOptions& options) {
-    const std::optional<LightFile> kind = kind_of(options.output);
-    if (!kind) {
-        throw std::runtime_error(fmt::format("{}: does not end in {}", options.output.string(), kEndings));
+    if (!light_file_of(options.output)) {
+        throw std::runtime_error(
+            fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
     }
     check_files(options);
     RankedTile tile = tile_named(options.tile, options.ranking);
@@ -102,23 +67,9 @@ void lights(const LightsOptions& options) {
     }
     const LightSamples samples = light_samples(map, tile, options.request);
 
-    const std::string source = source_of(options);
-    const LightListStyle style{options.convention.value_or(usual_convention(*kind)), options.rotation_degrees,
-                               source};
-    save_atomically(options.output, [&](std::ostream& out) {
-        switch (*kind) {
-            case LightFile::json:
-                return write_light_json(out, samples, style);
-            case LightFile::csv:
-                return write_light_csv(out, samples, style);
-            case LightFile::pbrt:
-                return write_light_pbrt(out, samples, style);
-            case LightFile::mitsuba:
-                return write_light_mitsuba(out, samples, style);
-            case LightFile::png:
-                return write_picture(out, map, samples, options.exposure.value_or(0));
-        }
-    });
+    save_lights(
+        options.output, map, samples,
+        {options.convention, options.rotation_degrees, source_of(options), options.exposure.value_or(0)});
 }
 
 void compare_lights(const LightsOptions& options) {
@@ -153,7 +104,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command
         ->add_option(
             "-o,--output", options_.output,
-            std::string("What to write; its name ends in ") + kEndings + ". Without it, a window opens")
+            std::string("What to write; its name ends in ") + kLightEndings + ". Without it, a window opens")
         ->type_name("OUT");
     const auto whole = [](const std::string& name, const std::string& text, std::uint64_t least,
                           std::uint64_t most) {
@@ -252,10 +203,11 @@ LightsCommand::LightsCommand(CLI::App& program) {
             window_wanted_ = true;
             return;
         }
-        if (!kind_of(options_.output)) {
-            throw CLI::ValidationError("--output", options_.output.string() + " does not end in " + kEndings);
+        if (!light_file_of(options_.output)) {
+            throw CLI::ValidationError("--output",
+                                       options_.output.string() + " does not end in " + kLightEndings);
         }
-        if (options_.exposure && kind_of(options_.output) != LightFile::png) {
+        if (options_.exposure && light_file_of(options_.output) != LightFile::png) {
             throw CLI::ValidationError("--exposure", "is for a picture; let the output's name end in .png");
         }
         lights(options_);

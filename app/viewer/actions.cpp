@@ -7,6 +7,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string> kPictures{".png",  ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr",
+                                         ".webp", ".gif", ".bmp",  ".tga", ".psd",  ".ppm", ".pgm",
+                                         ".pnm",  ".jp2", ".heic", ".dpx", ".fits", ".ico", ".pic"};
+
 fs::path where_to_save(const Session& session) {
     if (!session.saved_path().empty()) return session.saved_path();
     return fs::current_path() / fs::path(session.picture().name).stem().concat(".svg");
@@ -14,7 +18,8 @@ fs::path where_to_save(const Session& session) {
 
 void ask_what_to_open(const Stage& stage) {
     const fs::path& path = stage.session.picture_path();
-    stage.shown.dialog.ask_what_to_open(path.empty() ? fs::current_path() : path);
+    stage.shown.dialog.ask_what_to_open(
+        {"Open a picture", kPictures, path.empty() ? fs::current_path() : path});
 }
 
 void ask_where_to_save(const Stage& stage) {
@@ -62,6 +67,9 @@ void act(Action action, const Stage& stage) {
         }
         case Action::loupe:
             return toggle(session.settings.loupe.on);
+        case Action::lighter:
+        case Action::darker:
+            return;  // of environment maps
         case Action::toggle_panels:
             return toggle(stage.shown.panels);
         case Action::full_screen:

@@ -16,8 +16,9 @@ struct CanvasPlace {
 
 class CameraMouse {
  public:
-    /// Moves the camera as the mouse of this frame asks, unless ImGui's windows want it: a drag begins where
-    /// the button went down, however far the pointer came in the frame before. True if it moved.
+    /// Moves the camera as the mouse of this frame asks, unless ImGui's windows want it or it is elsewhere: a
+    /// drag begins where the button went down, however far the pointer came in the frame before. True if it
+    /// moved.
     bool move(Camera& camera, const CanvasPlace& place);
 
  private:

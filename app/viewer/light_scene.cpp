@@ -18,7 +18,7 @@
 namespace dapple {
 namespace {
 
-constexpr int kPreviewWidth = 1024, kSphereSize = 256;
+constexpr int kPreviewWidth = 2048, kSphereSize = 256;
 
 Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
     const int times = (map.width() + kPreviewWidth - 1) / kPreviewWidth;
@@ -88,7 +88,7 @@ SampledMap sampled(const LitMap& lit, const LightsSettings& settings) {
     return result;
 }
 
-LightScene::LightScene(std::unique_ptr<const LitMap> lit, std::function<void()> wake)
+LightScene::LightScene(std::shared_ptr<const LitMap> lit, std::function<void()> wake)
     : lit_(std::move(lit)), background_(std::move(wake)) {}
 
 std::string LightScene::update(const LightsSettings& settings) {
@@ -124,39 +124,68 @@ void LightScene::draw_textures(const LightsSettings& settings) {
     drawn_ = wanted;
 }
 
-void LightScene::show(glm::vec2 corner, glm::vec2 size, const LightsSettings& settings) const {
-    if (!drawn_) return;
-    ImDrawList* const list = ImGui::GetWindowDrawList();
+LightLayout light_layout(glm::vec2 corner, glm::vec2 size) {
     const float unit = ImGui::GetFontSize() / 15, air = 16 * unit;
-    // The map above, twice as wide as high, the spheres in what is left below.
     const float width = std::max(std::min(size.x - 2 * air, (size.y - 3 * air) * 1.35f), 1.0f);
-    const glm::vec2 map_size(width, width / 2), map_corner(corner.x + (size.x - width) / 2, corner.y + air);
-    const float turn = static_cast<float>(wrapped(settings.turn_degrees / 360));
-    const auto piece = [&](float from, float to, float at) {
-        list->AddImage(id_of(map_texture_), {map_corner.x + at * width, map_corner.y},
-                       {map_corner.x + (at + to - from) * width, map_corner.y + map_size.y}, {from, 0},
-                       {to, 1});
-    };
-    piece(turn, 1, 0);
-    if (turn > 0) piece(0, turn, 1 - turn);
-    if (settings.samples_shown) {
-        const float radius = marker_radius(shown_.places.size(), map_size) * unit;
-        const auto discs = [&](float r, ImU32 colour) {
-            for (const glm::dvec2 p : shown_.places) {
-                const glm::dvec2 at(wrapped(p.x - settings.turn_degrees / 360), p.y);
-                const glm::vec2 place = map_corner + glm::vec2(at) * map_size;
-                list->AddCircleFilled({place.x, place.y}, r, colour, 8);
-            }
-        };
-        discs(radius * 1.6f, IM_COL32(20, 20, 20, 255));
-        discs(radius, IM_COL32(255, 255, 255, 255));
-    }
+    LightLayout layout;
+    layout.map = {{corner.x + (size.x - width) / 2, corner.y + air}, {width, width / 2}};
+    const float top = layout.map.corner.y + layout.map.size.y + air;
+    layout.sphere_side = std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f);
+    const float middle = corner.x + size.x / 2;
+    layout.spheres = {{{middle - layout.sphere_side - air, top}, {middle + air, top}}};
+    return layout;
+}
 
-    const float top = map_corner.y + map_size.y + air;
-    const float side = std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f);
+// Its rotation lays the map's seam somewhere in the view: a piece on either side.
+void LightScene::show_map(const CanvasPlace& place, const Camera& camera,
+                          const LightsSettings& settings) const {
+    ImDrawList* const list = ImGui::GetBackgroundDrawList();
+    const glm::dvec2 seen_from = in_page_units(point_at(camera, {0, 0}));
+    const glm::dvec2 seen_to = in_page_units(point_at(camera, camera.canvas));
+    const double turn = wrapped(settings.turn_degrees / 360);
+    const auto piece = [&](double from, double to, double u_at_0) {
+        const double left = std::max(from, seen_from.x), right = std::min(to, seen_to.x);
+        if (left >= right) return;
+        const glm::vec2 a = place.corner + glm::vec2(to_canvas(camera, page_point({left, seen_from.y})));
+        const glm::vec2 b = place.corner + glm::vec2(to_canvas(camera, page_point({right, seen_to.y})));
+        list->AddImage(id_of(map_texture_), {a.x, a.y}, {b.x, b.y},
+                       {static_cast<float>(left + u_at_0), static_cast<float>(2 * seen_from.y)},
+                       {static_cast<float>(right + u_at_0), static_cast<float>(2 * seen_to.y)});
+    };
+    piece(0, 1 - turn, turn);
+    piece(1 - turn, 1, turn - 1);
+}
+
+void LightScene::show_samples(const CanvasPlace& place, const Camera& camera,
+                              const LightsSettings& settings) const {
+    ImDrawList* const list = ImGui::GetBackgroundDrawList();
+    const auto width = static_cast<float>(camera.pixels_per_unit);
+    const float radius = marker_radius(shown_.places.size(), {width, width / 2}) * ImGui::GetFontSize() / 15;
+    list->PushClipRect({place.corner.x, place.corner.y},
+                       {place.corner.x + place.size.x, place.corner.y + place.size.y}, true);
+    const auto discs = [&](float r, ImU32 colour) {
+        for (const glm::dvec2 p : shown_.places) {
+            const glm::dvec2 on_map(wrapped(p.x - settings.turn_degrees / 360), p.y / 2);
+            const glm::vec2 at = to_canvas(camera, page_point(on_map));
+            const bool seen = at.x > -r && at.y > -r && at.x < place.size.x + r && at.y < place.size.y + r;
+            if (seen) list->AddCircleFilled({place.corner.x + at.x, place.corner.y + at.y}, r, colour, 8);
+        }
+    };
+    discs(radius * 1.6f, IM_COL32(20, 20, 20, 255));
+    discs(radius, IM_COL32(255, 255, 255, 255));
+    list->PopClipRect();
+}
+
+void LightScene::show(const LightLayout& layout, const Camera& camera, const LightsSettings& settings) const {
+    if (!drawn_) return;
+    show_map(layout.map, camera, settings);
+    if (settings.samples_shown) show_samples(layout.map, camera, settings);
+
+    ImDrawList* const list = ImGui::GetBackgroundDrawList();
+    const float side = layout.sphere_side, air = 16 * ImGui::GetFontSize() / 15;
     const std::array labels{"lit by the samples", "lit by the whole map"};
     for (std::size_t i = 0; i < 2; ++i) {
-        const float left = corner.x + size.x / 2 + (i == 0 ? -side - air : air);
+        const auto [left, top] = std::pair(layout.spheres[i].x, layout.spheres[i].y);
         list->AddImage(id_of(spheres_[i]), {left, top}, {left + side, top + side});
         const float text = ImGui::CalcTextSize(labels[i]).x;
         list->AddText({left + (side - text) / 2, top + side + air / 4}, colour_of(ThemeColour::quiet),

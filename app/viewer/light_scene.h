@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "app/viewer/background.h"
+#include "app/viewer/camera.h"
+#include "app/viewer/camera_mouse.h"
 #include "app/viewer/gl_objects.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "core/image/environment.h"
@@ -25,7 +27,7 @@ struct LitMap {
     EnvironmentMap map;
     IrradianceMap exact;
     double natural_exposure;
-    Grid<glm::vec3> preview;  // at most 1,024 wide
+    Grid<glm::vec3> preview;  // at most 2,048 wide
 };
 
 /// A map's samples and what they light.
@@ -38,18 +40,28 @@ struct SampledMap {
 };
 SampledMap sampled(const LitMap& lit, const LightsSettings& settings);
 
+/// Where things are on the canvas, in ImGui's points.
+struct LightLayout {
+    CanvasPlace map;
+    std::array<glm::vec2, 2> spheres;  // their upper left corners
+    float sphere_side = 1;
+};
+/// The map above, twice as wide as high, the spheres in what is left below.
+LightLayout light_layout(glm::vec2 corner, glm::vec2 size);
+
 class LightScene {
  public:
     /// `wake` is called from another thread when samples are there.
-    LightScene(std::unique_ptr<const LitMap> lit, std::function<void()> wake);
+    LightScene(std::shared_ptr<const LitMap> lit, std::function<void()> wake);
 
     /// Has samples taken anew, in the background, and draws textures anew where the settings ask for it.
     /// Returns why there are no samples, once; what was shown stays then.
     std::string update(const LightsSettings& settings);
 
-    /// Into the current ImGui window's draw list.
-    void show(glm::vec2 corner, glm::vec2 size, const LightsSettings& settings) const;
+    /// Behind ImGui's windows, the part of the map that the camera sees.
+    void show(const LightLayout& layout, const Camera& camera, const LightsSettings& settings) const;
 
+    const std::shared_ptr<const LitMap>& lit() const { return lit_; }
     const EnvironmentMap& map() const { return lit_->map; }
     /// Of the samples shown.
     const LightsFacts& facts() const { return shown_.facts; }
@@ -61,8 +73,10 @@ class LightScene {
 
  private:
     void draw_textures(const LightsSettings& settings);
+    void show_map(const CanvasPlace& place, const Camera& camera, const LightsSettings& settings) const;
+    void show_samples(const CanvasPlace& place, const Camera& camera, const LightsSettings& settings) const;
 
-    std::unique_ptr<const LitMap> lit_;
+    std::shared_ptr<const LitMap> lit_;
     std::optional<LightsSettings> asked_;
     SampledMap shown_;
     std::uint64_t samplings_ = 0;

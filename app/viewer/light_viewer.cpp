@@ -3,25 +3,22 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <exception>
-#include <future>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "app/files/environment.h"
-#include "app/viewer/light_scene.h"
-#include "app/viewer/panels/banner.h"
+#include "app/files/tile_library.h"
+#include "app/viewer/light_session.h"
+#include "app/viewer/map_camera.h"
+#include "app/viewer/panels/action_buttons.h"
+#include "app/viewer/panels/file_dialog.h"
+#include "app/viewer/panels/help_panel.h"
 #include "app/viewer/shortcuts.h"
 #include "app/viewer/status_log.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 #include "app/viewer/window.h"
-#include "core/image/sky.h"
 
 namespace dapple {
 namespace {
@@ -31,22 +28,24 @@ namespace fs = std::filesystem;
 constexpr float kPanelWidth = 340;
 constexpr int kFramesAfterEvent = 3;
 constexpr double kStopsAPress = 0.5;
+// How far one can zoom in: to pixels of the map that are so many of ImGui's points, and so often enlarged.
+constexpr double kLargestPixel = 32, kLeastLargest = 4;
 
 class LightViewer {
  public:
     explicit LightViewer(const LightViewerOptions& options)
-        : settings_(options.settings), log_status_(options.log_status), window_("Dapple"), name_("Sky") {
+        : log_status_(options.log_status), window_("Dapple"), session_(options.settings) {
         ImGui::GetIO().UserData = &widgets_;
         if (options.map)
-            open(*options.map);
+            session_.open(*options.map);
         else
-            reading_ = std::async(std::launch::async, [] { return made(sky_map()); });
+            session_.open_sky();
     }
 
     int run() {
         int frames_left = kFramesAfterEvent;
         while (!window_.should_close()) {
-            window_.wait_for_events(frames_left > 0 ? 0 : 60);
+            window_.wait_for_events(frames_left > 0 ? 0 : rest_of(session_.banner));
             if (frames_left <= 0) frames_left = kFramesAfterEvent;
             frame();
             --frames_left;
@@ -58,81 +57,141 @@ class LightViewer {
     }
 
  private:
-    // Wakes the window's loop when it is done, well or badly.
-    struct Waker {
-        ~Waker() { Window::wake(); }
-    };
-
-    static std::unique_ptr<LitMap> made(EnvironmentMap map) {
-        const Waker waker;
-        return std::make_unique<LitMap>(std::move(map));
-    }
-
-    void open(const fs::path& path) {
-        if (reading_.valid()) reading_.wait();
-        name_ = path.filename().string();
-        reading_ = std::async(std::launch::async, [path] {
-            const Waker waker;
-            return made(read_environment(path));
-        });
-    }
-
-    void take_map() {
-        // The wake may come before the future is ready, so look again soon.
-        if (!reading_.valid()) return;
-        const auto patience = std::chrono::milliseconds(20);
-        if (reading_.wait_for(patience) != std::future_status::ready) return;
-        try {
-            scene_ = std::make_unique<LightScene>(reading_.get(), &Window::wake);
-            window_.set_title(name_ + " - Dapple");
-            banner_ = {};
-        } catch (const std::exception& error) {
-            if (!scene_) throw;
-            banner_ = {BannerKind::error, error.what()};
-        }
-    }
-
-    void press_keys() {
-        const ImGuiIO& io = ImGui::GetIO();
-        if (io.WantTextInput) return;
-        for (const ImWchar letter : io.InputQueueCharacters) {
-            if (letter == 'e') settings_.stops += kStopsAPress;
-            if (letter == 'E') settings_.stops -= kStopsAPress;
-        }
-        for (const Action action : pressed_actions()) {
-            if (action == Action::full_screen) window_.toggle_full_screen();
-            if (action == Action::quit) window_.close();
-        }
-    }
-
     void frame() {
         window_.begin_frame();
         widgets_.clear();
-        for (const fs::path& path : window_.take_dropped()) open(path);
-        take_map();
-        press_keys();
+        for (const fs::path& path : window_.take_dropped()) session_.open(path);
+        for (const Action action : pressed_actions()) act(action);
+        session_.take_news();
 
         const float scale = ImGui::GetFontSize() / 15;
         const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
-        const float panel = std::min(kPanelWidth * scale, screen.x * 0.6f);
-        draw_canvas({screen.x - panel, screen.y});
-        draw_panel({screen.x - panel, 0}, {panel, screen.y});
-        draw_banner(banner_, {0, 0}, {screen.x - panel, screen.y});
+        const float panel = panel_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
+        const glm::vec2 canvas{screen.x - panel, screen.y};
+        if (panel_shown_) draw_panel({canvas.x, 0}, {panel, screen.y});
+        draw_dialogs();
+        draw_banner(session_.banner, {0, 0}, canvas);
+        session_.remember(ImGui::IsAnyItemActive());
+        show_canvas(canvas);
         window_.end_frame();
         report_outside();
     }
 
+    void act(Action action) {
+        switch (action) {
+            case Action::open:
+                return dialog_.ask_what_to_open({"Open an environment map", {".hdr", ".exr"}, map_folder()});
+            case Action::save:
+                if (session_.saved_path().empty()) return ask_where_to_save();
+                return session_.save(session_.saved_path());
+            case Action::save_as:
+                return ask_where_to_save();
+            case Action::undo:
+                return session_.undo();
+            case Action::redo:
+                return session_.redo();
+            case Action::fit:
+                camera_ = fitted_to_map(camera_.canvas);
+                return;
+            case Action::one_to_one:
+                if (session_.scene()) zoom_to(session_.scene()->map().width() / window_.pixels_per_point().x);
+                return;
+            case Action::zoom_in:
+                return zoom_to(camera_.pixels_per_unit * 1.25);
+            case Action::zoom_out:
+                return zoom_to(camera_.pixels_per_unit * 0.8);
+            case Action::lighter:
+                session_.settings.stops += kStopsAPress;
+                return;
+            case Action::darker:
+                session_.settings.stops -= kStopsAPress;
+                return;
+            case Action::toggle_panels:
+                panel_shown_ = !panel_shown_;
+                return;
+            case Action::full_screen:
+                return window_.toggle_full_screen();
+            case Action::help:
+                help_ = !help_;
+                return;
+            case Action::quit:
+                return window_.close();
+            case Action::toggle_tiles:
+            case Action::compare:
+            case Action::loupe:
+                return;  // of drawings
+        }
+    }
+
+    fs::path map_folder() const {
+        return session_.map_path().empty() ? fs::current_path() : session_.map_path();
+    }
+
+    void ask_where_to_save() {
+        if (!session_.scene()) return;
+        const fs::path name = fs::path(session_.name()).stem().concat(".json");
+        const fs::path& saved = session_.saved_path();
+        // In the order of LightFile.
+        dialog_.ask_where_to_save({.title = "Export the samples",
+                                   .formats = {{"JSON", ".json"},
+                                               {"CSV", ".csv"},
+                                               {"pbrt", ".pbrt"},
+                                               {"Mitsuba", ".xml"},
+                                               {"PNG", ".png"}},
+                                   .start = saved.empty() ? fs::current_path() / name : saved,
+                                   .own_file = saved,
+                                   .option_rows = kLightExportRows});
+    }
+
+    void draw_dialogs() {
+        draw_help_panel(help_, light_shortcuts());
+        const auto options = [this](std::size_t format) {
+            draw_light_export_panel(session_.settings, static_cast<LightFile>(format));
+        };
+        if (const auto path = dialog_.draw(options)) {
+            if (dialog_.saves())
+                session_.save(*path);
+            else
+                session_.open(*path);
+        }
+    }
+
+    void zoom_to(double pixels_per_unit) {
+        camera_ = zoomed_at(camera_, camera_.canvas / 2.0, pixels_per_unit / camera_.pixels_per_unit);
+    }
+
+    void show_canvas(glm::vec2 size) {
+        const LightScene* const scene = session_.scene();
+        if (!scene) {
+            ImGui::GetBackgroundDrawList()->AddText({16, 16}, colour_of(ThemeColour::quiet),
+                                                    "Reading the map...");
+            return;
+        }
+        const LightLayout layout = light_layout({0, 0}, size);
+        if (std::exchange(map_fitted_, session_.maps_shown()) != session_.maps_shown())
+            camera_ = fitted_to_map(layout.map.size);
+        camera_ = resized_on_map(camera_, layout.map.size);
+        mouse_.move(camera_, layout.map);
+        camera_ = kept_on_map(
+            camera_, std::max(kLargestPixel * scene->map().width(), kLeastLargest * camera_.canvas.x));
+        widgets_["Map"] = {layout.map.corner, layout.map.corner + layout.map.size};
+        scene->show(layout, camera_, session_.settings);
+    }
+
     void report_outside() {
-        if (!scene_ || scene_->samplings() == 0) return;
+        const LightScene* const scene = session_.scene();
+        if (!scene || scene->samplings() == 0) return;
         if (!std::exchange(ready_, true)) std::puts("ready");
         if (log_status_) {
             const ImGuiIO& io = ImGui::GetIO();
             const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
-            std::string line = light_status_json({.samples = scene_->samples(),
-                                                  .samplings = scene_->samplings(),
-                                                  .sampling = scene_->sampling(),
-                                                  .stops = settings_.stops,
-                                                  .difference = scene_->facts().difference},
+            std::string line = light_status_json({.samples = scene->samples(),
+                                                  .samplings = scene->samplings(),
+                                                  .sampling = scene->sampling(),
+                                                  .stops = session_.settings.stops,
+                                                  .difference = scene->facts().difference,
+                                                  .zoom = camera_.pixels_per_unit / camera_.canvas.x,
+                                                  .saving = session_.saving()},
                                                  mouse, widgets_);
             if (line != logged_) std::puts(line.c_str());
             logged_ = std::move(line);
@@ -144,51 +203,37 @@ class LightViewer {
                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                                ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-    void draw_canvas(glm::vec2 size) {
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize({size.x, size.y});
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, colour_of(ThemeColour::surround));
-        ImGui::Begin("##canvas", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
-        if (scene_) {
-            if (std::string error = scene_->update(settings_); !error.empty())
-                banner_ = {BannerKind::error, std::move(error)};
-            scene_->show({0, 0}, size, settings_);
-        } else {
-            ImGui::TextUnformatted("Reading the map...");
-        }
-        ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar();
-    }
-
     void draw_panel(glm::vec2 corner, glm::vec2 size) {
         ImGui::SetNextWindowPos({corner.x, corner.y});
         ImGui::SetNextWindowSize({size.x, size.y});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
         ImGui::Begin("##panels", nullptr, kFixed);
+        const LightScene* const scene = session_.scene();
         push_title_font();
-        ImGui::TextUnformatted(name_.c_str());
+        ImGui::TextUnformatted(session_.name().c_str());
         pop_title_font();
-        if (scene_) {
-            const EnvironmentMap& map = scene_->map();
+        if (scene) {
+            const EnvironmentMap& map = scene->map();
             hint((std::to_string(map.width()) + " x " + std::to_string(map.height()) + " pixels").c_str());
         }
+        ImGui::Dummy({0, 0});
+        draw_action_buttons([this](Action action) { act(action); });
         std::optional<LightsFacts> facts;
-        if (scene_ && scene_->samplings() > 0) facts = scene_->facts();
-        draw_lights_panel(settings_, facts);
+        if (scene && scene->samplings() > 0) facts = scene->facts();
+        draw_lights_panel(session_.settings, facts, built_in_tile_names());
         ImGui::End();
         ImGui::PopStyleVar();
     }
 
-    LightsSettings settings_;
     bool log_status_;
     WidgetPlaces widgets_;
     Window window_;
-    std::string name_;
-    std::future<std::unique_ptr<LitMap>> reading_;
-    std::unique_ptr<LightScene> scene_;
-    Banner banner_;
+    LightSession session_;
+    Camera camera_;
+    CameraMouse mouse_;
+    int map_fitted_ = 0;  // the number of the map that the camera was fitted to
+    FileDialog dialog_;
+    bool help_ = false, panel_shown_ = true;
     std::string logged_;
     bool ready_ = false;
 };

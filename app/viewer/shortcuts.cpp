@@ -25,6 +25,24 @@ constexpr Shortcut kShortcuts[] = {
     {Action::quit, "Ctrl+Q", "Quit"},
 };
 
+constexpr Shortcut kLightShortcuts[] = {
+    {Action::open, "Ctrl+O", "Open a map"},
+    {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
+    {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
+    {Action::undo, "Ctrl+Z", "Undo"},
+    {Action::redo, "Ctrl+Y", "Redo"},
+    {Action::fit, "F", "Fit the map into the window"},
+    {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"},
+    {Action::zoom_in, "+", "Zoom in"},
+    {Action::zoom_out, "-", "Zoom out"},
+    {Action::lighter, "E", "Half a stop lighter"},
+    {Action::darker, "Shift+E", "Half a stop darker"},
+    {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panel"},
+    {Action::full_screen, "F11", "Full screen"},
+    {Action::help, "?, F1", "These keys"},
+    {Action::quit, "Ctrl+Q", "Quit"},
+};
+
 bool typed(ImWchar letter) {
     return ImGui::GetIO().InputQueueCharacters.contains(letter);
 }
@@ -37,6 +55,10 @@ bool pressed(int key) {
 
 std::span<const Shortcut> shortcuts() {
     return kShortcuts;
+}
+
+std::span<const Shortcut> light_shortcuts() {
+    return kLightShortcuts;
 }
 
 bool escape_pressed() {
@@ -68,6 +90,8 @@ std::vector<Action> pressed_actions() {
         when(pressed(GLFW_KEY_TAB), Action::toggle_panels);
         when(typed('+'), Action::zoom_in);
         when(typed('-'), Action::zoom_out);
+        when(typed('e'), Action::lighter);
+        when(typed('E'), Action::darker);
     }
     when(pressed(GLFW_KEY_F11), Action::full_screen);
     when(pressed(GLFW_KEY_F1) || typed('?'), Action::help);

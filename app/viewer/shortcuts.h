@@ -21,6 +21,8 @@ enum class Action {
     loupe,
     toggle_panels,
     full_screen,
+    lighter,
+    darker,
     help,
     quit,
 };
@@ -30,7 +32,9 @@ struct Shortcut {
     const char* keys;     // "Ctrl+O"
     const char* meaning;  // "Open a picture"
 };
+/// Of the window of a drawing, and of an environment map's.
 std::span<const Shortcut> shortcuts();
+std::span<const Shortcut> light_shortcuts();
 
 /// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. Reads
 /// ImGui's input, in which keys are GLFW's codes.

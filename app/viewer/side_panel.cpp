@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/files/tile_library.h"
+#include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/tone_panel.h"
@@ -11,23 +12,6 @@
 #include "app/viewer/widgets.h"
 
 namespace dapple {
-namespace {
-
-void draw_buttons(const std::function<void(Action)>& act) {
-    const float air = ImGui::GetStyle().ItemSpacing.x;
-    const float third = (ImGui::GetContentRegionAvail().x - 2 * air) / 3;
-    auto button = [&](const char* label, Action action) {
-        if (ImGui::Button(label, {third, 0})) act(action);
-        note_place(label);
-    };
-    button("Open...", Action::open);
-    ImGui::SameLine();
-    button("Export...", Action::save_as);
-    ImGui::SameLine();
-    button("Keys", Action::help);
-}
-
-}  // namespace
 
 void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::function<void(Action)>& act,
                      glm::vec2 corner, glm::vec2 size) {
@@ -42,7 +26,7 @@ void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::functi
     pop_title_font();
     hint(session.picture().description.c_str());
     ImGui::Dummy({0, 0});
-    draw_buttons(act);
+    draw_action_buttons(act);
 
     ViewerSettings& settings = session.settings;
     draw_tone_panel(settings.drawing.tone);

@@ -42,11 +42,10 @@ std::string status_json(const StatusFacts& facts, std::uint64_t placings, const 
 
 std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
                               const WidgetPlaces& widgets) {
-    nlohmann::ordered_json line{{"samples", status.samples},
-                                {"samplings", status.samplings},
-                                {"sampling", status.sampling},
-                                {"stops", status.stops},
-                                {"difference", status.difference}};
+    nlohmann::ordered_json line{{"samples", status.samples},       {"samplings", status.samplings},
+                                {"sampling", status.sampling},     {"stops", status.stops},
+                                {"difference", status.difference}, {"zoom", status.zoom},
+                                {"saving", status.saving}};
     add_input(line, mouse, widgets);
     return line.dump();
 }

@@ -32,10 +32,13 @@ struct LightStatus {
     bool sampling = false;        // another is under way
     double stops = 0;             // LightsSettings::stops
     double difference = 0;        // LightsFacts::difference
+    double zoom = 1;              // how many times larger than fitted the map is
+    bool saving = false;          // a file is being written
 };
 
 /// The same of the window of an environment map: {"samples": .., "samplings": .., "sampling": ..,
-/// "stops": .., "difference": .., "mouse": [x, y], "mouse_down": .., "widgets": {..}}.
+/// "stops": .., "difference": .., "zoom": .., "saving": .., "mouse": [x, y], "mouse_down": .., "widgets":
+/// {..}}.
 std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
                               const WidgetPlaces& widgets);
 

@@ -161,7 +161,7 @@ void Viewer::frame() {
 }
 
 void Viewer::draw_dialogs() {
-    draw_help_panel(shown_.help);
+    draw_help_panel(shown_.help, shortcuts());
     const auto options = [this](std::size_t format) {
         const auto kind = static_cast<DrawingFormat>(format);
         const Pane& pane = session_.pane();

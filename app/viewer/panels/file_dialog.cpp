@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kPictures{".png",  ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr",
-                                         ".webp", ".gif", ".bmp",  ".tga", ".psd",  ".ppm", ".pgm",
-                                         ".pnm",  ".jp2", ".heic", ".dpx", ".fits", ".ico", ".pic"};
-
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
@@ -69,9 +65,10 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
     return entries;
 }
 
-void FileDialog::ask_what_to_open(const fs::path& start) {
+void FileDialog::ask_what_to_open(OpenQuestion question) {
     saves_ = false;
-    show(start);
+    open_question_ = std::move(question);
+    show(open_question_.start);
 }
 
 void FileDialog::ask_where_to_save(SaveQuestion question) {
@@ -91,7 +88,7 @@ void FileDialog::show(const fs::path& start) {
 }
 
 std::vector<std::string> FileDialog::endings() const {
-    if (!saves_) return kPictures;
+    if (!saves_) return open_question_.endings;
     std::vector<std::string> endings;
     for (const FileFormat& format : question_.formats) endings.emplace_back(format.ending);
     return endings;
@@ -235,7 +232,7 @@ std::optional<fs::path> FileDialog::draw_replace_question() {
 
 std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
     if (!open_) return std::nullopt;
-    const char* title = saves_ ? question_.title : "Open a picture";
+    const char* title = saves_ ? question_.title : open_question_.title;
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     float unit = ImGui::GetTextLineHeight() / 15;
     ImVec2 screen = ImGui::GetIO().DisplaySize;

@@ -26,6 +26,13 @@ struct FileFormat {
     const char* ending;  // ".svg"
 };
 
+/// What is to be opened.
+struct OpenQuestion {
+    const char* title = "";
+    std::vector<std::string> endings{};  // of the files shown: ".png"; none: all files
+    std::filesystem::path start{};       // its folder is opened
+};
+
 /// What is to be saved.
 struct SaveQuestion {
     const char* title = "";
@@ -37,8 +44,8 @@ struct SaveQuestion {
 
 class FileDialog {
  public:
-    /// Opens it in the folder of `start`, to choose a picture.
-    void ask_what_to_open(const std::filesystem::path& start);
+    /// Opens it for a file that is there.
+    void ask_what_to_open(OpenQuestion question);
     /// Opens it for a file to write. One that is there already is replaced only after it was asked for twice.
     void ask_where_to_save(SaveQuestion question);
 
@@ -65,7 +72,8 @@ class FileDialog {
 
     bool saves_ = false;
     bool open_ = false, just_opened_ = false;
-    SaveQuestion question_;  // of use if it saves
+    OpenQuestion open_question_;  // of use if it does not save
+    SaveQuestion question_;       // if it does
     std::size_t format_ = 0;
     std::filesystem::path folder_;
     std::string typed_;               // the path box

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include "app/viewer/shortcuts.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 
@@ -21,7 +20,7 @@ void row(const char* keys, const char* meaning) {
 
 }  // namespace
 
-void draw_help_panel(bool& open) {
+void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts) {
     if (open && !ImGui::IsPopupOpen("Keys")) ImGui::OpenPopup("Keys");
     ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
     ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
@@ -31,8 +30,8 @@ void draw_help_panel(bool& open) {
         return;
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         row("Wheel", "Zoom at the pointer");
-        row("Drag", "Move the page");
-        for (const Shortcut& shortcut : shortcuts()) row(shortcut.keys, shortcut.meaning);
+        row("Drag", "Move the view");
+        for (const Shortcut& shortcut : shortcuts) row(shortcut.keys, shortcut.meaning);
         row("Ctrl+click", "On a slider: type the number");
         row("Double-click", "On a slider's name: back to neutral");
         row("Drop a file", "Open it");

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <span>
+
+#include "app/viewer/shortcuts.h"
+
 namespace dapple {
 
 /// The list of keys over everything else, while `open`; a click outside or Escape closes it.
-void draw_help_panel(bool& open);
+void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts);
 
 }  // namespace dapple

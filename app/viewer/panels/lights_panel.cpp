@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "app/viewer/widgets.h"
 
@@ -28,8 +31,9 @@ bool choose(const char* label, Value& value, const std::array<const char*, n>& n
     return true;
 }
 
-bool draw_samples(LightRequest& request) {
+bool draw_samples(LightsSettings& settings, std::span<const char* const> tiles) {
     if (!section("Samples")) return false;
+    LightRequest& request = settings.request;
     bool changed = false;
     double count = static_cast<double>(request.count);
     if (slider_row("Samples", count, kCount)) {
@@ -42,6 +46,11 @@ bool draw_samples(LightRequest& request) {
         "drawn "
         "at random, which has no bias.");
     changed |= choose("Placer", request.placer, std::array{"exact", "Figure 8"});
+    int tile = static_cast<int>(std::ranges::find(tiles, settings.tile) - tiles.begin());
+    if (choice_row("Tile", tile, tiles)) {
+        settings.tile = tiles[tile];
+        changed = true;
+    }
     bool compensated = request.importance == LightImportance::compensated;
     if (switch_row("MIS compensation", compensated)) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
@@ -77,8 +86,9 @@ void line(const char* label, const std::string& value) {
 
 }  // namespace
 
-bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts) {
-    bool changed = draw_samples(settings.request);
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
+                       std::span<const char* const> tiles) {
+    bool changed = draw_samples(settings, tiles);
     changed |= draw_view(settings);
     if (section("Figures")) {
         const auto figure = [&](const char* label, const auto& words) {
@@ -97,6 +107,27 @@ bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts
             "the "
             "right one, lit by every texel of the map.");
     }
+    return changed;
+}
+
+bool draw_light_export_panel(LightsSettings& settings, LightFile format) {
+    if (format == LightFile::png) {
+        hint("The map as it lies in its file, at the exposure of the view, with the samples over it.");
+        return false;
+    }
+    constexpr std::array kConventions{SphereConvention::openexr, SphereConvention::usd,
+                                      SphereConvention::mitsuba, SphereConvention::blender,
+                                      SphereConvention::pbrt};
+    std::vector<std::string> words{"usual for the file"};
+    for (const SphereConvention convention : kConventions) words.emplace_back(name_of(convention));
+    std::vector<const char*> names;
+    for (const std::string& word : words) names.push_back(word.c_str());
+    const auto at =
+        settings.convention ? std::ranges::find(kConventions, *settings.convention) : kConventions.end();
+    int chosen = at == kConventions.end() ? 0 : static_cast<int>(at - kConventions.begin()) + 1;
+    const bool changed = choice_row("Axes", chosen, names);
+    if (changed) settings.convention = chosen == 0 ? std::nullopt : std::optional(kConventions[chosen - 1]);
+    hint("Turned by the view's rotation.");
     return changed;
 }
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "app/files/save_lights.h"
+#include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 
 namespace dapple {
@@ -15,6 +17,7 @@ struct LightsSettings {
     double stops = 0;         // exposure over the natural one
     double turn_degrees = 0;  // of the map about the up axis, -180..180
     bool samples_shown = true;
+    std::optional<SphereConvention> convention{};  // of a file; none: the one usual for its kind
 
     bool operator==(const LightsSettings&) const = default;
 };
@@ -26,8 +29,15 @@ struct LightsFacts {
     double flux_error = 0;  // of the weights' sum, relative
 };
 
-/// Sections "Samples" and "View", and the figures. True while something changes.
+/// Sections "Samples" and "View", and the figures. True while something changes. `tiles` can be chosen from.
 /// Without facts the samples are still being taken, and it says so in their place.
-bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts);
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
+                       std::span<const char* const> tiles);
+
+/// The room that the options need in the file dialog.
+inline constexpr int kLightExportRows = 2;
+
+/// What goes with a kind of file: the axes of its directions. True when another is chosen.
+bool draw_light_export_panel(LightsSettings& settings, LightFile format);
 
 }  // namespace dapple

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <functional>
+
+#include "app/viewer/shortcuts.h"
+
+namespace dapple {
+
+/// The row "Open...", "Export...", "Keys".
+void draw_action_buttons(const std::function<void(Action)>& act);
+
+}  // namespace dapple
