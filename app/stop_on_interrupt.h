@@ -1,5 +1,5 @@
 #pragma once
-// Long work that Ctrl+C, SIGTERM or a time limit asks to stop rather than ends.
+// Long work that Ctrl+C, SIGTERM, a closed terminal or a time limit asks to stop rather than ends.
 
 #include <chrono>
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace dapple {
 
-/// While it lives, the first Ctrl+C or SIGTERM requests a stop; the second ends the program as always. Only
-/// one may live at a time.
+/// While it lives, the first Ctrl+C or SIGTERM requests a stop; the second ends the program as always.
+/// SIGHUP, from a terminal that is closed, requests a stop too, and from then on never ends the program, so
+/// that it can save what it has. Only one may live at a time.
 class StopOnInterrupt {
  public:
     /// Without a limit, only signals stop.

@@ -33,8 +33,8 @@ class ChildProcess {
         redirect(places.output, STDOUT_FILENO);
         redirect(places.errors, STDERR_FILENO);
         if (!places.folder.empty() && chdir(places.folder.c_str()) != 0) _exit(126);
-        // Ctrl+C may be switched off for the tests, as a shell does for what runs in the background.
-        signal(SIGINT, SIG_DFL);
+        // They may be switched off for the tests, as a shell does for what runs in the background.
+        for (const int stop : {SIGINT, SIGTERM, SIGHUP}) signal(stop, SIG_DFL);
         execvp(arguments[0], arguments.data());
         _exit(127);
     }
@@ -54,8 +54,8 @@ class ChildProcess {
         return wait_until([&] { return has_ended() || done(); }) && done();
     }
 
-    /// Its exit status once it has ended; if signal n ended it, 128 + n, as the shell has it. One that doesn't
-    /// end is killed.
+    /// Its exit status once it has ended; if signal n ended it, 128 + n, as the shell has it. One that
+    /// doesn't end is killed.
     int wait() {
         if (!wait_until([&] { return has_ended(); })) kill(id_, SIGKILL);
         int status = 0;

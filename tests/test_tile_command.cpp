@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "core/tile/exhaustive_search.h"
 #include "core/tile/tile_file.h"
 #include "tests/child_process.h"
 #include "tests/file_text.h"
@@ -130,34 +132,93 @@ TEST_CASE("an identity search prints the paper's radii and saves the best tile")
           doctest::Approx(0.696594).epsilon(1e-6));
 }
 
-TEST_CASE("a search that is interrupted keeps what it found and goes on to the same tiles") {
+TEST_CASE("a search by radius that is stopped keeps what it found, and goes on to the same tiles") {
     const TemporaryFolder folder;
-    // The time is over before the first part is done or while there are few.
-    const Outcome stopped = run_in_shell(fmt::format(
-        "cd {} && \"$DAPPLE\" tile search --points 20 --top 3 --seconds 0.01", folder.path().string()));
-    CHECK(stopped.status == 0);
     const std::string state = folder / "dapple-search-20.txt";
+    const std::string in_folder = fmt::format("cd {} && \"$DAPPLE\" tile search ", folder.path().string());
+    // The time is over before the first part is done or while there are few.
+    const Outcome stopped = run_in_shell(in_folder + "--points 20 --top 3 --seconds 0.01");
+    CHECK(stopped.status == 0);
     if (stopped.out.find("stopped") == std::string::npos) return;  // a machine that is done by then
     CHECK(text_of(state).starts_with("dapple exhaustive search 1"));
     const Outcome resumed = run_dapple("tile search --resume " + state);
     CHECK(resumed.status == 0);
     for (const char* radius : {"0.832358", "0.714068"}) CHECK(resumed.out.find(radius) != std::string::npos);
+
+    // What is finished says so, is told again without a search, and may be replaced.
+    const std::string finished = text_of(state);
+    CHECK(finished.find("finished yes\n") != std::string::npos);
+    const Outcome again = run_dapple("tile search --resume " + state);
+    CHECK(again.out == resumed.out);
+    CHECK(text_of(state) == finished);
+    CHECK(run_in_shell(in_folder + "--points 20 --top 1 --seconds 0.01").status == 0);
+    CHECK(text_of(state) != finished);
 }
 
-TEST_CASE("a search saves its best tile as it goes, and Ctrl+C ends it") {
-    const TemporaryFolder folder, said;
-    const std::string file = folder / "best.tile";
-    ChildProcess search(
-        {DAPPLE_PROGRAM, "tile", "search", "--points", "64", "--rule", "3760", "--moves", "1e12", "-o", file},
-        {.output = said / "out", .errors = said / "err"});
-    REQUIRE(search.brings([&] { return std::filesystem::exists(file); }));
-    CHECK(text_of(file).find("not finished") != std::string::npos);
-    search.send(SIGINT);
-    CHECK(search.wait() == 0);
-    CHECK(text_of(said / "out").find("stopped") != std::string::npos);
-    CHECK(text_of(file).find("not finished") == std::string::npos);
-    CHECK(read_tile(text_of(file)).tile.size() == 64);
-    CHECK(folder.entries() == 1);
+TEST_CASE("a search by radius is saved as it goes, and when it is stopped by whatever stops programs") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder, said;
+        const std::string state = folder / "dapple-search-60.txt";
+        ChildProcess search({DAPPLE_PROGRAM, "tile", "search", "--points", "60"},
+                            {.folder = folder.path(), .output = said / "out", .errors = said / "err"});
+        REQUIRE(search.brings([&] { return std::filesystem::exists(state); }));
+        CHECK(read_search_state(text_of(state)).points == 60);
+        search.send(signal);
+        if (signal == SIGHUP) search.send(signal);  // as from a shell that ends and a terminal that is gone
+        CHECK(search.wait() == 0);
+        CHECK(text_of(said / "out").find("--resume dapple-search-60.txt goes on") != std::string::npos);
+        const SearchState stopped = read_search_state(text_of(state));
+        CHECK_FALSE(stopped.finished);
+        CHECK(std::ranges::count(stopped.done, true) > 0);
+        CHECK(folder.entries() == 1);
+    }
+}
+
+TEST_CASE("a search by radius that ends at its first go leaves no file behind") {
+    const TemporaryFolder folder;
+    CHECK(run_in_shell(fmt::format("cd {} && \"$DAPPLE\" tile search --points 12", folder.path().string()))
+              .status == 0);
+    CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("an unfinished search is never replaced by another one") {
+    const TemporaryFolder folder;
+    const std::string state = folder / "dapple-search-40.txt";
+    const std::string start =
+        fmt::format("cd {} && \"$DAPPLE\" tile search --points 40 --seconds 0.01", folder.path().string());
+    for (const std::string& kept :
+         {write_search_state(start_exhaustive_search(40, 5)), std::string("my notes\n")}) {
+        put_text(state, kept);
+        for (const std::string options : {"", " --top 1"}) {
+            const Outcome refused = run_in_shell(start + options);
+            CAPTURE(refused.err);
+            CHECK(refused.status != 0);
+            CHECK(refused.sentences() == 1);
+            CHECK(refused.err.starts_with("dapple: dapple-search-40.txt: "));
+            CHECK(refused.out == "");
+            CHECK(text_of(state) == kept);
+        }
+    }
+}
+
+TEST_CASE("a search by evenness saves its best tile as it goes, and whatever stops programs ends it") {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder, said;
+        const std::string file = folder / "best.tile";
+        ChildProcess search({DAPPLE_PROGRAM, "tile", "search", "--points", "64", "--rule", "3760", "--moves",
+                             "1e12", "-o", file},
+                            {.output = said / "out", .errors = said / "err"});
+        REQUIRE(search.brings([&] { return std::filesystem::exists(file); }));
+        CHECK(text_of(file).find("not finished") != std::string::npos);
+        search.send(signal);
+        CHECK(search.wait() == 0);
+        CHECK(text_of(said / "out").find("stopped") != std::string::npos);
+        CHECK(text_of(file).find("not finished") == std::string::npos);
+        CHECK(read_tile(text_of(file)).tile.size() == 64);
+        CHECK(folder.entries() == 1);
+    }
 }
 
 TEST_CASE("check tells the criteria in words and as JSON") {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
@@ -34,7 +35,26 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMovesPerPoint = 10'000;
 // Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
 constexpr std::size_t kRulesTried = 20;
-constexpr std::chrono::minutes kBetweenSaves(1);
+
+// Saves what a search has at once, and again once a minute, so that whatever happens to the machine no more
+// than that is lost.
+class MinuteSaver {
+ public:
+    void save(const std::function<void()>& write) {
+        const auto now = Clock::now();
+        if (last_ && now - *last_ < std::chrono::minutes(1)) return;
+        last_ = now;
+        try {
+            write();
+        } catch (const std::runtime_error&) {
+            // A disk that is full now may not be so at the end, when what cannot be saved is told.
+        }
+    }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    std::optional<Clock::time_point> last_;
+};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -48,6 +68,22 @@ SearchState resumed(const fs::path& file) {
         if (reason.starts_with(file.string())) throw;
         throw std::runtime_error(fmt::format("{}: {}", file.string(), reason));
     }
+}
+
+// Refuses to put another search where an unfinished one, or something else, lies.
+void check_nothing_is_lost(const fs::path& file) {
+    if (!fs::exists(file)) return;
+    const std::string name = file.string();
+    try {
+        if (read_search_state(text_of_file(file)).finished) return;
+    } catch (const std::runtime_error&) {
+        throw std::runtime_error(fmt::format(
+            "{}: is not a saved search, but one that is stopped would be saved there; rename or delete it",
+            name));
+    }
+    throw std::runtime_error(fmt::format(
+        "{}: holds an unfinished search; --resume {} goes on with it, and deleting it allows a new one", name,
+        name));
 }
 
 void tell_found(const SearchState& state, std::ostream& out) {
@@ -69,17 +105,24 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
         options.resume ? resumed(*options.resume) : start_exhaustive_search(options.points, options.top);
     const fs::path rest =
         options.resume.value_or(fs::path(fmt::format("dapple-search-{}.txt", state.points)));
+    if (!options.resume) check_nothing_is_lost(rest);
     if (options.output) {
         check_apart(*options.output, {{rest, "the search that can be gone on with"}});
         check_can_save(*options.output);
     }
     check_can_save(rest);
+    const bool was_there = fs::exists(rest);
+    const auto save_rest = [&](const SearchState& known) {
+        const std::string text = write_search_state(known);
+        save_atomically(rest, [&](std::ostream& file) { file << text; });
+    };
 
     std::optional<std::chrono::duration<double>> limit;
     if (options.seconds) limit = std::chrono::duration<double>(*options.seconds);
     {
         const StopOnInterrupt stop(limit);
         ProgressLine line;
+        MinuteSaver saver;
         double floor = -1;
         const auto show = [&](const SearchProgress& progress) {
             if (progress.floor > floor || progress.floor < floor) {
@@ -87,30 +130,33 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
                 if (progress.floor < floor || floor < 0) line.restart(progress.fraction);
                 floor = progress.floor;
             }
+            const std::vector<FoundTile>& found = progress.state.found;
             line.show(progress.fraction,
                       fmt::format("of the tiles of radius {:.3f} and more, best so far {}", progress.floor,
-                                  progress.found.empty()
-                                      ? "none"
-                                      : fmt::format("{:.6f}", progress.found.front().relative_radius)));
+                                  found.empty() ? "none" : fmt::format("{:.6f}", found[0].relative_radius)));
+            saver.save([&] { save_rest(progress.state); });
         };
         state = continue_exhaustive_search(
             std::move(state), {.threads = options.threads, .stop = stop.token(), .on_progress = show});
     }
-    tell_found(state, out);
-    if (!state.finished) {
-        const std::string text = write_search_state(state);
-        save_atomically(rest, [&](std::ostream& file) { file << text; });
-        const double proven = proven_radius(state);
-        out << fmt::format("stopped{}; dapple tile search --resume {} goes on\n",
-                           std::isfinite(proven)
-                               ? fmt::format(", all tiles of radius {:.4f} and more are seen", proven)
-                               : "",
-                           rest.string());
+    // All is saved before anything is told: whoever listens may have gone.
+    if (!state.finished || was_there) {
+        save_rest(state);
+    } else {
+        std::error_code error;
+        fs::remove(rest, error);
     }
     if (options.output && !state.found.empty()) {
         const Tile best = make_tile(Rule{}, {state.found.front().word});
         save_tile(*options.output, ranked(best, RankingOrder::energy));
     }
+    tell_found(state, out);
+    if (state.finished) return;
+    const double proven = proven_radius(state);
+    out << fmt::format(
+        "stopped{}; dapple tile search --resume {} goes on\n",
+        std::isfinite(proven) ? fmt::format(", all tiles of radius {:.4f} and more are seen", proven) : "",
+        rest.string());
 }
 
 // As many moves a run as are tried in so many seconds, all runs together.
@@ -156,8 +202,8 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
         double tried = 0;
         RelinkProgress lowest;
         lowest.best = std::numeric_limits<double>::infinity();
+        MinuteSaver saver;
         double saved = lowest.best;
-        std::chrono::steady_clock::time_point saved_at{};
         settings.stop = stop.token();
         settings.progress = [&](const RelinkProgress& progress) {
             const std::lock_guard lock(mutex);
@@ -168,13 +214,12 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
                 words = fmt::format("trying rule {}; {}, with rule {}", text_of(progress.rule), words,
                                     text_of(lowest.rule));
             line.show(tried / (static_cast<double>(settings.moves) * options.runs), words);
-            // Whatever happens to the machine, no more than a minute's work is lost.
-            const auto now = std::chrono::steady_clock::now();
-            if (lowest.best >= saved || now - saved_at < kBetweenSaves) return;
-            saved = lowest.best;
-            saved_at = now;
-            save_tile(*options.output, ranked(make_tile(lowest.rule, lowest.words), RankingOrder::energy),
-                      {"not finished: the best so far of a search that goes on"});
+            if (lowest.best >= saved) return;
+            saver.save([&] {
+                saved = lowest.best;
+                save_tile(*options.output, ranked(make_tile(lowest.rule, lowest.words), RankingOrder::energy),
+                          {"not finished: the best so far of a search that goes on"});
+            });
         };
         tbb::task_arena arena(threads);
         arena.execute([&] {
@@ -186,14 +231,14 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
     const std::string how = fmt::format(
         "dapple tile search --points {} --rule {} --seed {} --runs {} --moves {}", options.points,
         options.rule ? text_of(settings.rule) : "any", options.seed, options.runs, settings.moves);
+    std::vector<std::string> comments;
+    if (!interrupted) comments.push_back("found by " + how);
+    save_tile(*options.output, ranked(best.tile, RankingOrder::energy), comments);
     out << fmt::format("{} points, rule {}, energy a point {:.5f}, the lowest of {} run{}\n",
                        best.tile.size(), text_of(best.tile.rule), best.energy, options.runs,
                        options.runs == 1 ? "" : "s");
     out << fmt::format("{}\n", interrupted ? "stopped: this is the best so far, and cannot be made again"
                                            : "the same again: " + how);
-    std::vector<std::string> comments;
-    if (!interrupted) comments.push_back("found by " + how);
-    save_tile(*options.output, ranked(best.tile, RankingOrder::energy), comments);
 }
 
 }  // namespace
@@ -258,7 +303,11 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     command.add_option("-o,--output", options.output, "Save the best tile, ranked by energy")
         ->type_name("FILE");
     command.footer(
-        "Ctrl+C stops and keeps what was found.\n\n"
+        "Ctrl+C, and closing the terminal, stops and keeps what was found. A search for identity is saved "
+        "as\n"
+        "dapple-search-POINTS.txt, or where it was resumed, once a minute and when it stops; what is left "
+        "of\n"
+        "another there is never replaced.\n\n"
         "Examples:\n"
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"

@@ -40,9 +40,11 @@ void add_search_options(CLI::App& command, TileSearchOptions& options);
 /// Throws CLI::ValidationError if options contradict each other. To be called after parsing.
 void check_search_options(const CLI::App& command, const TileSearchOptions& options);
 
-/// Searches, tells the outcome on `out` and the way there on the terminal, and saves. Ctrl+C stops the search
-/// and keeps what was found; a stopped identity search is saved to be gone on with. Throws std::runtime_error
-/// naming what is wrong.
+/// Searches, tells the outcome on `out` and the way there on the terminal, and saves, once a minute and at
+/// the end. Ctrl+C, SIGTERM and SIGHUP stop the search and keep what was found. An identity search is saved
+/// to be gone on with: in the file that was resumed, which says at last that it is finished; else in
+/// dapple-search-POINTS.txt, gone at the end unless a finished search was there before. Throws
+/// std::runtime_error naming what is wrong, an unfinished search in that file being so.
 void search_tiles(const TileSearchOptions& options, std::ostream& out);
 
 }  // namespace dapple

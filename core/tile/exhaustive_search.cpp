@@ -91,7 +91,7 @@ class Pass {
             ++done_;
             if (control_.on_progress) {
                 const double fraction = static_cast<double>(done_) / static_cast<double>(endings_.size());
-                control_.on_progress({floor_, fraction, state_.found});
+                control_.on_progress({floor_, fraction, state_});
             }
         }
     }

@@ -54,7 +54,8 @@ double proven_radius(const SearchState& state);
 struct SearchProgress {
     double floor = 0;     // this pass looks for relative radii from here on
     double fraction = 0;  // of this pass, 0..1; parts take similar times on average, in the order taken
-    const std::vector<FoundTile>& found;
+    const SearchState&
+        state;  // what a search that is stopped now would return; to be looked at during the call
 };
 
 struct SearchControl {
