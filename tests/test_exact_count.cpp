@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
 #include "tests/densities.h"
@@ -127,4 +128,27 @@ TEST_CASE("where all dots tie, those that stay are spread over the whole page") 
         if (!before.contains({more.x[i], more.y[i]})) ++quarters[(more.x[i] > 0.5f) + 2 * (more.y[i] > 0.5f)];
     }
     for (const int quarter : quarters) CHECK(std::abs(quarter - 100) <= 1);
+}
+
+TEST_CASE("by priority, the first n dots are the drawing of n dots, ties and all") {
+    const Density black(Grid<float>(4, 4, 1.0f)), grey(Grid<float>(30, 20, 0.5f)),
+        picture(blotches(60, 45, 2));
+    for (const Tile& tile : {make_tile(14217, 2895, 16), random_tile(kTurning, 64, 8)}) {
+        Placer placer = placer_of(tile);
+        for (const Density* density : {&black, &grey, &picture}) {
+            Dots sorted;
+            placer.place_exactly(*density, {.count = 30'000, .critical = true}, sorted);
+            sort_dots(sorted, DotOrder::priority);
+            const std::vector<Dot> by_priority = rows(sorted);
+            for (const std::size_t count : {1u, 2u, 100u, 12'345u, 21'000u, 29'999u}) {
+                Dots lighter;
+                placer.place_exactly(*density, {.count = count, .critical = true}, lighter);
+                std::vector<Dot> first(by_priority.begin(), by_priority.begin() + count),
+                    found = rows(lighter);
+                std::ranges::sort(first);
+                std::ranges::sort(found);
+                CHECK(first == found);
+            }
+        }
+    }
 }

@@ -58,7 +58,8 @@ constexpr double kWithDuplicates = 1.4;
 
 // The scale of about so many dots where the density over an area has that mean.
 double scale_for(std::uint64_t dots, double mean_times_area) {
-    return static_cast<double>(dots) / (16 * std::max(mean_times_area, 1e-12));
+    // A window may be as small as 2^-41 of the page.
+    return static_cast<double>(dots) / (16 * std::max(mean_times_area, 1e-200));
 }
 
 StippleRequest within_limit(StippleRequest request, const Density& page, std::uint64_t most) {

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/placing/tie_order.h"
+
 namespace dapple {
 
 namespace {
@@ -43,6 +45,20 @@ std::uint32_t key_of(const Dots& dots, std::size_t i, DotOrder order) {
     return hilbert_index(cell_of(dots.x[i]), cell_of(dots.y[i]));
 }
 
+// Keys by which dots are sorted by priority, where some of them tie.
+void sort_ties(const Dots& dots, std::vector<std::uint64_t>& keys) {
+    const auto critical = [](std::uint64_t key) { return key >> 32; };
+    const auto first_by_tie = [&](std::uint64_t a, std::uint64_t b) {
+        return tie_key(dots, static_cast<std::uint32_t>(a)) < tie_key(dots, static_cast<std::uint32_t>(b));
+    };
+    for (auto first = keys.begin(); first != keys.end();) {
+        const auto last = std::find_if(first, keys.end(),
+                                       [&](std::uint64_t key) { return critical(key) != critical(*first); });
+        if (last - first > 1) tbb::parallel_sort(first, last, first_by_tie);
+        first = last;
+    }
+}
+
 void rearrange(FloatBuffer& column, const std::vector<std::uint64_t>& keys) {
     FloatBuffer sorted(column.size());
     for (std::size_t i = 0; i < keys.size(); ++i) sorted[i] = column[static_cast<std::uint32_t>(keys[i])];
@@ -66,9 +82,10 @@ std::string_view name_of(DotOrder order) {
 void sort_dots(Dots& dots, DotOrder order) {
     if (order == DotOrder::recursion) return;
     assert(order != DotOrder::priority || dots.critical.size() == dots.size());
-    std::vector<std::uint64_t> keys(dots.size());  // key above, index below: ties stay in their order
+    std::vector<std::uint64_t> keys(dots.size());  // key above, index below
     for (std::size_t i = 0; i < dots.size(); ++i) keys[i] = std::uint64_t{key_of(dots, i, order)} << 32 | i;
     tbb::parallel_sort(keys.begin(), keys.end());
+    if (order == DotOrder::priority) sort_ties(dots, keys);
     for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
         if (!column->empty()) rearrange(*column, keys);
     }

@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "core/placing/placer.h"
 #include "core/placing/placer_memory.h"
+#include "core/placing/tie_order.h"
 
 namespace dapple {
 
@@ -27,36 +29,17 @@ PlacingRequest request_at(const ExactCount& request, double scale) {
     return placing;
 }
 
-// Which of several dots that tie stay. A black area has very many, one in each tile: taking them as they come
-// would fill the area from one side, so those stay whose index, its binary digits reversed, is low.
-class Ties {
- public:
-    Ties(std::size_t ties, std::size_t kept) : bits_(static_cast<int>(std::bit_width(ties))) {
-        for (; kept > 0; ++below_) kept -= reversed(below_) < ties;
-    }
-    bool keeps(std::size_t tie) const { return reversed(tie) < below_; }
-
- private:
-    std::size_t reversed(std::size_t index) const {
-        std::size_t reversed = 0;
-        for (int bit = 0; bit < bits_; ++bit) reversed |= (index >> bit & 1) << (bits_ - 1 - bit);
-        return reversed;
-    }
-
-    int bits_;
-    std::size_t below_ = 0;
-};
-
 // Drops the dots beyond a cut from a drawing that comes whole or piece after piece.
 class Cutter {
  public:
     Cutter(const CountCut& cut, std::vector<std::size_t>& dropped)
-        : limit_(cut.limit), ties_(cut.ties, cut.kept), dropped_(dropped) {}
+        : limit_(cut.limit), last_tie_(cut.last_tie), dropped_(dropped) {}
 
     void cut(Dots& dots, const LateDots& late) {
         dropped_.clear();
         for (const LateDot& dot : late) {
-            const bool stays = dot.critical < limit_ || (dot.critical == limit_ && ties_.keeps(next_tie_++));
+            const bool stays =
+                dot.critical < limit_ || (dot.critical == limit_ && tie_key(dots, dot.index) <= last_tie_);
             if (!stays) dropped_.push_back(dot.index);
         }
         if (dropped_.empty()) return;
@@ -78,47 +61,59 @@ class Cutter {
     }
 
     float limit_;
-    Ties ties_;
-    std::size_t next_tie_ = 0;
+    TieKey last_tie_;
     std::vector<std::size_t>& dropped_;
 };
 
-// Counts the dots of a drawing that nobody keeps, and keeps the late ones: for a cut, their critical scales
-// are enough.
+// Counts the dots of a drawing that nobody keeps, and keeps what a cut needs of the late ones.
 class Counter : public PieceTaker {
  public:
     explicit Counter(LateDots& late) : late_(late) { late_.clear(); }
     bool take_in_turn(PieceMemory& piece) override {
         count_ += piece.dots.size();
-        late_.insert(late_.end(), piece.emitter.late.begin(), piece.emitter.late.end());
+        for (const LateDot& dot : piece.emitter.late) {
+            late_.push_back({keys_.size(), dot.critical});
+            keys_.push_back(tie_key(piece.dots, dot.index));
+        }
         return true;
     }
     std::size_t count() const { return count_; }
+    std::vector<TieKey> take_keys() { return std::move(keys_); }  // by LateDot::index
 
  private:
     LateDots& late_;
+    std::vector<TieKey> keys_;
     std::size_t count_ = 0;
 };
 
 // Where a drawing ends in which `kept` of the late dots stay; one or more.
-CountCut cut_among(const LateDots& late, std::size_t kept, std::vector<float>& criticals) {
+template <class KeyOf>
+CountCut cut_among(PlacerMemory& memory, std::size_t kept, KeyOf key_of) {
+    const LateDots& late = memory.emitter.late;
+    std::vector<float>& criticals = memory.criticals;
     criticals.clear();
     for (const LateDot& dot : late) criticals.push_back(dot.critical);
     const auto last = criticals.begin() + static_cast<std::ptrdiff_t>(kept - 1);
     std::nth_element(criticals.begin(), last, criticals.end());
     CountCut cut;
     cut.limit = *last;
-    const auto tied = [&](float critical) { return critical == cut.limit; };
-    cut.ties = static_cast<std::size_t>(std::ranges::count_if(criticals, tied));
-    cut.kept = 1 + static_cast<std::size_t>(std::count_if(criticals.begin(), last, tied));
+    const auto kept_ties = std::count(criticals.begin(), last, cut.limit);
+    std::vector<TieKey>& ties = memory.ties;
+    ties.clear();
+    for (const LateDot& dot : late) {
+        if (dot.critical == cut.limit) ties.push_back(key_of(dot.index));
+    }
+    std::nth_element(ties.begin(), ties.begin() + kept_ties, ties.end());
+    cut.last_tie = ties[static_cast<std::size_t>(kept_ties)];
     return cut;
 }
 
 // Tries scales until the end of the drawing lies between two of them. place(scale, early scale) places and
-// returns how many dots there are, the late ones of them in memory; nothing if stopped.
-template <class Place>
+// returns how many dots there are, the late ones of them in memory; nothing if stopped. key_of() gives the
+// tie key of a late dot by its index.
+template <class Place, class KeyOf>
 std::optional<CountCut> find_end(const Density& density, std::uint64_t count, PlacerMemory& memory,
-                                 Place place) {
+                                 Place place, KeyOf key_of) {
     if (!(density.mean() > 0)) {
         throw std::runtime_error(
             "there is nothing to draw: the picture is white everywhere; darken it or invert it");
@@ -141,7 +136,7 @@ std::optional<CountCut> find_end(const Density& density, std::uint64_t count, Pl
             continue;
         }
         if (sure < count) {
-            CountCut cut = cut_among(memory.emitter.late, count - sure, memory.criticals);
+            CountCut cut = cut_among(memory, count - sure, key_of);
             cut.scale = scale;
             cut.early_scale = early;
             if (cut.limit >= early) return cut;
@@ -169,7 +164,8 @@ std::optional<double> Placer::place_exactly(const Density& density, const ExactC
         if (!place_columns(traversal, *memory_, dots, stop)) return std::nullopt;
         return dots.size();
     };
-    const std::optional<CountCut> cut = find_end(density, request.count, *memory_, place);
+    const auto key_of = [&](std::size_t index) { return tie_key(dots, index); };
+    const std::optional<CountCut> cut = find_end(density, request.count, *memory_, place, key_of);
     if (!cut) return std::nullopt;
     Cutter(*cut, memory_->dropped).cut(dots, memory_->emitter.late);
     return cut->last_scale();
@@ -178,13 +174,15 @@ std::optional<double> Placer::place_exactly(const Density& density, const ExactC
 std::optional<CountCut> Placer::find_cut(const Density& density, const ExactCount& request,
                                          std::stop_token stop) {
     if (request.count == 0) return CountCut{};
+    std::vector<TieKey> keys;
     const auto place = [&](double scale, double early) -> std::optional<std::size_t> {
         Counter counter(memory_->emitter.late);
         const Traversal traversal(table_, density, request_at(request, scale), early);
         if (!hand_over_pieces(traversal, *memory_, counter, stop)) return std::nullopt;
+        keys = counter.take_keys();
         return counter.count();
     };
-    return find_end(density, request.count, *memory_, place);
+    return find_end(density, request.count, *memory_, place, [&](std::size_t index) { return keys[index]; });
 }
 
 bool Placer::place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,

@@ -16,6 +16,7 @@
 #include "core/image/density.h"
 #include "core/placing/dots.h"
 #include "core/placing/placing_table.h"
+#include "core/placing/tie_order.h"
 
 namespace dapple {
 
@@ -39,7 +40,7 @@ struct PlacingRequest {
 };
 
 /// A drawing of the whole page with exactly so many dots: those of lowest critical scale; where some are
-/// equal, a few of them spread evenly, always the same ones.
+/// equal, the first in the order of core/placing/tie_order.h.
 struct ExactCount {
     std::uint64_t count = 0;
     bool critical = false;  // fill Dots::critical too
@@ -51,8 +52,7 @@ struct CountCut {
     double scale = 0;        // all of the dots exist there, and a few more
     double early_scale = 0;  // below the critical scale of any dot that is dropped
     float limit = 0;         // the highest critical scale of a dot that stays
-    std::size_t ties = 0;    // dots of just that critical scale
-    std::size_t kept = 0;    // as many of them stay
+    TieKey last_tie{};       // of the dots with just that one, those up to this stay
 
     /// The lowest scale at which all of the dots exist.
     double last_scale() const;

@@ -16,6 +16,7 @@ struct PlacerMemory {
 
     // Of an exact count.
     std::vector<float> criticals;
+    std::vector<TieKey> ties;
     std::vector<std::size_t> dropped;
 };
 

@@ -1,0 +1,25 @@
+#pragma once
+// Which of several dots of one critical scale comes first.
+//
+// A black area has very many such dots, one in each tile. Taken as they come they would fill the area from
+// one side. So they come in the order of an ordered dither (Bayer 1973): every first part of them is spread
+// over the area. It follows from a dot alone, so that drawings of all counts agree about it.
+
+#include <compare>
+#include <cstdint>
+
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+struct TieKey {
+    std::uint32_t dither = 0;  // of the dot's tile, or a square a few times smaller
+    float y = 0, x = 0;        // no two dots are at one place
+
+    auto operator<=>(const TieKey&) const = default;
+};
+
+/// Dots that tie come by ascending key. Of a page whose positions are in page units from its corner.
+TieKey tie_key(const Dots& dots, std::size_t index);
+
+}  // namespace dapple
