@@ -115,6 +115,17 @@ TEST_CASE("zooming in with more dots, both sides show the dots that the page has
     CHECK(session.right()->tile().name == "paper16");
 }
 
+TEST_CASE("however deep one zooms in with more dots, there are as many in view") {
+    SplitSession split(2000);
+    split.zoom_in(ZoomMode::constant_density, 12);
+    const auto in_view = static_cast<double>(split.session.pane().shown().stippling.dots.size());
+    for (const double factor : {0x1p20, 0x1p30, 0x1p40}) {
+        split.zoom_in(ZoomMode::constant_density, factor);
+        const Stippling& shown = split.session.pane().shown().stippling;
+        CHECK(static_cast<double>(shown.dots.size()) == doctest::Approx(in_view).epsilon(0.05));
+    }
+}
+
 TEST_CASE("deep in the page with larger dots, both sides show the dots that the page has there") {
     SplitSession split(200'000);
     const Session& session = split.session;
