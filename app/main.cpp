@@ -8,6 +8,7 @@
 
 #include "app/commands/analyse.h"
 #include "app/commands/lights.h"
+#include "app/commands/options.h"
 #include "app/commands/render.h"
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
         "dapple COMMAND --help says more.\n\n"
         "Examples:\n"
         "  dapple cat.jpg                               look at it, move the sliders\n"
+        "  dapple cat.jpg --tile mine.tile              drawn with a tile of your own\n"
         "  dapple render cat.jpg -o cat.svg             the same as a file\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000");
     program.require_subcommand(0, 1);
@@ -58,6 +60,7 @@ int main(int argc, char** argv) {
     int status = 0;
     dapple::ViewerOptions viewer;
     program.add_option("image", viewer.image, "The picture to look at")->type_name("IMAGE");
+    const CLI::Option* const tile_of_window = dapple::add_tile(program, viewer.settings.tile);
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     const dapple::RenderCommand render(program);
@@ -66,6 +69,12 @@ int main(int argc, char** argv) {
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
 
+    // Before the command runs.
+    program.parse_complete_callback([&] {
+        if (tile_of_window->count() > 0 && !program.get_subcommands().empty())
+            throw CLI::ValidationError("--tile",
+                                       "belongs to the window; give the command's own after its name");
+    });
     program.callback([&] {
         if (const dapple::LightsOptions* map = lights.window()) {
             dapple::LightsSettings settings;

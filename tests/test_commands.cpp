@@ -489,6 +489,15 @@ TEST_CASE(
     CHECK(dots_with("exact") == doctest::Approx(16 * 20000 / 1000.0).epsilon(0.3));
 }
 
+TEST_CASE(
+    "a tile for the window that is none is refused before there is a window, and no command swallows it") {
+    const Scene scene;
+    scene.must_fail("--tile missing.tile", "missing.tile: no such tile or tile file");
+    scene.must_fail("--tile 1,2/17", "17 points");
+    scene.must_fail("--tile paper16 render -o " + scene("s.svg"), "--tile: belongs to the window");
+    CHECK_FALSE(std::filesystem::exists(scene("s.svg")));
+}
+
 TEST_CASE("without a picture the sample is drawn") {
     const Scene scene;
     REQUIRE(run_dapple("render -o " + scene("s.svg") + " --dots 500 --stats " + scene("s.json")).status == 0);

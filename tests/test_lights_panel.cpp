@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "tests/headless_ui.h"
 
@@ -11,7 +10,7 @@ TEST_CASE("the lights panel that nobody touches changes nothing") {
     settings.request.count = 777;
     const LightsSettings before = settings;
     bool changed = false;
-    HeadlessUi ui([&] { changed |= draw_lights_panel(settings, LightsFacts{}, built_in_tile_names()); });
+    HeadlessUi ui([&] { changed |= draw_lights_panel(settings, LightsFacts{}, {}); });
     for (int i = 0; i < 5; ++i) ui.frame();
     CHECK_FALSE(changed);
     CHECK(settings == before);
@@ -20,7 +19,7 @@ TEST_CASE("the lights panel that nobody touches changes nothing") {
 TEST_CASE("figures that are not there yet are no numbers") {
     LightsSettings settings;
     std::optional<LightsFacts> facts;
-    HeadlessUi ui([&] { draw_lights_panel(settings, facts, built_in_tile_names()); });
+    HeadlessUi ui([&] { draw_lights_panel(settings, facts, {}); });
     const auto glyphs = [] { return ImGui::GetDrawData()->TotalIdxCount; };
     const float measuring = ui.place("Placing").max.x - ui.place("Placing").min.x;
     const int before = glyphs();
@@ -33,7 +32,7 @@ TEST_CASE("figures that are not there yet are no numbers") {
 
 TEST_CASE("dragging the lights panel's sliders turns the map and sets exposure and count") {
     LightsSettings settings;
-    HeadlessUi ui([&] { draw_lights_panel(settings, LightsFacts{}, built_in_tile_names()); });
+    HeadlessUi ui([&] { draw_lights_panel(settings, LightsFacts{}, {}); });
     ui.drag("Rotation", 0.5f, 1.0f);
     CHECK(settings.turn_degrees == 180);
     ui.drag("Exposure", 0.5f, 0.0f);

@@ -21,12 +21,12 @@
 namespace dapple {
 namespace {
 
-constexpr std::array kTiles{"paper16", "wild64"};
+const std::array<std::string, 2> kTiles{"paper16", "wild64"};
 
 struct DotsUi {
     DrawingSettings settings;
     DrawnFacts drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
-    HeadlessUi ui{[this] { draw_dots_panel(settings, drawn, kTiles); }};
+    HeadlessUi ui{[this] { draw_dots_panel(settings, drawn, {kTiles}); }};
 };
 
 }  // namespace
@@ -308,7 +308,7 @@ TEST_CASE(
     "the split view starts with the paper's tile beside the default one, and the default beside the "
     "paper's") {
     ViewerSettings settings;
-    HeadlessUi ui([&] { draw_compare_panel(settings, kTiles); });
+    HeadlessUi ui([&] { draw_compare_panel(settings, {kTiles}); });
     CHECK_FALSE(ui.has("Right tile"));
     ui.click("Split view");
     CHECK(settings.comparison.on);
@@ -326,7 +326,7 @@ TEST_CASE("Figure 8 on the right side gets a tile that it knows, and says that i
     ViewerSettings settings;
     settings.comparison.on = true;
     settings.comparison.tile = kDefaultTile;
-    HeadlessUi ui([&] { draw_compare_panel(settings, kTiles); });
+    HeadlessUi ui([&] { draw_compare_panel(settings, {kTiles}); });
     ui.click("Right placer");
     ui.click("Figure 8");
     CHECK(settings.comparison.placer == PlacerKind::figure8);
@@ -463,9 +463,9 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ViewerSettings settings;
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing.tone);
-        draw_dots_panel(settings.drawing, {}, kTiles);
+        draw_dots_panel(settings.drawing, {}, {kTiles});
         draw_view_panel(settings);
-        draw_compare_panel(settings, kTiles);
+        draw_compare_panel(settings, {kTiles});
     });
     settings.comparison.on = true;
     ImGui::GetIO().DisplaySize.x = 340;
@@ -478,6 +478,48 @@ TEST_CASE("every panel fits its column without cutting a label") {
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
         CHECK(ui.place(label).max.x < 340);
     }
+}
+
+TEST_CASE("a tile that is not in the list is shown all the same, a file without its folders") {
+    std::string tile = "/home/me/mine.tile";
+    HeadlessUi ui([&] { tile_row("Tile", tile, {kTiles}); });
+    ui.click("Tile");
+    CHECK(ui.has("paper16"));
+    CHECK_FALSE(ui.has("/home/me/mine.tile"));
+    CHECK_FALSE(ui.has("From a file..."));
+    ui.click("mine.tile");
+    CHECK(tile == "/home/me/mine.tile");
+    tile = "14217,2895/16";
+    ui.click("Tile");
+    CHECK(ui.has("14217,2895/16"));
+    ui.click("wild64");
+    CHECK(tile == "wild64");
+}
+
+TEST_CASE("of two tile files of the same name the list shows the whole paths") {
+    const std::array<std::string, 3> tiles{"paper16", "/a/mine.tile", "/b/mine.tile"};
+    std::string tile = "paper16";
+    HeadlessUi ui([&] { tile_row("Tile", tile, {tiles}); });
+    ui.click("Tile");
+    ui.click("/b/mine.tile");
+    CHECK(tile == "/b/mine.tile");
+}
+
+TEST_CASE("the last entry of the tiles asks for a file and leaves the tile as it is") {
+    int asked = 0;
+    DrawingSettings settings;
+    settings.tile = "paper16";
+    const DrawingSettings before = settings;
+    HeadlessUi ui([&] { draw_dots_panel(settings, {}, {kTiles, [&] { ++asked; }}); });
+    ui.click("Tile");
+    CHECK(asked == 0);
+    ui.click("From a file...");
+    CHECK(asked == 1);
+    CHECK(settings == before);
+    ui.click("Tile");
+    ui.click("wild64");
+    CHECK(asked == 1);
+    CHECK(settings.tile == "wild64");
 }
 
 TEST_CASE("dots are coloured and levels left out in the view's section") {

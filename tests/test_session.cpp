@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/tile_library.h"
 #include "app/viewer/export_estimate.h"
 #include "app/viewer/session.h"
 #include "tests/temporary_folder.h"
@@ -279,6 +280,61 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
     CHECK(same_order);
     CHECK(lines == 40'000);
     CHECK(ascends);
+}
+
+TEST_CASE("a dropped tile file is drawn with until undo brings the former tile back") {
+    TemporaryFolder folder;
+    // The dots of a built-in tile under another name.
+    save_tile(folder / "Mine.TILE", load_tile("aperiodic64"));
+    SplitSession split(2000);
+    Session& session = split.session;
+    session.settings.drawing.tile = "aperiodic64";
+    session.remember(false);
+    REQUIRE(split.brings([&] { return session.pane().tile().name == "aperiodic64"; }));
+    const std::vector<glm::dvec2> expected = places_of(session.pane().page());
+    session.settings.drawing.tile = kDefaultTile;
+    session.remember(false);
+    REQUIRE(split.brings([&] { return session.pane().tile().name == kDefaultTile; }));
+
+    session.take_dropped(folder / "Mine.TILE");
+    CHECK(session.banner.message.empty());
+    const std::string name = session.settings.drawing.tile;
+    CHECK(fs::equivalent(name, folder / "Mine.TILE"));
+    session.remember(false);
+    REQUIRE(split.brings([&] { return session.pane().tile().name == name; }));
+    check_same(places_of(session.pane().page()), expected);
+    CHECK(session.pictures() == 1);
+
+    session.undo();
+    CHECK(session.settings.drawing.tile == kDefaultTile);
+    CHECK(split.brings([&] { return session.pane().tile().name == kDefaultTile; }));
+    // It can be chosen again, and stands in the list once however often it is opened.
+    session.open_tile(folder / "Mine.TILE");
+    CHECK(std::ranges::count(session.tiles(), name) == 1);
+}
+
+TEST_CASE("a file that is not a tile is told of with the line that is wrong, and the tile stays") {
+    TemporaryFolder folder;
+    std::ofstream(folder / "broken.tile") << "dapple tile 1\nrule 9999\n";
+    SplitSession split(2000);
+    Session& session = split.session;
+    const auto tiles = session.tiles().size();
+    for (const char* file : {"broken.tile", "missing.tile"}) {
+        CAPTURE(file);
+        session.banner = {};
+        session.take_dropped(folder / file);
+        CHECK(session.banner.kind == BannerKind::error);
+        std::string sentence;
+        try {
+            load_tile((folder / file).string());
+        } catch (const std::exception& error) {
+            sentence = error.what();
+        }
+        CHECK(session.banner.message == sentence);
+        CHECK(session.banner.message.find(file) != std::string::npos);
+        CHECK(session.settings.drawing.tile == kDefaultTile);
+    }
+    CHECK(session.tiles().size() == tiles);
 }
 
 TEST_CASE("another picture is not saved over the one before") {

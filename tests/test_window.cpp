@@ -220,6 +220,38 @@ TEST_CASE("what the window exports is what the command writes, to the byte") {
 }
 
 TEST_CASE(
+    "a tile from a file is drawn with, whether it is chosen in the window or named on the command line") {
+    TemporaryFolder folder;
+    const std::string tile = (folder / "mine.tile").string(), command = (folder / "command.svg").string();
+    run({DAPPLE_PROGRAM, "tile", "rank", "aperiodic16", "--order", "farthest", "-o", tile});
+    run({DAPPLE_PROGRAM, "render", "-o", command, "--tile", tile});
+    const auto exports_the_same = [&](RunningViewer& viewer) {
+        viewer.move(300, 300);
+        viewer.key("ctrl+e");
+        viewer.click("Accept");
+        REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
+        CHECK(text_of(folder / "Still life.svg") == text_of(command));
+        fs::remove(folder / "Still life.svg");
+        viewer.key("ctrl+q");
+        CHECK(viewer.wait_for_end() == 0);
+    };
+    Display display;
+    {
+        RunningViewer viewer(folder.path());
+        viewer.click("Tile");
+        viewer.click("From a file...");
+        REQUIRE(viewer.shows([&] { return viewer.has("mine.tile"); }));
+        const int placings = viewer.status()["placings"];
+        viewer.click("mine.tile");
+        viewer.click("Accept");
+        REQUIRE(viewer.shows([&] { return !viewer.has("Path") && viewer.status()["placings"] > placings; }));
+        exports_the_same(viewer);
+    }
+    RunningViewer viewer(folder.path(), {"--tile", "mine.tile"});
+    exports_the_same(viewer);
+}
+
+TEST_CASE(
     "the split view shows why one tile repeats, its divider can be dragged, and undo takes it all back") {
     Display display;
     RunningViewer viewer;

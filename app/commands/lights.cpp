@@ -157,9 +157,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
         "Sample only light above the mean: for multiple importance sampling");
     add_choice(*command, "--placer", request.placer, {PlacerKind::exact, PlacerKind::figure8},
                "exact, or figure8 as the paper prints it");
-    command->add_option("--tile", options_.tile, "A tile's name, or its two integers as in 14217,2895/16")
-        ->type_name("TILE")
-        ->default_str(options_.tile);
+    add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
                {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy},
                "Order in which a tile's dots appear: paper, farthest, or energy, which errs least");

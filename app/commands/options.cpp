@@ -171,6 +171,13 @@ CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking) {
         read);
 }
 
+CLI::Option* add_tile(CLI::App& app, std::string& tile) {
+    return add_text(app, "--tile", "TILE",
+                    "A tile's name (dapple tile list), its file, or its two integers as in 14217,2895/16",
+                    [&tile](const std::string& text) { tile = text; })
+        ->default_str(tile);
+}
+
 void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
     StippleRequest& stipple = settings.stipple;
@@ -199,10 +206,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         read_placer)
         ->default_str(std::string(name_of(stipple.placer)));
 
-    add_text(app, "--tile", "TILE",
-             "A tile's name (dapple tile list), its file, or its two integers as in 14217,2895/16",
-             [&settings](const std::string& text) { settings.tile = text; })
-        ->default_str(settings.tile);
+    add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
 

@@ -64,6 +64,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target, s
 /// --ranking, none without it.
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking);
 
+/// --tile, a name for tile_named().
+CLI::Option* add_tile(CLI::App& app, std::string& tile);
+
 /// --dots, --scale, --placer, --tile, --ranking, --dot-radius, --threads.
 void add_dot_options(CLI::App& app, DrawingSettings& settings);
 

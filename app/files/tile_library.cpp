@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -67,6 +68,16 @@ std::span<const char* const> built_in_tile_names() {
         return list;
     }();
     return names;
+}
+
+bool ends_as_tile(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == kTileEnding;
+}
+
+std::string short_tile_name(const std::string& name) {
+    return looks_like_integers(name) ? name : std::filesystem::path(name).filename().string();
 }
 
 StoredTile load_tile(const std::string& name) {

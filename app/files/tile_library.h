@@ -26,6 +26,14 @@ const std::vector<BuiltInTile>& built_in_tiles();
 /// The names of built_in_tiles(), for lists to choose from.
 std::span<const char* const> built_in_tile_names();
 
+/// What the name of a tile file usually ends in.
+inline constexpr const char* kTileEnding = ".tile";
+/// Whether it does, in small letters or capitals.
+bool ends_as_tile(const std::filesystem::path& file);
+
+/// A tile's name as a list shows it: of a file, the name without its folders.
+std::string short_tile_name(const std::string& name);
+
 /// The tile of that name with the ranking it is stored with; integers are ranked by energy. Throws
 /// std::runtime_error if there is none, listing the names there are, or if its file is not a tile, with the
 /// line that is wrong.

@@ -1,6 +1,8 @@
 #include "app/viewer/actions.h"
 
+#include "app/files/tile_library.h"
 #include "app/viewer/panels/export_panel.h"
+#include "app/viewer/tile_choices.h"
 
 namespace dapple {
 namespace {
@@ -17,9 +19,16 @@ fs::path where_to_save(const Session& session) {
 }
 
 void ask_what_to_open(const Stage& stage) {
+    stage.shown.asks_for_tile = false;
     const fs::path& path = stage.session.picture_path();
     stage.shown.dialog.ask_what_to_open(
         {"Open a picture", kPictures, path.empty() ? fs::current_path() : path});
+}
+
+void ask_for_tile(const Stage& stage) {
+    stage.shown.asks_for_tile = true;
+    stage.shown.dialog.ask_what_to_open(
+        {"Open a tile", {kTileEnding}, folder_of_tiles(stage.session.settings.drawing.tile)});
 }
 
 void ask_where_to_save(const Stage& stage) {
@@ -41,6 +50,8 @@ void act(Action action, const Stage& stage) {
     switch (action) {
         case Action::open:
             return ask_what_to_open(stage);
+        case Action::open_tile:
+            return ask_for_tile(stage);
         case Action::save:
             if (session.saved_path().empty()) return ask_where_to_save(stage);
             return session.save(session.saved_path());

@@ -14,6 +14,7 @@ struct Shown {
     bool panels = true;
     bool help = false;
     FileDialog dialog;
+    bool asks_for_tile = false;  // of use while the dialog is open and does not save
 };
 
 /// All that an action may touch.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/tile_library.h"
+
 namespace dapple {
 
 Comparison toggled(Comparison comparison, const DrawingSettings& left) {
@@ -29,7 +31,7 @@ PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stip
 }
 
 std::string drawn_with(const PlaceOrder& order) {
-    return order.tile + (order.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
+    return short_tile_name(order.tile) + (order.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
 }
 
 }  // namespace dapple

@@ -33,7 +33,7 @@ std::unique_ptr<const LitMap> make_sky() {
 }  // namespace
 
 LightSession::LightSession(const LightsSettings& first)
-    : settings(first), history_(first), saving_(&Window::wake) {}
+    : settings(first), history_(first), tiles_(first.tile), saving_(&Window::wake) {}
 
 void LightSession::open(const fs::path& map) {
     if (reading_.valid()) reading_.wait();
@@ -45,6 +45,22 @@ void LightSession::open(const fs::path& map) {
 void LightSession::open_sky() {
     name_read_ = "Sky";
     reading_ = std::async(std::launch::async, make_sky);
+}
+
+void LightSession::open_tile(const fs::path& file) {
+    try {
+        settings.tile = tiles_.open(file);
+        banner = {};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void LightSession::take_dropped(const fs::path& file) {
+    if (ends_as_tile(file))
+        open_tile(file);
+    else
+        open(file);
 }
 
 void LightSession::save(const fs::path& file) {

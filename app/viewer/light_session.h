@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/viewer/background.h"
@@ -12,6 +13,7 @@
 #include "app/viewer/light_scene.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/tile_choices.h"
 
 namespace dapple {
 
@@ -22,6 +24,11 @@ class LightSession {
     /// Reads a map in the background; the one shown stays until then, or if it fails.
     void open(const std::filesystem::path& map);
     void open_sky();
+
+    /// As Session's.
+    void open_tile(const std::filesystem::path& file);
+    void take_dropped(const std::filesystem::path& file);
+    std::span<const std::string> tiles() const { return tiles_.names(); }
 
     /// Writes the samples that the settings ask for, in the background; the name's ending says as what. One
     /// file at a time.
@@ -64,6 +71,7 @@ class LightSession {
     std::unique_ptr<LightScene> scene_;
     int maps_shown_ = 0;
     History<LightsSettings> history_;
+    TileChoices tiles_;
     Background<Saved> saving_;
 };
 

@@ -60,7 +60,7 @@ class LightViewer {
     void frame() {
         window_.begin_frame();
         widgets_.clear();
-        for (const fs::path& path : window_.take_dropped()) session_.open(path);
+        for (const fs::path& path : window_.take_dropped()) session_.take_dropped(path);
         for (const Action action : pressed_actions()) act(action);
         session_.take_news();
 
@@ -80,7 +80,12 @@ class LightViewer {
     void act(Action action) {
         switch (action) {
             case Action::open:
+                asks_for_tile_ = false;
                 return dialog_.ask_what_to_open({"Open an environment map", {".hdr", ".exr"}, map_folder()});
+            case Action::open_tile:
+                asks_for_tile_ = true;
+                return dialog_.ask_what_to_open(
+                    {"Open a tile", {kTileEnding}, folder_of_tiles(session_.settings.tile)});
             case Action::save:
                 if (session_.saved_path().empty()) return ask_where_to_save();
                 return session_.save(session_.saved_path());
@@ -151,6 +156,8 @@ class LightViewer {
         if (const auto path = dialog_.draw(options)) {
             if (dialog_.saves())
                 session_.save(*path);
+            else if (asks_for_tile_)
+                session_.open_tile(*path);
             else
                 session_.open(*path);
         }
@@ -220,7 +227,7 @@ class LightViewer {
         draw_action_buttons([this](Action action) { act(action); });
         std::optional<LightsFacts> facts;
         if (scene && scene->samplings() > 0) facts = scene->facts();
-        draw_lights_panel(session_.settings, facts, built_in_tile_names());
+        draw_lights_panel(session_.settings, facts, {session_.tiles(), [this] { act(Action::open_tile); }});
         ImGui::End();
         ImGui::PopStyleVar();
     }
@@ -233,6 +240,7 @@ class LightViewer {
     CameraMouse mouse_;
     int map_fitted_ = 0;  // the number of the map that the camera was fitted to
     FileDialog dialog_;
+    bool asks_for_tile_ = false;
     bool help_ = false, panel_shown_ = true;
     std::string logged_;
     bool ready_ = false;
@@ -241,6 +249,7 @@ class LightViewer {
 }  // namespace
 
 int run_light_viewer(const LightViewerOptions& options) {
+    load_tile(options.settings.tile);
     return LightViewer(options).run();
 }
 

@@ -17,8 +17,9 @@ struct LightViewerOptions {
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
-/// map's first samples are on screen. A map dropped on the window takes the place of the one shown. Throws
-/// std::runtime_error if there is no display or if the first map cannot be read.
+/// map's first samples are on screen. A map dropped on the window takes the place of the one shown, a tile
+/// file that of the tile. Throws std::runtime_error if there is no display, no such tile, or if the first map
+/// cannot be read.
 int run_light_viewer(const LightViewerOptions& options);
 
 }  // namespace dapple

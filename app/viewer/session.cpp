@@ -6,6 +6,7 @@
 #include "app/drawing_steps.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
+#include "app/files/tile_library.h"
 
 namespace dapple {
 namespace {
@@ -23,6 +24,7 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       history_(settings),
       wake_(std::move(wake)),
       most_dots_(most_dots),
+      tiles_(drawing.tile),
       pane_(wake_) {}
 
 PlaceOrder Session::page_order() const {
@@ -38,6 +40,22 @@ void Session::open_sample() {
 void Session::open(const fs::path& path) {
     pane_.worker().open(path.filename().string(), [path] { return read_picture(path); });
     picture_path_ = path;
+}
+
+void Session::open_tile(const fs::path& file) {
+    try {
+        settings.drawing.tile = tiles_.open(file);
+        banner = {};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::take_dropped(const fs::path& file) {
+    if (ends_as_tile(file))
+        open_tile(file);
+    else
+        open(file);
 }
 
 void Session::save(const fs::path& path) {

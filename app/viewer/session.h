@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/viewer/history.h"
 #include "app/viewer/pane.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/tile_choices.h"
 #include "app/viewer/viewer_settings.h"
 
 namespace dapple {
@@ -25,6 +27,13 @@ class Session {
     void open_sample();
     void open(const std::filesystem::path& path);
     void save(const std::filesystem::path& path);
+
+    /// Draws with a tile file from now on. If it is not one the banner says why, and nothing changes.
+    void open_tile(const std::filesystem::path& file);
+    /// A tile, if the file's name ends as theirs do, or else a picture.
+    void take_dropped(const std::filesystem::path& file);
+    /// The tiles to choose from.
+    std::span<const std::string> tiles() const { return tiles_.names(); }
 
     /// Takes what the workers have to tell, waiting up to `patience` for a placing under way. Throws
     /// std::runtime_error if the first picture could not be read.
@@ -72,6 +81,7 @@ class Session {
     History<ViewerSettings> history_;
     std::function<void()> wake_;
     std::uint64_t most_dots_;
+    TileChoices tiles_;
     Pane pane_;
     std::optional<Pane> right_;  // once it was asked for
     int right_pictures_asked_ = 0, right_pictures_ = 0;

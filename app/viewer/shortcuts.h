@@ -8,6 +8,7 @@ namespace dapple {
 
 enum class Action {
     open,
+    open_tile,
     save,
     save_as,
     undo,

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
@@ -30,9 +29,10 @@ void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::functi
 
     ViewerSettings& settings = session.settings;
     draw_tone_panel(settings.drawing.tone);
-    draw_dots_panel(settings.drawing, session.drawn(session.pane()), built_in_tile_names());
+    const auto open_tile = [&act] { act(Action::open_tile); };
+    draw_dots_panel(settings.drawing, session.drawn(session.pane()), {session.tiles(), open_tile});
     draw_view_panel(settings);
-    draw_compare_panel(settings, built_in_tile_names());
+    draw_compare_panel(settings, {session.tiles()});
     spectrum.draw();
     const Pane& pane = session.pane();
     if (tiles_seen_ != pane.tiles()) tile_ = {};

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "app/files/tile_library.h"
 #include "app/viewer/actions.h"
 #include "app/viewer/canvas.h"
 #include "app/viewer/dot_limit.h"
@@ -135,7 +136,7 @@ void Viewer::frame() {
     widgets_.clear();
     frame_rate_.frame(FrameRate::Clock::now());
     const auto do_this = [this](Action action) { act(action, {session_, canvas_, window_, shown_}); };
-    for (const auto& path : window_.take_dropped()) session_.open(path);
+    for (const auto& path : window_.take_dropped()) session_.take_dropped(path);
     for (Action action : pressed_actions()) do_this(action);
     session_.take_news(std::chrono::milliseconds(0));
     show_news();
@@ -170,6 +171,8 @@ void Viewer::draw_dialogs() {
     if (const auto path = shown_.dialog.draw(options)) {
         if (shown_.dialog.saves())
             session_.save(*path);
+        else if (shown_.asks_for_tile)
+            session_.open_tile(*path);
         else
             session_.open(*path);
     }
@@ -350,6 +353,8 @@ int Viewer::run() {
 }  // namespace
 
 int run_viewer(const ViewerOptions& options) {
+    // Before there is a window: nothing could be drawn in it.
+    load_tile(options.settings.tile);
     return Viewer(options).run();
 }
 

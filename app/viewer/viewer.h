@@ -17,7 +17,7 @@ struct ViewerOptions {
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
-/// first dots are on screen. Throws std::runtime_error if there is no display.
+/// first dots are on screen. Throws std::runtime_error if there is no display, or no such tile or picture.
 int run_viewer(const ViewerOptions& options);
 
 }  // namespace dapple

@@ -216,7 +216,7 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
     begin_row(label, row);
     ImGui::SetNextItemWidth(row.start.x + row.width - row.control_x);
     bool valid = chosen >= 0 && chosen < static_cast<int>(names.size());
-    bool open = ImGui::BeginCombo("##choice", valid ? names[chosen] : "");
+    bool open = ImGui::BeginCombo("##choice", valid ? names[chosen] : "", ImGuiComboFlags_HeightLarge);
     note_place(label);
     bool changed = false;
     if (open) {

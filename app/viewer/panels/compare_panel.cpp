@@ -1,6 +1,5 @@
 #include "app/viewer/panels/compare_panel.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,7 +10,7 @@ namespace dapple {
 
 namespace {
 
-bool draw_split(ViewerSettings& settings, std::span<const char* const> tiles) {
+bool draw_split(ViewerSettings& settings, const TileList& tiles) {
     Comparison& right = settings.comparison;
     bool on = right.on, changed = false;
     if (switch_row("Split view", on)) {
@@ -22,11 +21,7 @@ bool draw_split(ViewerSettings& settings, std::span<const char* const> tiles) {
         hint("Two tiles or placers side by side on the same picture.");
         return changed;
     }
-    int tile = static_cast<int>(std::ranges::find(tiles, right.tile) - tiles.begin());
-    if (choice_row("Right tile", tile, tiles)) {
-        right.tile = tiles[tile];
-        changed = true;
-    }
+    changed |= tile_row("Right tile", right.tile, tiles);
     int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
     if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"})) {
         right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
@@ -74,7 +69,7 @@ bool draw_loupe(LoupeChoice& loupe) {
 
 }  // namespace
 
-bool draw_compare_panel(ViewerSettings& settings, std::span<const char* const> tiles) {
+bool draw_compare_panel(ViewerSettings& settings, const TileList& tiles) {
     if (!section("Compare")) return false;
     const bool changed = draw_split(settings, tiles);
     return draw_loupe(settings.loupe) || changed;

@@ -117,7 +117,7 @@ bool ranking_row(const char* label, std::optional<RankingOrder>& ranking) {
     return true;
 }
 
-bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::span<const char* const> tiles) {
+bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles) {
     if (!section("Dots")) return false;
     bool changed = draw_amount(settings.stipple, drawn);
     changed |= draw_radius(settings, drawn);
@@ -130,11 +130,7 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::sp
         settings.tile = tile_in_use(settings);
         changed = true;
     }
-    int tile = static_cast<int>(std::ranges::find(tiles, settings.tile) - tiles.begin());
-    if (choice_row("Tile", tile, tiles)) {
-        settings.tile = tiles[tile];
-        changed = true;
-    }
+    changed |= tile_row("Tile", settings.tile, tiles);
     if (settings.stipple.placer == PlacerKind::exact) changed |= ranking_row("Order", settings.ranking);
     return changed;
 }

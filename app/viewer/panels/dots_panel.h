@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "app/drawing_settings.h"
+#include "app/viewer/panels/tile_row.h"
 
 namespace dapple {
 
@@ -20,6 +20,6 @@ struct DrawnFacts {
 bool ranking_row(const char* label, std::optional<RankingOrder>& ranking);
 
 /// Placer, tile, how many dots and how large. True while something changes.
-bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, std::span<const char* const> tiles);
+bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles);
 
 }  // namespace dapple

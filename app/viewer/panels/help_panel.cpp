@@ -34,7 +34,7 @@ void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts) {
         for (const Shortcut& shortcut : shortcuts) row(shortcut.keys, shortcut.meaning);
         row("Ctrl+click", "On a slider: type the number");
         row("Double-click", "On a slider's name: back to neutral");
-        row("Drop a file", "Open it");
+        row("Drop a file", "Open it; a .tile is drawn with");
         ImGui::EndTable();
     }
     bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered();

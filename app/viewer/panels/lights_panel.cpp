@@ -31,7 +31,7 @@ bool choose(const char* label, Value& value, const std::array<const char*, n>& n
     return true;
 }
 
-bool draw_samples(LightsSettings& settings, std::span<const char* const> tiles) {
+bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     if (!section("Samples")) return false;
     LightRequest& request = settings.request;
     bool changed = false;
@@ -46,11 +46,7 @@ bool draw_samples(LightsSettings& settings, std::span<const char* const> tiles) 
         "drawn "
         "at random, which has no bias.");
     changed |= choose("Placer", request.placer, std::array{"exact", "Figure 8"});
-    int tile = static_cast<int>(std::ranges::find(tiles, settings.tile) - tiles.begin());
-    if (choice_row("Tile", tile, tiles)) {
-        settings.tile = tiles[tile];
-        changed = true;
-    }
+    changed |= tile_row("Tile", settings.tile, tiles);
     bool compensated = request.importance == LightImportance::compensated;
     if (switch_row("MIS compensation", compensated)) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
@@ -87,7 +83,7 @@ void line(const char* label, const std::string& value) {
 }  // namespace
 
 bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
-                       std::span<const char* const> tiles) {
+                       const TileList& tiles) {
     bool changed = draw_samples(settings, tiles);
     changed |= draw_view(settings);
     if (section("Figures")) {

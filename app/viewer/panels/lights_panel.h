@@ -1,10 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include "app/files/save_lights.h"
+#include "app/viewer/panels/tile_row.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 
@@ -32,7 +32,7 @@ struct LightsFacts {
 /// Sections "Samples" and "View", and the figures. True while something changes. `tiles` can be chosen from.
 /// Without facts the samples are still being taken, and it says so in their place.
 bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
-                       std::span<const char* const> tiles);
+                       const TileList& tiles);
 
 /// The room that the options need in the file dialog.
 inline constexpr int kLightExportRows = 2;

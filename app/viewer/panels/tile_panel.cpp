@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/files/tile_library.h"
 #include "app/viewer/dot_colours.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
@@ -112,7 +113,7 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
         std::ranges::any_of(tile.rule.child, [](Orientation g) { return g != Orientation{}; });
     hint(fmt::format("{}: {} points, dark ones come first. Half as large, the tile lies on each quarter of "
                      "itself{}.",
-                     tile.name, grouped(count),
+                     short_tile_name(tile.name), grouped(count),
                      turned ? ", turned as the letter F there" : "; every F is upright, so it repeats")
              .c_str());
 }

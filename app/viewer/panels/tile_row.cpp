@@ -1,0 +1,35 @@
+#include "app/viewer/panels/tile_row.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "app/files/tile_library.h"
+#include "app/viewer/widgets.h"
+
+namespace dapple {
+
+bool tile_row(const char* label, std::string& tile, const TileList& list) {
+    std::vector<std::string> tiles(list.names.begin(), list.names.end());
+    auto chosen = static_cast<int>(std::ranges::find(tiles, tile) - tiles.begin());
+    if (chosen == static_cast<int>(tiles.size())) tiles.push_back(tile);
+
+    std::vector<std::string> words;
+    for (const std::string& name : tiles) {
+        const std::string shown = short_tile_name(name);
+        const bool alone = std::ranges::count(tiles, shown, short_tile_name) == 1;
+        words.push_back(alone ? shown : name);
+    }
+    if (list.open_file) words.emplace_back("From a file...");
+    std::vector<const char*> entries;
+    for (const std::string& word : words) entries.push_back(word.c_str());
+
+    if (!choice_row(label, chosen, entries)) return false;
+    if (chosen == static_cast<int>(tiles.size())) {
+        list.open_file();
+        return false;
+    }
+    tile = tiles[static_cast<std::size_t>(chosen)];
+    return true;
+}
+
+}  // namespace dapple
