@@ -36,7 +36,7 @@ void ProgressLine::restart(double fraction) {
     last_ = {};
 }
 
-void ProgressLine::show(double fraction, std::string_view text) {
+void ProgressLine::show(double fraction, std::string_view text, std::string_view piece) {
     const auto now = Clock::now();
     if (!terminal_ || now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
@@ -45,7 +45,10 @@ void ProgressLine::show(double fraction, std::string_view text) {
     const double done = fraction - start_fraction_;
     const int filled = static_cast<int>(kBarWidth * std::clamp(fraction, 0.0, 1.0));
     std::string left;
-    if (done > 0 && elapsed > 0.5) left = in_words(elapsed / done * (1 - fraction)) + ", ";
+    if (done > 0 && elapsed > 0.5) {
+        left = fmt::format("{}{}{}, ", piece, piece.empty() ? "" : ": ",
+                           in_words(elapsed / done * (1 - fraction)));
+    }
     const std::string line = fmt::format("\r[{}{}] {:>3.0f} %  {}{}\033[K", std::string(filled, '#'),
                                          std::string(kBarWidth - filled, '-'), 100 * fraction, left, text);
     std::fputs(line.c_str(), stderr);

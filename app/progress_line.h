@@ -21,7 +21,8 @@ class ProgressLine {
     ~ProgressLine();
 
     /// fraction: 0..1 of the work since it was made or restarted, from which the time left is estimated.
-    void show(double fraction, std::string_view text);
+    /// `piece` says what the estimate is for, if that is not all: "this pass: about 12 s left".
+    void show(double fraction, std::string_view text, std::string_view piece = {});
 
     /// A new piece of work begins, at this fraction of it. What is shown next is shown at once.
     void restart(double fraction);

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -52,7 +54,7 @@ TEST_CASE("the search's energy is that of all pairs in a large subdivision, each
               doctest::Approx(energy_by_brute_force(tile, shape)).epsilon(1e-4));
     }
     const Tile paper = make_tile(14217, 2895, 16);
-    const PairShape narrow{0.3, 10, 1.0};
+    const PairShape narrow{0.3, 10, 1.0, 0.25};
     CHECK(relink_energy(paper, narrow) ==
           doctest::Approx(energy_by_brute_force(paper, narrow)).epsilon(1e-4));
 }
@@ -111,6 +113,33 @@ TEST_CASE("a search that is stopped returns the best so far") {
     CHECK(result.moves < settings.moves);
     CHECK(result.energy == best);
     CHECK(result.tile.size() == 64);
+}
+
+TEST_CASE("a search by a clock ends by it, and cools by it as one by moves does by them") {
+    RelinkSettings settings = small_search();
+    settings.moves = 40 * 4096;
+    const RelinkResult by_moves = relink_search(settings);
+    // A clock that is looked at once at the start and then after every 4,096 moves, and strikes each time.
+    double struck = 0;
+    settings.clock = [&] { return struck++; };
+    settings.seconds = 40;
+    settings.moves = 1;
+    const RelinkResult by_clock = relink_search(settings);
+    CHECK(by_clock.moves == by_moves.moves);
+    CHECK(by_clock.tile.words == by_moves.tile.words);
+    settings.seconds = 1e-9;
+    CHECK(relink_search(settings).moves > 0);
+}
+
+TEST_CASE("runs by a clock take turns, so that all together last as long as one") {
+    RelinkSettings settings = small_search();
+    std::atomic<int> looks = 0;
+    settings.clock = [&] { return static_cast<double>(looks++); };
+    settings.seconds = 100;
+    tbb::task_arena one(1);
+    one.execute([&] { CHECK(relink_searches(settings, 5).size() == 5); });
+    // Five times 20 strikes, and one more at the start of each.
+    CHECK(looks == 105);
 }
 
 TEST_CASE("a search may start from points that crowd together") {

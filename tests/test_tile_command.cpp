@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -93,16 +94,58 @@ TEST_CASE("a tile that is found is a file that renders, and the same seed finds 
     const TemporaryFolder folder;
     const std::string first = folder / "first.tile", second = folder / "second.tile";
     const std::string search = "tile search --points 16 --rule any --moves 4000 --seed 7 -o ";
-    REQUIRE(run_dapple(search + first).status == 0);
-    REQUIRE(run_dapple(search + second + " --threads 1").status == 0);
+    const Outcome outcome = run_dapple(search + first + " --threads 2");
+    REQUIRE(outcome.status == 0);
+    // The command that it tells to make the same again, with fewer threads.
+    const std::string told = "the same again: dapple ";
+    const std::size_t at = outcome.out.find(told);
+    REQUIRE(at != std::string::npos);
+    std::string again = outcome.out.substr(at + told.size());
+    again.pop_back();
+    REQUIRE(run_dapple(again + " --threads 1 -o " + second).status == 0);
     CHECK(text_of(first) == text_of(second));
     const std::string found = text_of(first);
     CHECK(read_tile(found).tile.size() == 16);
     CHECK(
-        found.find("# found by dapple tile search --points 16 --rule any --seed 7 --runs 1 --moves 4000\n") !=
+        found.find("# found by dapple tile search --points 16 --rule any --seed 7 --runs 2 --moves 4000\n") !=
         std::string::npos);
     CHECK(run_dapple(fmt::format("render -o {} --dots 500 --tile {}", (folder / "a.svg").string(), first))
               .status == 0);
+}
+
+TEST_CASE("a timed search does not claim that it can be made again, and takes the time that it is given") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "timed.tile";
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        run_dapple("tile search --points 16 --rule 3760 --seconds 1.5 --runs 3 --threads 2 -o " + file);
+    REQUIRE(outcome.status == 0);
+    CHECK(std::chrono::steady_clock::now() - begin >= std::chrono::milliseconds(1500));
+    CHECK(outcome.out.find("the same again: ") == std::string::npos);
+    CHECK(outcome.out.find("about as long, and always the same: dapple tile search --points 16 --rule 3760 "
+                           "--seed 1 --runs 3 --moves ") != std::string::npos);
+    CHECK(text_of(file).find(" --seconds 1.5; timed, ") != std::string::npos);
+    // However short, it is a search.
+    CHECK(run_dapple("tile search --points 4 --rule any --seconds 0.01 -o " + file).status == 0);
+    CHECK(read_tile(text_of(file)).tile.size() == 4);
+}
+
+TEST_CASE("a search finds what it is told to weigh: points apart, an even tone, or no repetition") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.tile";
+    const auto marks = [&](const std::string& weights) {
+        const Outcome outcome =
+            run_dapple("tile search --points 64 --rule 3760 --moves 4e5 --runs 1 -o " + file + weights);
+        REQUIRE(outcome.status == 0);
+        CHECK(outcome.out.find(weights + " --moves 400000\n") != std::string::npos);
+        return nlohmann::json::parse(run_dapple("tile check --json " + file).out);
+    };
+    const nlohmann::json usual = marks(""), apart = marks(" --pairs 20"), even = marks(" --pairs 0"),
+                         repeating = marks(" --peaks 0");
+    CHECK(apart["relative_radius"] > even["relative_radius"]);
+    CHECK(apart["low_frequency_power"] > usual["low_frequency_power"]);
+    CHECK(usual["low_frequency_power"] > even["low_frequency_power"]);
+    CHECK(repeating["coherent_share"] > usual["coherent_share"]);
 }
 
 TEST_CASE("the rules are listed from the one that repeats least, with those that are the same turned") {
@@ -276,6 +319,9 @@ TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files
     check_refused("tile search --points 16 --rule any", "--output: is needed");
     check_refused("tile search --points 16 --rule odd -o " + kept, "odd is not known");
     check_refused("tile search --points 16 --rule 3768 -o " + kept, "3768 is not known");
+    check_refused("tile search --points 16 --tone 2", "--rule any");
+    check_refused("tile search --points 16 --rule any --tone 0 --pairs 0 -o " + kept, "above 0");
+    check_refused("tile search --points 16 --rule any --peaks -1 -o " + kept, "--peaks");
     check_refused("tile rules --top 571", "--top");
     check_refused("tile search --points 16 --rule any --top 3 -o " + kept, "--rule identity");
     check_refused("tile search --resume " + kept, "line 1");

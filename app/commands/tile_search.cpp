@@ -131,9 +131,11 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
                 floor = progress.floor;
             }
             const std::vector<FoundTile>& found = progress.state.found;
+            const bool last = found.size() == static_cast<std::size_t>(progress.state.top);
             line.show(progress.fraction,
                       fmt::format("of the tiles of radius {:.3f} and more, best so far {}", progress.floor,
-                                  found.empty() ? "none" : fmt::format("{:.6f}", found[0].relative_radius)));
+                                  found.empty() ? "none" : fmt::format("{:.6f}", found[0].relative_radius)),
+                      last ? "last pass" : "this pass, longer ones follow");
             saver.save([&] { save_rest(progress.state); });
         };
         state = continue_exhaustive_search(
@@ -159,22 +161,23 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
         rest.string());
 }
 
-// As many moves a run as are tried in so many seconds, all runs together.
-std::uint64_t moves_in(RelinkSettings settings, double seconds, int runs, int threads) {
-    std::stop_source stop;
-    settings.moves = std::numeric_limits<std::uint64_t>::max();
-    settings.stop = stop.get_token();
-    settings.progress = {};
-    const auto start = std::chrono::steady_clock::now();
-    const std::jthread watch([&] {
-        std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.05 * seconds, 2.0)));
-        stop.request_stop();
-    });
-    const std::uint64_t tried = relink_search(settings).moves;
-    const double spent = seconds_since(start);
-    const int turns = (runs + threads - 1) / threads;
-    const double rate = static_cast<double>(tried) / spent;
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(rate * (seconds - spent) / turns));
+// Energies, and with them temperatures, stay in one range: only the ratios of the weights count.
+void weigh(RelinkSettings& settings, const TileSearchOptions& options) {
+    const double larger = std::max(options.tone, options.pairs);
+    settings.shape.tone_weight *= options.tone / larger;
+    settings.shape.close_weight *= options.pairs / larger;
+    settings.peak_weight *= options.peaks / larger;
+}
+
+// The options as a person gives them, for the search to be made again.
+std::string command_of(const TileSearchOptions& options, int runs) {
+    std::string command =
+        fmt::format("dapple tile search --points {} --rule {} --seed {} --runs {}", options.points,
+                    options.rule ? text_of(*options.rule) : "any", options.seed, runs);
+    if (options.tone != 1) command += fmt::format(" --tone {}", options.tone);
+    if (options.pairs != 1) command += fmt::format(" --pairs {}", options.pairs);
+    if (options.peaks != 1) command += fmt::format(" --peaks {}", options.peaks);
+    return command;
 }
 
 std::vector<Rule> rules_to_try() {
@@ -191,15 +194,21 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
     settings.points = static_cast<std::size_t>(options.points);
     settings.seed = options.seed;
     settings.moves = options.moves.value_or(kMovesPerPoint * settings.points);
-    if (options.seconds) settings.moves = moves_in(settings, *options.seconds, options.runs, threads);
+    weigh(settings, options);
+    const int runs = options.runs > 0 ? options.runs : threads;
+    const auto start = std::chrono::steady_clock::now();
+    if (options.seconds) {
+        settings.clock = [start] { return seconds_since(start); };
+        settings.seconds = *options.seconds;
+    }
 
     RelinkResult best;
+    double tried = 0;
     bool interrupted = false;
     {
         const StopOnInterrupt stop;
         ProgressLine line;
         std::mutex mutex;
-        double tried = 0;
         RelinkProgress lowest;
         lowest.best = std::numeric_limits<double>::infinity();
         MinuteSaver saver;
@@ -213,7 +222,9 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
             if (!options.rule)
                 words = fmt::format("trying rule {}; {}, with rule {}", text_of(progress.rule), words,
                                     text_of(lowest.rule));
-            line.show(tried / (static_cast<double>(settings.moves) * options.runs), words);
+            line.show(options.seconds ? seconds_since(start) / *options.seconds
+                                      : tried / (static_cast<double>(settings.moves) * runs),
+                      words);
             if (lowest.best >= saved) return;
             saver.save([&] {
                 saved = lowest.best;
@@ -223,22 +234,34 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
         };
         tbb::task_arena arena(threads);
         arena.execute([&] {
-            best = options.rule ? relink_searches(settings, options.runs).front()
-                                : search_rules(settings, rules_to_try(), options.runs);
+            best = options.rule ? relink_searches(settings, runs).front()
+                                : search_rules(settings, rules_to_try(), runs);
         });
         interrupted = StopOnInterrupt::interrupted();
     }
-    const std::string how = fmt::format(
-        "dapple tile search --points {} --rule {} --seed {} --runs {} --moves {}", options.points,
-        options.rule ? text_of(settings.rule) : "any", options.seed, options.runs, settings.moves);
+    const std::string command = command_of(options, runs);
+    const auto of_so_many_moves = [&](double moves) {
+        return fmt::format("{} --moves {:.0f}", command, std::max(moves, 1.0));
+    };
+    std::string again, how;
+    if (interrupted) {
+        again = "stopped: this is the best so far, and cannot be made again";
+    } else if (options.seconds) {
+        again = "timed: the same again would be another tile; about as long, and always the same: " +
+                of_so_many_moves(tried / runs);
+        how = fmt::format("found by {} --seconds {}; timed, so that the same again is another tile", command,
+                          *options.seconds);
+    } else {
+        const std::string same = of_so_many_moves(static_cast<double>(settings.moves));
+        again = "the same again: " + same;
+        how = "found by " + same;
+    }
     std::vector<std::string> comments;
-    if (!interrupted) comments.push_back("found by " + how);
+    if (!how.empty()) comments.push_back(how);
     save_tile(*options.output, ranked(best.tile, RankingOrder::energy), comments);
-    out << fmt::format("{} points, rule {}, energy a point {:.5f}, the lowest of {} run{}\n",
-                       best.tile.size(), text_of(best.tile.rule), best.energy, options.runs,
-                       options.runs == 1 ? "" : "s");
-    out << fmt::format("{}\n", interrupted ? "stopped: this is the best so far, and cannot be made again"
-                                           : "the same again: " + how);
+    out << fmt::format("{} points, rule {}, energy a point {:.5f}, the lowest of {} run{}\n{}\n",
+                       best.tile.size(), text_of(best.tile.rule), best.energy, runs, runs == 1 ? "" : "s",
+                       again);
 }
 
 }  // namespace
@@ -273,9 +296,11 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: so many tiles, distinct up to symmetry");
-    add_number(command, "--seconds", options.seconds,
-               {.least = 0, .most = 1e7, .at_least = NumberRange::Least::excluded}, "S",
-               "identity: stop then, to go on later; any: as long a search as that allows");
+    add_number(
+        command, "--seconds", options.seconds,
+        {.least = 0, .most = 1e7, .at_least = NumberRange::Least::excluded}, "S",
+        "identity: stop then, to go on later; any: a search as long as that, whose tile no other search "
+        "finds again; --moves is for those");
     command
         .add_option_function<std::string>(
             "--moves",
@@ -290,13 +315,23 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                         "the rule",
                         kMovesPerPoint))
         ->type_name("N");
-    add_whole_number(command, "--runs", options.runs, {.least = 1, .most = 10'000},
-                     "any: independent runs, the best is kept");
-    command.add_option("--seed", options.seed, "any: the same seed and moves give the same tile")
+    add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},
+                     "any: independent runs, the best is kept; 0 for as many as there are cores to use");
+    command
+        .add_option("--seed", options.seed,
+                    "any: the same seed, moves and runs give the same tile; to make it again on another "
+                    "machine, give --runs too")
         ->type_name("N")
         ->default_str("1");
     add_whole_number(command, "--threads", options.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the tiles are the same");
+    const NumberRange weights{.least = 0, .most = 1000};
+    add_number(command, "--tone", options.tone, weights, "W",
+               "any: how much an even tone counts; these three are relative to each other, 1 as usual");
+    add_number(command, "--pairs", options.pairs, weights, "W",
+               "any: how much it counts that no two points lie close together");
+    add_number(command, "--peaks", options.peaks, weights, "W",
+               "any: how much it counts that pictures don't repeat, peaks of the spectrum being low");
     command
         .add_option("--resume", options.resume, "identity: go on with a stopped search, and keep it there")
         ->type_name("FILE");
@@ -312,8 +347,10 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"
         "  dapple tile search --resume dapple-search-32.txt    after Ctrl+C\n"
-        "  dapple tile search --points 64 --rule any --seconds 60 --runs 2 -o mine.tile\n"
-        "  dapple tile search --points 1024 --rule 3760 --seconds 60 --runs 2 -o mine.tile");
+        "  dapple tile search --points 64 --rule any --seconds 60 -o mine.tile\n"
+        "  dapple tile search --points 1024 --rule 3760 --seconds 60 -o mine.tile\n"
+        "  dapple tile search --points 256 --rule 3760 --pairs 5 -o apart.tile    points farther apart, less "
+        "even");
 }
 
 void check_search_options(const CLI::App& command, const TileSearchOptions& options) {
@@ -321,7 +358,7 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
         if (command.count(option) > 0) throw CLI::ValidationError(option, why);
     };
     if (options.kind == SearchKind::identity) {
-        for (const char* option : {"--moves", "--runs", "--seed"})
+        for (const char* option : {"--moves", "--runs", "--seed", "--tone", "--pairs", "--peaks"})
             refuse(option,
                    "belongs to a search with --rule any; the one for identity leaves nothing to chance");
         if (options.resume) {
@@ -332,6 +369,10 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
         refuse("--top", "belongs to a search with --rule identity");
         refuse("--resume", "belongs to a search with --rule identity");
         if (options.seconds) refuse("--moves", "and --seconds exclude each other");
+        if (options.tone == 0 && options.pairs == 0) {
+            throw CLI::ValidationError(
+                "--tone", "0 and --pairs 0 leave points anywhere; give one of them a weight above 0");
+        }
         if (!options.output) throw CLI::ValidationError("--output", "is needed: name the file for the tile");
     }
     if (options.resume) return;

@@ -25,10 +25,11 @@ struct TileSearchOptions {
     SearchKind kind = SearchKind::identity;
     std::optional<Rule> rule;            // of SearchKind::any; none: the one that suits the points
     int top = 5;                         // identity: so many tiles
-    int runs = 1;                        // any: independent runs with the seeds seed, seed + 1, ...
-    std::optional<double> seconds;       // identity: stops then; any: as many moves as that allows
+    int runs = 0;                        // any: with the seeds seed, seed + 1, ...; 0: as many as cores
+    std::optional<double> seconds;       // identity: stops then; any: ends then
     std::optional<std::uint64_t> moves;  // any: tried in each run
     std::uint64_t seed = 1;
+    double tone = 1, pairs = 1, peaks = 1;        // any: weights of the objective, 1 being the usual ones
     int threads = 0;                              // 0: all cores
     std::optional<std::filesystem::path> resume;  // a stopped identity search to go on with
     std::optional<std::filesystem::path> output;  // the best tile, ranked by energy

@@ -22,7 +22,7 @@ const Lanes& lanes(const std::array<float, 8>& a) {
 double pair_energy(const PairShape& shape, double squared_distance) {
     const double tone = std::max(0.0, 1 - squared_distance / (16 * shape.tone_width * shape.tone_width));
     const double close = std::max(0.0, 1 - squared_distance / (shape.close_radius * shape.close_radius));
-    return std::pow(tone, 8) + shape.close_weight * close * close;
+    return shape.tone_weight * std::pow(tone, 8) + shape.close_weight * close * close;
 }
 
 int EnergyGrid::cells_a_side(std::size_t tile_points, const PairShape& shape) {
@@ -39,6 +39,7 @@ EnergyGrid::EnergyGrid(std::size_t tile_points, const std::vector<Neighbour>& ne
     cells_per_spacing_ = static_cast<float>(side_ / tile_side);
     tone_ = static_cast<float>(1 / (16 * shape.tone_width * shape.tone_width));
     close_ = static_cast<float>(1 / (shape.close_radius * shape.close_radius));
+    tone_weight_ = static_cast<float>(shape.tone_weight);
     close_weight_ = static_cast<float>(shape.close_weight);
 
     for (const Neighbour& n : neighbours) {
@@ -173,7 +174,7 @@ double EnergyGrid::energy(glm::vec2 p) const {
             }
         }
     }
-    const Lanes sum = tone_sum + close_weight_ * close_sum;
+    const Lanes sum = tone_weight_ * tone_sum + close_weight_ * close_sum;
     return static_cast<double>(((sum[0] + sum[1]) + (sum[2] + sum[3])) +
                                ((sum[4] + sum[5]) + (sum[6] + sum[7])));
 }
@@ -184,7 +185,7 @@ double EnergyGrid::energy_with_itself(glm::vec2 p) const {
         const float d2 = (image.x - p.x) * (image.x - p.x) + (image.y - p.y) * (image.y - p.y);
         const float t = std::max(0.0f, 1 - d2 * tone_), s = std::max(0.0f, 1 - d2 * close_);
         const float t4 = (t * t) * (t * t);
-        sum += weight * (t4 * t4 + close_weight_ * (s * s));
+        sum += weight * (tone_weight_ * (t4 * t4) + close_weight_ * (s * s));
     });
     return 0.5 * static_cast<double>(sum);
 }

@@ -3,7 +3,7 @@
 //
 // Distances are in spacings, 1 / sqrt(N) of the tile's side. A pair at distance d has the energy
 //
-//      (1 - d^2 / (4 w)^2)^8  +  c (1 - d^2 / r^2)^2,       each term only where its bracket is positive.
+//      t (1 - d^2 / (4 w)^2)^8  +  c (1 - d^2 / r^2)^2,     each term only where its bracket is positive.
 //
 // The first is the Gaussian exp(-d^2 / (2 w^2)) with its tail cut smoothly: low where the tone is even. The
 // second pushes apart the pairs closer than r. Polynomials cost no exponential and no root, and end, so that
@@ -22,6 +22,7 @@ struct PairShape {
     double tone_width = 0.6;    // w, in spacings, above 0
     double close_weight = 3;    // c, 0 or more
     double close_radius = 0.8;  // r, in spacings, above 0
+    double tone_weight = 1;     // t, 0 or more
 };
 
 /// The energy of a pair at a squared distance in spacings.
@@ -78,7 +79,7 @@ class EnergyGrid {
     int capacity_;  // of a cell of the tile
     float half_;    // of the tile's side, in spacings
     float cells_per_spacing_;
-    float tone_, close_, close_weight_;  // 1 / reach^2 and the weight
+    float tone_, close_, tone_weight_, close_weight_;  // 1 / reach^2 and the weights
     std::vector<Copy> copies_;
     std::vector<Cell> cells_;
     std::vector<Block> blocks_;

@@ -4,7 +4,9 @@
 #include "core/tile/random.h"
 
 #include <fmt/format.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@ namespace {
 // A point is followed down its predecessors until it moves by less; in spacings.
 constexpr double kNegligible = 0.003;
 constexpr int kMovesBetweenRefreshes = 256;  // per point
+constexpr int kMovesBetweenLooks = 4096;     // at the clock, and whether to stop
 
 // A tile being re-linked: the successors, where the points are, and the grid that knows their energy.
 class Links {
@@ -227,6 +230,7 @@ double relink_energy(const Tile& tile, const PairShape& shape) {
 }
 
 RelinkResult relink_search(const RelinkSettings& settings) {
+    const double begun = settings.clock ? settings.clock() : 0;
     const Tile start = make_tile(
         settings.rule, settings.start.empty() ? even_words(settings.points, settings.seed) : settings.start);
     std::string letters;
@@ -243,19 +247,20 @@ RelinkResult relink_search(const RelinkSettings& settings) {
     progress.words = start.words;
     const std::uint64_t report_after = kMovesBetweenRefreshes * start.size();
     std::uint64_t taken = 0, reported = 0;
-    while (progress.moves < settings.moves && !settings.stop.stop_requested()) {
-        const double done = static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
+    double done = settings.clock || settings.moves > 0 ? 0 : 1;  // share of the search
+    while (done < 1 && !settings.stop.stop_requested()) {
         const double temperature = settings.start_temperature *
                                    std::pow(settings.end_temperature / settings.start_temperature, done);
         // In rounds short enough to be stopped at any time.
-        const std::uint64_t round = std::min({report_after - progress.moves % report_after,
-                                              std::uint64_t{4096}, settings.moves - progress.moves});
+        std::uint64_t round =
+            std::min<std::uint64_t>(report_after - progress.moves % report_after, kMovesBetweenLooks);
+        if (!settings.clock) round = std::min(round, settings.moves - progress.moves);
         for (std::uint64_t k = 0; k < round; ++k)
             taken += links.step(random, temperature, settings.move_radius);
         progress.moves += round;
-        if (progress.moves % report_after != 0 && progress.moves < settings.moves &&
-            !settings.stop.stop_requested())
-            continue;
+        done = settings.clock ? (settings.clock() - begun) / settings.seconds
+                              : static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
+        if (progress.moves % report_after != 0 && done < 1 && !settings.stop.stop_requested()) continue;
         links.refresh();
         progress.energy = links.energy() / count;
         progress.highest_peak = links.highest_peak();
@@ -271,18 +276,27 @@ RelinkResult relink_search(const RelinkSettings& settings) {
     return {make_tile(settings.rule, progress.words), progress.best, progress.moves};
 }
 
-std::vector<RelinkResult> relink_searches(const RelinkSettings& settings, int runs) {
-    std::vector<std::optional<RelinkResult>> found(static_cast<std::size_t>(std::max(runs, 0)));
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
-        RelinkSettings own = settings;
-        own.seed += k;
-        found[k] = relink_search(own);
-    });
-    std::vector<RelinkResult> results;
-    for (auto& result : found) results.push_back(std::move(*result));
-    std::stable_sort(results.begin(), results.end(),
-                     [](const RelinkResult& a, const RelinkResult& b) { return a.energy < b.energy; });
+std::vector<RelinkResult> relink_searches(std::vector<RelinkSettings> runs) {
+    // More threads than cores would make each run slower, and none of them sooner.
+    const auto cores = static_cast<std::size_t>(
+        std::min(tbb::this_task_arena::max_concurrency(), tbb::info::default_concurrency()));
+    const std::size_t turns = (runs.size() + cores - 1) / cores;
+    std::vector<RelinkResult> results(runs.size());
+    tbb::parallel_for(
+        std::size_t{0}, runs.size(),
+        [&](std::size_t k) {
+            runs[k].seconds /= static_cast<double>(turns);
+            results[k] = relink_search(runs[k]);
+        },
+        tbb::simple_partitioner());
+    std::ranges::stable_sort(results, {}, &RelinkResult::energy);
     return results;
+}
+
+std::vector<RelinkResult> relink_searches(const RelinkSettings& settings, int runs) {
+    std::vector<RelinkSettings> seeded(static_cast<std::size_t>(std::max(runs, 0)), settings);
+    for (std::size_t k = 0; k < seeded.size(); ++k) seeded[k].seed += k;
+    return relink_searches(std::move(seeded));
 }
 
 }  // namespace dapple

@@ -45,7 +45,9 @@ struct RelinkSettings {
     std::size_t points = 1024;         // a multiple of 4 up to kMaxTilePoints
     std::vector<std::string> start;    // words to start from; empty: see even_words()
     std::uint64_t seed = 1;            // same settings, same tile
-    std::uint64_t moves = 10'000'000;  // tried
+    std::uint64_t moves = 10'000'000;  // tried, unless there is a clock
+    std::function<double()> clock;     // seconds since some beginning; called by all threads
+    double seconds = 0;                // by the clock, the length of the search: as many moves as it allows
     double start_temperature = 0.1;    // in the unit of the energy
     double end_temperature = 0.03;     // reached geometrically
     double move_radius = 1.5;          // in spacings, how far a successor jumps, at most 4 tone_width
@@ -62,10 +64,16 @@ struct RelinkResult {
     std::uint64_t moves = 0;  // tried
 };
 
+/// Cools by the share of the moves that are tried, or by that of the time that is over: then the tile depends
+/// on how fast the machine is, and no other search finds the same. At least some moves are tried.
 /// Throws std::runtime_error if `points` or `start` cannot be a tile.
 RelinkResult relink_search(const RelinkSettings& settings);
 
-/// Independent runs with the seeds seed, seed + 1, ..., on all cores, lowest energy first.
+/// Independent runs on all cores, lowest energy first. Those with a clock take turns if there are more than
+/// cores, and have a part of their seconds each, so that all together last as long as one.
+std::vector<RelinkResult> relink_searches(std::vector<RelinkSettings> runs);
+
+/// The same with the seeds seed, seed + 1, ...
 std::vector<RelinkResult> relink_searches(const RelinkSettings& settings, int runs);
 
 /// The energy of a tile, per point, summed afresh.

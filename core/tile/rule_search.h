@@ -16,7 +16,8 @@ namespace dapple {
 
 /// The tile of lowest energy found for any of `rules` with settings.moves * runs moves tried in all: half of
 /// them choose the rule, and `runs` searches of that rule with the seeds settings.seed, ... share the rest.
-/// settings.rule is not used. On all cores; the same settings and runs, the same tile.
+/// settings.rule is not used. On all cores; the same settings and runs, the same tile. With a clock, the
+/// search lasts settings.seconds, half of them to choose the rule.
 RelinkResult search_rules(const RelinkSettings& settings, std::span<const Rule> rules, int runs);
 
 }  // namespace dapple
