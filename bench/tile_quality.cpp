@@ -3,8 +3,10 @@
 //
 //      tile_quality                        the built-in tiles for pictures, 65,536 dots and more
 //      tile_quality TILE[:RANKING] ...     TILE as in dapple render --tile
+//      tile_quality --level DOTS [TILE] .. only the full level of so many dots or the next one
 //
-// The paper's ranks on the exact placer give Figure 8's dots without its duplicates.
+// The paper's ranks on the exact placer give Figure 8's dots without its duplicates. docs/make_quality makes
+// docs/quality.md with it.
 
 #include <fmt/format.h>
 
@@ -67,27 +69,46 @@ std::optional<RankingOrder> order_named(const std::string& name) {
     throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
 }
 
-void measure(const std::string& argument, const Density& grey) {
+std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots) {
+    std::size_t level = tile.tile().size();
+    while (level < fewest_dots) level *= 4;
+    return level;
+}
+
+Marks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey) {
+    StippleRequest request;
+    request.scale = std::round(count) / 16;
+    Stippling placed;
+    stipple(tile, grey, request, placed);
+    const Marks marks = marks_of(placed.dots);
+    fmt::print("| {} | {} | {}\n", name, placed.dots.size(), in_columns(marks));
+    std::fflush(stdout);
+    return marks;
+}
+
+RankedTile tile_of(const std::string& argument) {
     const std::size_t colon = argument.find(':');
     std::optional<RankingOrder> order;
     if (colon != std::string::npos) order = order_named(argument.substr(colon + 1));
-    RankedTile tile = tile_named(argument.substr(0, colon), order);
-    std::size_t level = tile.tile().size();
-    while (level < kFewestDots) level *= 4;
+    return tile_named(argument.substr(0, colon), order);
+}
 
+void measure(const std::string& argument, const Density& grey) {
+    RankedTile tile = tile_of(argument);
+    const auto level = static_cast<double>(full_level(tile, kFewestDots));
+    print_row(tile, argument, level, grey);
     std::optional<Marks> between;
-    for (int k = 0; k < kDensities; ++k) {
-        const double count = static_cast<double>(level) * std::pow(4.0, static_cast<double>(k) / kDensities);
-        StippleRequest request;
-        request.scale = std::round(count) / 16;
-        Stippling placed;
-        stipple(tile, grey, request, placed);
-        const Marks marks = marks_of(placed.dots);
-        fmt::print("| {} | {} | {}\n", k == 0 ? argument : "", placed.dots.size(), in_columns(marks));
-        if (k > 0) between = between ? worse(*between, marks) : marks;
-        std::fflush(stdout);
+    for (int k = 1; k < kDensities; ++k) {
+        const double count = level * std::pow(4.0, static_cast<double>(k) / kDensities);
+        const Marks marks = print_row(tile, "", count, grey);
+        between = between ? worse(*between, marks) : marks;
     }
     fmt::print("| {}, worst between levels | | {}\n", argument, in_columns(*between));
+}
+
+void measure_level(const std::string& argument, std::size_t fewest_dots, const Density& grey) {
+    RankedTile tile = tile_of(argument);
+    print_row(tile, argument, static_cast<double>(full_level(tile, fewest_dots)), grey);
 }
 
 }  // namespace
@@ -95,6 +116,11 @@ void measure(const std::string& argument, const Density& grey) {
 int main(int argc, char** argv) {
     try {
         std::vector<std::string> tiles(argv + 1, argv + argc);
+        std::optional<std::size_t> level;
+        if (tiles.size() > 1 && tiles[0] == "--level") {
+            level = std::stoull(tiles[1]);
+            tiles.erase(tiles.begin(), tiles.begin() + 2);
+        }
         if (tiles.empty()) {
             tiles = {"paper16:paper", "paper16",       "aperiodic16",  "aperiodic64",
                      "aperiodic256",  "aperiodic1024", "aperiodic4096"};
@@ -103,7 +129,7 @@ int main(int argc, char** argv) {
         fmt::print(
             "| tile | dots | highest bin | top 0.1 % | power below 0.3 | below 0.5 | nearest: minimum | "
             "1st percentile | mean |\n|---|---|---|---|---|---|---|---|---|\n");
-        for (const std::string& tile : tiles) measure(tile, grey);
+        for (const std::string& tile : tiles) level ? measure_level(tile, *level, grey) : measure(tile, grey);
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "tile_quality: {}\n", error.what());
