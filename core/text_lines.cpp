@@ -8,6 +8,11 @@
 
 namespace dapple {
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::string_view TextLines::next() {
     ++number_;
     if (rest_.empty()) fail("the text ends too early");

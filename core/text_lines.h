@@ -6,12 +6,16 @@
 
 namespace dapple {
 
-/// Lines end in \n or \r\n. Whatever fails throws std::runtime_error, "<subject>line 7: <reason>"; `subject`
-/// is empty or ends so that this can follow, "the saved search cannot be read, ".
+/// Without the three bytes that some editors put before a text in UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
+/// Lines end in \n or \r\n; a byte order mark before them is skipped. Whatever fails throws
+/// std::runtime_error, "<subject>line 7: <reason>"; `subject` is empty or ends so that this can follow, "the
+/// saved search cannot be read, ".
 class TextLines {
  public:
     explicit TextLines(std::string_view text, std::string subject = {})
-        : rest_(text), subject_(std::move(subject)) {}
+        : rest_(without_byte_order_mark(text)), subject_(std::move(subject)) {}
 
     /// Fails if there is none.
     std::string_view next();

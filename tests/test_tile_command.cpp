@@ -275,6 +275,16 @@ TEST_CASE("check tells the criteria in words and as JSON") {
     CHECK(marks["coherent_share"].get<double>() == doctest::Approx(1));
     CHECK(marks["low_frequency_power"].get<double>() == doctest::Approx(0.120).epsilon(0.005));
     CHECK(marks["orientation_coincidence"].get<double>() == doctest::Approx(1));
+    // Tiles that are never turned are all alike, at whatever distance; those of the other are as rules have
+    // it.
+    for (const nlohmann::json& share : marks["coincidence_at_lags_from_1"])
+        CHECK(share.get<double>() == doctest::Approx(1));
+    const nlohmann::json turned = nlohmann::json::parse(run_dapple("tile check --json aperiodic16").out);
+    const std::vector<double> lags = turned["coincidence_at_lags_from_1"];
+    REQUIRE(lags.size() == 64);
+    CHECK(lags.at(turned["coincidence_lag"].get<std::size_t>() - 1) == turned["orientation_coincidence"]);
+    CHECK(std::ranges::max(lags) == turned["orientation_coincidence"]);
+    CHECK(std::ranges::min(lags) < std::ranges::max(lags));
 }
 
 TEST_CASE("rank makes a tile file of words, and of a tile another ranking") {
@@ -286,6 +296,28 @@ TEST_CASE("rank makes a tile file of words, and of a tile another ranking") {
     REQUIRE(run_dapple(fmt::format("tile rank {} -o {} --order searched", file, other)).status == 0);
     CHECK_FALSE(read_tile(text_of(other)).order);
     CHECK(read_tile(text_of(other)).tile.points == read_tile(text_of(file)).tile.points);
+}
+
+TEST_CASE("words without ranks are refused where a tile is needed, with the command that ranks them") {
+    const TemporaryFolder folder;
+    const std::string words = folder / "words.txt";
+    put_text(words, "3760\n0301213303211022\n");
+    const std::string reason =
+        words + ": has words but no ranks; dapple tile rank " + words + " -o FILE makes a tile file of them";
+    check_refused("tile check " + words, reason);
+    check_refused("render -o " + (folder / "a.svg").string() + " --tile " + words, reason);
+}
+
+TEST_CASE("a byte order mark before a tile file or words is skipped") {
+    const TemporaryFolder folder;
+    const std::string words = folder / "words.txt", file = folder / "a.tile", marked = folder / "b.tile";
+    put_text(words,
+             "\xef\xbb\xbf"
+             "3760\n0301213303211022\n");
+    REQUIRE(run_dapple(fmt::format("tile rank {} -o {}", words, file)).status == 0);
+    put_text(marked, "\xef\xbb\xbf" + text_of(file));
+    CHECK(run_dapple("tile check --json " + marked).status == 0);
+    CHECK(run_dapple(fmt::format("tile rank {} -o {}", marked, file)).status == 0);
 }
 
 TEST_CASE("show draws a built-in tile as an SVG") {

@@ -78,7 +78,8 @@ nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored
                                 {"low_frequency_power", marks.low_frequency_power},
                                 {"lattice_share", marks.lattice_share},
                                 {"orientation_coincidence", marks.orientation_coincidence},
-                                {"coincidence_lag", marks.coincidence_lag}};
+                                {"coincidence_lag", marks.coincidence_lag},
+                                {"coincidence_at_lags_from_1", marks.coincidences}};
     if (const auto integers = paper_notation(stored.tile)) json["integers"] = *integers;
     return json;
 }

@@ -324,7 +324,7 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->type_name("N")
         ->default_str("1");
     add_whole_number(command, "--threads", options.threads, {.least = 0, .most = 1024},
-                     "Processor cores to use, 0 for all; the tiles are the same");
+                     "Processor cores to use, 0 for all; with --runs given, the tiles are the same");
     const NumberRange weights{.least = 0, .most = 1000};
     add_number(command, "--tone", options.tone, weights, "W",
                "any: how much an even tone counts; these three are relative to each other, 1 as usual");

@@ -41,8 +41,21 @@ bool looks_like_integers(std::string_view name) {
            name.find_first_not_of("0123456789,/") == std::string_view::npos;
 }
 
+// Whether it is a rule with words, which have no ranks yet.
+bool is_words_text(const std::string& text) {
+    try {
+        return read_words(text).size() > 0;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
 StoredTile read_tile_file(const std::string& name) {
     const std::string text = text_of_file(name);
+    if (!is_tile_text(text) && is_words_text(text)) {
+        throw std::runtime_error(fmt::format(
+            "{}: has words but no ranks; dapple tile rank {} -o FILE makes a tile file of them", name, name));
+    }
     try {
         return read_tile(text);
     } catch (const std::runtime_error& error) {

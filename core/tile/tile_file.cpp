@@ -193,7 +193,7 @@ Tile read_words(std::string_view text) {
 }
 
 bool is_tile_text(std::string_view text) {
-    return text.starts_with(kFirstWords);
+    return without_byte_order_mark(text).starts_with(kFirstWords);
 }
 
 }  // namespace dapple

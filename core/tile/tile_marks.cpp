@@ -30,10 +30,10 @@ TileMarks marks_of(const Tile& tile, const Ranking& ranking) {
     marks.coherent_share = coherent_share(tile);
     marks.low_frequency_power = low_frequency_power(tile);
     marks.lattice_share = lattice_share(tile);
-    const std::vector<double> coincidence = orientation_coincidence(tile.rule, kLags);
-    const auto highest = std::ranges::max_element(coincidence);
+    marks.coincidences = orientation_coincidence(tile.rule, kLags);
+    const auto highest = std::ranges::max_element(marks.coincidences);
     marks.orientation_coincidence = *highest;
-    marks.coincidence_lag = static_cast<int>(highest - coincidence.begin()) + 1;
+    marks.coincidence_lag = static_cast<int>(highest - marks.coincidences.begin()) + 1;
     return marks;
 }
 

@@ -21,6 +21,7 @@ struct TileMarks {
     double coherent_share = 0;
     double low_frequency_power = 0;
     double lattice_share = 0;
+    std::vector<double> coincidences;    // at the lags 1, 2, ... 64
     double orientation_coincidence = 0;  // at the lag where it is highest
     int coincidence_lag = 1;
 };
