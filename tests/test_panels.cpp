@@ -6,6 +6,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "app/grouped.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"

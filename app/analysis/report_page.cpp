@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/files/png_file.h"
+#include "app/grouped.h"
 #include "core/output/html.h"
 #include "core/output/plot.h"
 #include "core/output/raster.h"
@@ -19,13 +20,6 @@ namespace {
 
 constexpr int kPictureSide = 900;
 constexpr double kDotsInDetail = 2500;
-
-std::string grouped(std::size_t number) {
-    std::string digits = std::to_string(number);
-    for (std::ptrdiff_t at = std::ptrdiff_t(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(std::size_t(at), 1, ',');
-    return digits;
-}
 
 std::string introduction(const Subject& subject) {
     std::string text = fmt::format("{} points of {}", grouped(subject.points.size()), subject.name);

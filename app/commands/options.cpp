@@ -9,6 +9,8 @@
 #include <initializer_list>
 #include <stdexcept>
 
+#include "app/grouped.h"
+
 namespace dapple {
 namespace {
 
@@ -154,7 +156,7 @@ std::uint64_t count_in(const std::string& name, const std::string& text, std::ui
     const std::optional<std::uint64_t> count = whole_number(text);
     if (!count || *count < 1 || *count > most) {
         throw CLI::ValidationError(
-            name, fmt::format("{} is not possible; give a whole number from 1 to {}", text, most));
+            name, fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
     }
     return *count;
 }

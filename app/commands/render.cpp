@@ -19,6 +19,7 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/grouped.h"
 #include "app/progress_line.h"
 #include "core/output/preflight.h"
 #include "core/output/raster.h"
@@ -70,7 +71,7 @@ StippleRequest request_for(const RenderOptions& options, const Density& density)
     if (!request.count && expected > static_cast<double>(kMostDots)) {
         throw std::runtime_error(
             fmt::format("--scale: {:g} would make about {:.3g} dots of {}, and {} are the most",
-                        request.scale, expected, name_of_image(options), kMostDots));
+                        request.scale, expected, name_of_image(options), grouped(kMostDots)));
     }
     return request;
 }
@@ -118,8 +119,15 @@ struct Times {
     double tile = 0, read = 0, tone = 0, place = 0, write = 0;  // milliseconds
 };
 
+struct PictureFacts {
+    int width = 0, height = 0;
+    double mean_density = 0;
+};
+
 struct Drawn {
-    DotStream dots;
+    PictureFacts picture;
+    std::uint64_t dots = 0;
+    double scale = 0;
     std::optional<std::uint64_t> duplicates;  // among them; none if that is not known
     PageSize page;                            // the sheet, the region or all of it
     double radius_mm = 0;
@@ -135,28 +143,27 @@ void tell(const RenderOptions& options, const Drawn& drawn) {
     const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
     const Preflight& found = *drawn.preflight;
     fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them; the nearest are {:.2g} mm apart\n",
-               drawn.dots.count, size, found.pen_up_m, found.nearest_mm);
-    if (100 * found.nearer_than_saxi > drawn.dots.count) {
+               grouped(drawn.dots), size, found.pen_up_m, found.nearest_mm);
+    if (100 * found.nearer_than_saxi > drawn.dots) {
         fmt::print(
             stderr,
             "{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
             "{:g} mm, which AxiDraw's program does; fewer dots or a wider page part them\n",
-            found.nearer_than_saxi, kSaxiJoins, found.nearer_than_axidraw, kAxiDrawJoins);
+            grouped(found.nearer_than_saxi), kSaxiJoins, grouped(found.nearer_than_axidraw), kAxiDrawJoins);
     }
     const bool whole_page = !options.region && options.sheet == Sheet{};
     if (whole_page && found.over_edge > 0) {
         fmt::print(stderr, "{} dots reach over the page's edge; --margin {:.1f} keeps them on it\n",
-                   found.over_edge, std::ceil(drawn.radius_mm * 10) / 10);
+                   grouped(found.over_edge), std::ceil(drawn.radius_mm * 10) / 10);
     }
 }
 
-void write_stats(std::ostream& out, const RenderOptions& options, const Density& density,
-                 const Drawn& drawn) {
+void write_stats(std::ostream& out, const RenderOptions& options, const Drawn& drawn) {
     const DrawingSettings& settings = options.drawing;
     const int threads = settings.stipple.threads;
     nlohmann::ordered_json distinct, duplicates;
     if (drawn.duplicates) {
-        distinct = drawn.dots.count - *drawn.duplicates;
+        distinct = drawn.dots - *drawn.duplicates;
         duplicates = *drawn.duplicates;
     }
     nlohmann::ordered_json preflight;
@@ -172,14 +179,14 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Density&
     const auto bytes = std::filesystem::file_size(options.output, error);
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
-        {"image_width", density.width()},
-        {"image_height", density.height()},
+        {"image_width", drawn.picture.width},
+        {"image_height", drawn.picture.height},
         {"output", options.output.string()},
         {"dots", distinct},
-        {"emitted", drawn.dots.count},
+        {"emitted", drawn.dots},
         {"duplicates", duplicates},
-        {"scale", drawn.dots.scale},
-        {"mean_density", density.mean()},
+        {"scale", drawn.scale},
+        {"mean_density", drawn.picture.mean_density},
         {"placer", name_of(settings.stipple.placer)},
         {"tile", tile_in_use(settings)},
         {"ranking", name_of(settings.ranking)},
@@ -214,8 +221,10 @@ void render(const RenderOptions& options) {
     times.tile = watch.lap();
     Picture picture = options.image ? read_picture(*options.image, options.limit) : sample_picture();
     times.read = watch.lap();
-    const Density density(density_of(std::move(picture.light), settings.tone));
+    std::optional<Density> held(density_of(std::move(picture.light), settings.tone));
+    const Density& density = *held;
     times.tone = watch.lap();
+    const PictureFacts facts{density.width(), density.height(), density.mean()};
 
     const Excerpt excerpt = excerpt_of(page_of(density, options), options);
     // Better now than after the placing.
@@ -250,11 +259,12 @@ void render(const RenderOptions& options) {
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
         sorted = sorted_dots(dots, order);
         drawn_dots = stream_of(sorted, dots.scale);
+        held.reset();  // nothing is placed any more: room for the preflight
     }
     times.place = watch.lap();
 
     line->restart(0);
-    const std::string what = fmt::format("writing {} dots", dots.count);
+    const std::string what = fmt::format("writing {} dots", grouped(dots.count));
     save_drawing(options.output, settings,
                  {.dots = drawn_dots,
                   .page = excerpt.size,
@@ -267,7 +277,9 @@ void render(const RenderOptions& options) {
     times.write = watch.lap();
     line.reset();
 
-    Drawn drawn{.dots = dots,
+    Drawn drawn{.picture = facts,
+                .dots = dots.count,
+                .scale = dots.scale,
                 .duplicates = whole.duplicates,
                 .page = excerpt.size,
                 .radius_mm = radius_mm,
@@ -278,7 +290,7 @@ void render(const RenderOptions& options) {
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
     if (whole.duplicates > 0 && (options.region || options.sheet != Sheet{})) drawn.duplicates.reset();
-    save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, density, drawn); });
+    save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, drawn); });
 }
 
 RenderCommand::RenderCommand(CLI::App& program) {

@@ -17,6 +17,7 @@
 
 #include "app/files/picture_builder.h"
 #include "app/files/silent_standard_error.h"
+#include "app/grouped.h"
 #include "core/image/tone.h"
 
 namespace dapple {
@@ -41,13 +42,6 @@ std::string in_one_line(std::string message, const fs::path& path) {
     if (const std::size_t end = message.find('\n'); end != message.npos) message.resize(end);
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
     return message;
-}
-
-std::string with_commas(std::int64_t value) {
-    std::string text = std::to_string(value);
-    for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-        text.insert(static_cast<std::size_t>(at), ",");
-    return text;
 }
 
 void check_readable(const fs::path& path) {
@@ -238,7 +232,8 @@ Picture read_picture(const fs::path& path, PictureLimit limit) {
     const std::unique_ptr<OIIO::ImageInput> input = open_picture(path);
     const OIIO::ImageSpec spec = input->spec();
     if (limit == PictureLimit::usual && static_cast<std::int64_t>(spec.width) * spec.height > kUsualPixels) {
-        fail(path, with_commas(spec.width) + " x " + with_commas(spec.height) +
+        fail(path, grouped(static_cast<std::uint64_t>(spec.width)) + " x " +
+                       grouped(static_cast<std::uint64_t>(spec.height)) +
                        " pixels are over 400 megapixels; --huge reads it all the same");
     }
 

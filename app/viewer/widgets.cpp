@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/grouped.h"
 #include "app/viewer/theme.h"
 
 namespace dapple {
@@ -321,13 +322,6 @@ void hint(const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", text);
     ImGui::PopStyleColor();
-}
-
-std::string grouped(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-        text.insert(static_cast<std::size_t>(at), 1, ',');
-    return text;
 }
 
 }  // namespace dapple

@@ -69,7 +69,4 @@ void tip(const char* text);
 /// Small grey text under a control.
 void hint(const char* text);
 
-/// A number as people write it: 12345 -> "12,345".
-std::string grouped(std::uint64_t number);
-
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/grouped.h"
 #include "app/viewer/widgets.h"
 
 namespace dapple {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/grouped.h"
 #include "app/viewer/widgets.h"
 
 namespace dapple {

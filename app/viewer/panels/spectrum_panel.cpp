@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/grouped.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/grouped.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/files/tile_library.h"
+#include "app/grouped.h"
 #include "app/viewer/dot_colours.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
