@@ -46,6 +46,8 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(GLFW_KEY_F) == Actions{Action::fit});
     CHECK(keyboard.press(GLFW_KEY_0, true) == Actions{Action::one_to_one});
     CHECK(keyboard.press(GLFW_KEY_O, true) == Actions{Action::open});
+    CHECK(keyboard.press(GLFW_KEY_T, true) == Actions{Action::open_tile});
+    CHECK(keyboard.press(GLFW_KEY_T) == Actions{Action::toggle_tiles});
     CHECK(keyboard.press(GLFW_KEY_S, true) == Actions{Action::save});
     CHECK(keyboard.press(GLFW_KEY_E, true) == Actions{Action::save_as});
     CHECK(keyboard.press(GLFW_KEY_Z, true) == Actions{Action::undo});

@@ -8,6 +8,7 @@ namespace {
 
 constexpr Shortcut kShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a picture"},
+    {Action::open_tile, "Ctrl+T", "Open a tile"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PNG or CSV"},
     {Action::undo, "Ctrl+Z", "Undo"},
@@ -27,6 +28,7 @@ constexpr Shortcut kShortcuts[] = {
 
 constexpr Shortcut kLightShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a map"},
+    {Action::open_tile, "Ctrl+T", "Open a tile"},
     {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
     {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
     {Action::undo, "Ctrl+Z", "Undo"},
@@ -75,6 +77,7 @@ std::vector<Action> pressed_actions() {
     bool command = io.KeyCtrl || io.KeySuper;
     if (command) {
         when(pressed(GLFW_KEY_O), Action::open);
+        when(pressed(GLFW_KEY_T), Action::open_tile);
         when(pressed(GLFW_KEY_S), Action::save);
         when(pressed(GLFW_KEY_E), Action::save_as);
         when(pressed(GLFW_KEY_Z), io.KeyShift ? Action::redo : Action::undo);
