@@ -396,13 +396,15 @@ TEST_CASE("the samples of an environment map follow their slider, and exposing i
     CHECK(viewer.wait_for_end() == 0);
 }
 
-TEST_CASE("the wheel zooms into an environment map, and F shows all of it again") {
+TEST_CASE("the wheel zooms into an environment map, F shows all of it again, and the title names it") {
     TemporaryFolder folder;
     write_even_map(folder / "even.hdr");
     Display display;
     RunningViewer viewer({}, {"lights", (folder / "even.hdr").string()});
     const auto zoom = [&] { return viewer.status()["zoom"].get<double>(); };
     CHECK(zoom() == doctest::Approx(1));
+    // Finds nothing, and says so by its exit status, if no window has that title.
+    CHECK(ChildProcess({"xdotool", "search", "--name", "^even.hdr - Dapple$"}).wait() == 0);
     viewer.point_at("Map", 0.3);
     for (int i = 0; i < 4; ++i) viewer.wheel_up();
     CHECK(viewer.shows([&] { return zoom() > 1.5; }));

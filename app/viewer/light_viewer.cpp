@@ -175,8 +175,10 @@ class LightViewer {
             return;
         }
         const LightLayout layout = light_layout({0, 0}, size);
-        if (std::exchange(map_fitted_, session_.maps_shown()) != session_.maps_shown())
+        if (std::exchange(map_fitted_, session_.maps_shown()) != session_.maps_shown()) {
             camera_ = fitted_to_map(layout.map.size);
+            window_.set_title(session_.name() + " - Dapple");
+        }
         camera_ = resized_on_map(camera_, layout.map.size);
         mouse_.move(camera_, layout.map);
         camera_ = kept_on_map(
