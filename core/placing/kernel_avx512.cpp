@@ -92,22 +92,31 @@ inline Square4 from_block(const dapple::KernelSquare& s, const Block& block, Who
     return {pixel(0), pixel(1), pixel(4), pixel(5)};
 }
 
-struct Pairs {
-    Lanes left, right;
-};
-// Two neighbouring pixels at a time: half as many loads as one by one.
-inline Pairs gather_pairs(const float* row, __m512i at) {
-    const __m512 low = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_castsi512_si256(at), row, 4));
-    const __m512 high = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_extracti64x4_epi64(at, 1), row, 4));
-    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    const __m512i odd = _mm512_add_epi32(even, _mm512_set1_epi32(1));
-    return {Lanes(_mm512_permutex2var_ps(low, even, high)), Lanes(_mm512_permutex2var_ps(low, odd, high))};
-}
+// Pixel by pixel: gathering takes longer. The two rows' pairs of four points at a time, then their transpose.
 inline Square4 from_picture(const dapple::KernelSquare& s, Whole left, Whole top) {
     const __m512i row = _mm512_mullo_epi32((top - 1).v, _mm512_set1_epi32(s.width));
-    const __m512i at = _mm512_add_epi32(row, (left - 1).v);
-    const Pairs upper = gather_pairs(s.picture, at), lower = gather_pairs(s.picture + s.width, at);
-    return {upper.left, upper.right, lower.left, lower.right};
+    alignas(64) std::uint32_t at[kWidth];
+    _mm512_store_si512(at, _mm512_add_epi32(row, (left - 1).v));
+    const float* const upper = s.picture;
+    const float* const lower = s.picture + s.width;
+    const auto around = [&](int lane) {
+        const __m128i pair = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(upper + at[lane]));
+        return _mm_loadh_pi(_mm_castsi128_ps(pair), reinterpret_cast<const __m64*>(lower + at[lane]));
+    };
+    const auto around_four = [&](int first) {
+        __m512 four = _mm512_castps128_ps512(around(first));
+        four = _mm512_insertf32x4(four, around(first + 4), 1);
+        four = _mm512_insertf32x4(four, around(first + 8), 2);
+        return _mm512_insertf32x4(four, around(first + 12), 3);
+    };
+    const __m512 a = around_four(0), b = around_four(1), c = around_four(2), d = around_four(3);
+    const __m512 upper_ab = _mm512_unpacklo_ps(a, b), lower_ab = _mm512_unpackhi_ps(a, b);
+    const __m512 upper_cd = _mm512_unpacklo_ps(c, d), lower_cd = _mm512_unpackhi_ps(c, d);
+    constexpr int kLeft = 0x44, kRight = 0xEE;
+    return {Lanes(_mm512_shuffle_ps(upper_ab, upper_cd, kLeft)),
+            Lanes(_mm512_shuffle_ps(upper_ab, upper_cd, kRight)),
+            Lanes(_mm512_shuffle_ps(lower_ab, lower_cd, kLeft)),
+            Lanes(_mm512_shuffle_ps(lower_ab, lower_cd, kRight))};
 }
 inline __m512i clamped(__m512i i, int count) {
     return _mm512_min_epi32(_mm512_max_epi32(i, _mm512_setzero_si512()), _mm512_set1_epi32(count - 1));

@@ -21,7 +21,7 @@ inline Mask in_edges(const KernelSquare& s, Lanes x, Lanes y) {
 }
 
 template <Source kSource>
-inline Lanes density_at(const KernelSquare& s, const Block& block, Lanes x, Lanes y) {
+[[gnu::always_inline]] inline Lanes density_at(const KernelSquare& s, const Block& block, Lanes x, Lanes y) {
     const PixelPosition u = pixel_position(s.pixel_centre_x, s.pixel_half_x, x);
     const PixelPosition v = pixel_position(s.pixel_centre_y, s.pixel_half_y, y);
     const Square4 t = kSource == Source::block     ? from_block(s, block, u.pixel, v.pixel)
@@ -56,7 +56,10 @@ inline void list_late(Mask late, Mask exists, Lanes critical, const KernelOutput
 }
 
 template <Source kSource, bool kCritical, bool kLate>
-inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) {
+inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& output) {
+    const KernelSquare s = square;  // copies: no store can change them, so that they stay in registers
+    const KernelOutput out = output;
+    const std::size_t swap = s.swap;
     const Block block = load_block(s.block);
     PlacedCount placed;
     for (std::size_t i = 0;; i += kWidth) {
@@ -65,7 +68,7 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
         if (!(points.birth[at] < s.none_from)) return placed;
         ask_for_lines(out, i, placed.dots);
         const Lanes birth = load(points.birth + at);
-        const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
+        const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
         const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
@@ -90,12 +93,15 @@ inline PlacedCount place_points(const KernelSquare& s, const KernelOutput& out) 
     }
 }
 
-void place_first(const KernelSquare& s, std::size_t count, const KernelOutput& out) {
+void place_first(const KernelSquare& square, std::size_t count, const KernelOutput& output) {
+    const KernelSquare s = square;
+    const KernelOutput out = output;
+    const std::size_t swap = s.swap;
     for (std::size_t i = 0; i < count; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
         ask_for_lines(out, i, i);
-        const Lanes x = load(points.at[s.swap] + at), y = load(points.at[!s.swap] + at);
+        const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
         store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
         store(out.threshold + i, load(points.birth + at) * Lanes(s.threshold_per_birth));
