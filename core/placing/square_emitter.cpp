@@ -86,8 +86,9 @@ void SquareEmitter::emit(const Visit& visit) {
 std::optional<std::size_t> SquareEmitter::decided_by_bounds(const KernelSquare& square,
                                                             const CellPoints& points) const {
     if (traversal_.request().critical || square.at_edge) return std::nullopt;
-    const float last = points[points.size() - 1].birth;
-    if (square.sure_below <= std::min(kCloseBounds * square.none_from, last)) return std::nullopt;
+    if (square.sure_below <= std::min(kCloseBounds * square.none_from, points.last_birth())) {
+        return std::nullopt;
+    }
     const std::size_t sure = points.born_before(square.sure_below);
     if (sure < points.size() && points[sure].birth < square.none_from) return std::nullopt;
     return sure;
@@ -131,11 +132,9 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
 // Where the window or the picture ends within the square, only some of its points take part. A window's
 // neighbour finds the same number for the edge that they share: sheets join without a lost or doubled dot.
 void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
-    const double side_pixels = traversal_.at_depth(visit.square.depth).side_pixels;
-    const double width = traversal_.density().width() / side_pixels;  // of the picture, in sides
-    const double height = traversal_.density().height() / side_pixels;
+    const DepthScale& scale = traversal_.at_depth(visit.square.depth);
     const auto x = static_cast<double>(visit.square.x), y = static_cast<double>(visit.square.y);
-    const bool in_picture = x + 1 <= width && y + 1 <= height;
+    const bool in_picture = x + 1 <= scale.columns && y + 1 <= scale.rows;
     square.at_edge = !visit.in_window || !in_picture;
     if (!square.at_edge) return;
     const Traversal::Box& box = traversal_.window();
@@ -146,8 +145,9 @@ void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
     const auto in_picture_at = [](double edge, double corner) { return 2 * (edge - corner) - 1; };
     square.low_x = not_below(in_window(std::max<std::int64_t>(box.low_x, 0), visit.square.x));
     square.low_y = not_below(in_window(std::max<std::int64_t>(box.low_y, 0), visit.square.y));
-    square.high_x = not_below(std::min(in_window(box.high_x, visit.square.x), in_picture_at(width, x)));
-    square.high_y = not_below(std::min(in_window(box.high_y, visit.square.y), in_picture_at(height, y)));
+    square.high_x =
+        not_below(std::min(in_window(box.high_x, visit.square.x), in_picture_at(scale.columns, x)));
+    square.high_y = not_below(std::min(in_window(box.high_y, visit.square.y), in_picture_at(scale.rows, y)));
 }
 
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.

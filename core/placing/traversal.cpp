@@ -50,16 +50,18 @@ Traversal::Traversal(const PlacingTable& table, const Density& density, const Pl
         origin_y_ = w.y;
     }
 
-    for (int depth = 0; depth <= kMaxDepth; ++depth) {
-        const int level = depth - table.cell_depth;
-        depths_[depth] = {std::ldexp(0.5, -depth), std::ldexp(density.longer_side(), -depth),
-                          std::ldexp(16 * request.scale, -2 * level),
-                          static_cast<float>(std::ldexp(1.0, 2 * level - 4))};
-    }
-    for (const Orientation g : all_orientations()) {
-        for (const Orientation h : all_orientations()) compose_[g.index][h.index] = compose(g, h);
-        for (int q = 0; q < 4; ++q)
-            from_page_[g.index][apply_to_quadrant(g, q)] = static_cast<std::uint8_t>(q);
+    // Powers of two from one depth to the next: exact.
+    const double longer_side = density.longer_side();
+    depths_[0] = {0.5,
+                  longer_side,
+                  density.width() / longer_side,
+                  density.height() / longer_side,
+                  std::ldexp(16 * request.scale, 2 * table.cell_depth),
+                  static_cast<float>(std::ldexp(1.0 / 16, -2 * table.cell_depth))};
+    for (int depth = 1; depth <= kMaxDepth; ++depth) {
+        const DepthScale& above = depths_[depth - 1];
+        depths_[depth] = {above.half / 2, above.side_pixels / 2,        above.columns * 2,
+                          above.rows * 2, above.births_per_density / 4, above.threshold_per_birth * 4};
     }
 }
 
@@ -111,10 +113,10 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
         child.orientation = {};
     } else {
         const Cell& cell = table_.cells[parent.cell];
-        const int q = from_page_[parent.orientation.index][page_quadrant];
+        const int q = apply_to_quadrant(inverse(parent.orientation), page_quadrant);
         if (!(reached > cell.next_birth[q])) return false;
         child.cell = cell.next_cell[q];
-        child.orientation = compose_[parent.orientation.index][cell.next_turn[q].index];
+        child.orientation = compose(parent.orientation, cell.next_turn[q]);
     }
 
     child.in_window = parent.in_window;

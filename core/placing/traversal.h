@@ -34,6 +34,7 @@ struct Visit {
 struct DepthScale {
     double half = 0;                // half the side, page units
     double side_pixels = 0;         // side, in pixels of the density
+    double columns = 0, rows = 0;   // of such squares in the density, with a part of one at the end
     double births_per_density = 0;  // scale * 16 / 4^(level of the tile that the square is a cell of)
     float threshold_per_birth = 0;  // 4^level / 16
 };
@@ -89,8 +90,6 @@ class Traversal {
     Box window_;
     std::int64_t origin_x_ = 0, origin_y_ = 0;
     std::array<DepthScale, kMaxDepth + 1> depths_;
-    std::array<std::array<Orientation, 8>, 8> compose_;     // [second][first]
-    std::array<std::array<std::uint8_t, 4>, 8> from_page_;  // [orientation][page quadrant]
 };
 
 }  // namespace dapple

@@ -28,11 +28,10 @@ std::array<Orientation, 8> all_orientations() {
 }
 
 Orientation compose(Orientation second, Orientation first) {
-    const glm::dvec2 image = apply(second, apply(first, glm::dvec2(1.0, 2.0)));
-    for (const Orientation g : all_orientations()) {
-        if (apply(g, glm::dvec2(1.0, 2.0)) == image) return g;
-    }
-    return {};  // not reached: D4 is closed
+    // A rotation that comes before a mirroring turns back after it.
+    const bool mirrored = second.index & 4;
+    const int turns = mirrored ? second.index - first.index : second.index + first.index;
+    return {static_cast<std::uint8_t>(((second.index ^ first.index) & 4) | (turns & 3))};
 }
 
 Orientation inverse(Orientation g) {
@@ -41,8 +40,9 @@ Orientation inverse(Orientation g) {
 }
 
 int apply_to_quadrant(Orientation g, int q) {
-    const glm::dvec2 v = apply(g, glm::dvec2(q & 1 ? 1.0 : -1.0, q & 2 ? 1.0 : -1.0));
-    return (v.x > 0 ? 1 : 0) + (v.y > 0 ? 2 : 0);
+    const auto [swap, negate_x, negate_y] = kElements[g.index];
+    const int x = swap ? q >> 1 : q & 1, y = swap ? q & 1 : q >> 1;
+    return (x ^ static_cast<int>(negate_x)) + 2 * (y ^ static_cast<int>(negate_y));
 }
 
 glm::dvec2 apply(Orientation g, glm::dvec2 v) {
