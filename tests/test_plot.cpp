@@ -90,6 +90,19 @@ TEST_CASE("axes have their labels, ticks their numbers, curves a legend, levels 
     CHECK(document.select_nodes("//circle").size() == 2);
 }
 
+TEST_CASE("an axis of powers of ten writes all the large ones alike") {
+    Plot plot;
+    plot.x = {.label = "dots", .scale = AxisScale::logarithmic};
+    plot.curves = {{.name = "", .points = {{100, 20000}, {1e7, 60000}}}};
+    const auto words = texts(parsed(svg_plot(plot)));
+    for (const char* word : {"100", "1000", "10⁴", "10⁵", "10⁶", "10⁷", "20000"}) {
+        CAPTURE(word);
+        CHECK(contains(words, word));
+    }
+    CHECK_FALSE(contains(words, "10000"));
+    CHECK_FALSE(contains(words, "100000"));
+}
+
 TEST_CASE("values that cannot be drawn break the line") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Plot plot;

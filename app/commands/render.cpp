@@ -219,6 +219,8 @@ void render(const RenderOptions& options) {
     Stopwatch watch;
     RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
     times.tile = watch.lap();
+    std::optional<ProgressLine> line(std::in_place);
+    line->show(0, "reading the picture");
     Picture picture = options.image ? read_picture(*options.image, options.limit) : sample_picture();
     times.read = watch.lap();
     std::optional<Density> held(density_of(std::move(picture.light), settings.tone));
@@ -231,7 +233,7 @@ void render(const RenderOptions& options) {
     if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
     const StreamRequest request{.stipple = request_for(options, density), .part = excerpt.part};
 
-    std::optional<ProgressLine> line(std::in_place);
+    line->restart(0);
     line->show(0, "placing the dots");
     const auto place = [&](const StreamRequest& part, Stippling& whole) {
         return settings.stipple.placer == PlacerKind::exact ? stream(tile, density, part)

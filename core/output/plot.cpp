@@ -71,14 +71,15 @@ std::string raised(long number) {
     return text;
 }
 
-std::string tick_label(double value) {
-    if (std::abs(value) < 1e-12) return "0";
-    if (std::abs(value) >= 1e6 || std::abs(value) < 1e-4) {
-        const double power = std::log10(std::abs(value));
-        if (value > 0 && std::abs(power - std::round(power)) < 1e-9) return "10" + raised(std::lround(power));
-        return fmt::format("{:.0e}", value);
-    }
-    return fmt::format("{:.6g}", value);
+std::string tick_label(double value, AxisScale scale) {
+    const double size = std::abs(value);
+    if (size < 1e-12) return "0";
+    const double power = std::log10(size);
+    const bool is_power = value > 0 && std::abs(power - std::round(power)) < 1e-9;
+    const bool long_power = scale == AxisScale::logarithmic && (size > 5e3 || size < 5e-4);
+    const bool long_number = size >= 1e6 || size < 1e-4;
+    if (is_power && (long_power || long_number)) return "10" + raised(std::lround(power));
+    return long_number ? fmt::format("{:.0e}", value) : fmt::format("{:.6g}", value);
 }
 
 class Writer {
@@ -127,13 +128,13 @@ class Writer {
         add(R"(<g fill="#222" text-anchor="middle">)");
         for (const double tick : plot_ticks(x_.range().least, x_.range().most, 8, x_.scale()))
             add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft + x_.place(tick) * width_, bottom + 16,
-                tick_label(tick));
+                tick_label(tick, x_.scale()));
         add(R"(<text x="{:.2f}" y="{:.2f}">{}</text></g>)", kLeft + width_ / 2, bottom + 40,
             xml_text(plot_.x.label));
         add(R"(<g fill="#222" text-anchor="end">)");
         for (const double tick : plot_ticks(y_.range().least, y_.range().most, 6, y_.scale()))
             add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft - 6, bottom - y_.place(tick) * height_ + 4,
-                tick_label(tick));
+                tick_label(tick, y_.scale()));
         add(R"~(</g><text fill="#222" text-anchor="middle" transform="translate(14 {:.2f}) rotate(-90)">{}</text>)~",
             top_ + height_ / 2, xml_text(plot_.y.label));
     }
