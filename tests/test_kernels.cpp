@@ -133,32 +133,43 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     CHECK(late_dots > 1000);
 }
 
-TEST_CASE(
-    "every kernel that this processor runs places the first points of a square where place() has them") {
+TEST_CASE("sure points, and the others behind them, are what testing every point gives, with every kernel") {
     std::mt19937 random(7);
     const auto unit = [&random] { return unit_in(random); };
     std::vector<const Kernels*> all = wider_kernels();
     all.push_back(&kBaselineKernels);
-    for (int trial = 0; trial < 500; ++trial) {
+    std::size_t decided = 0, partly = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
         const CellPoints points = some_points(random);
-        // Black: a point exists where its birth is below births_per_density.
         KernelSquare square;
         square.points = points.blocks();
         square.swap = random() % 2;
         square.half_x = square.half_y = 0.01f;
-        square.births_per_density = square.none_from = 100 * unit();
+        square.births_per_density = 100 * unit();
         square.threshold_per_birth = 4;
-        std::ranges::fill(square.block, 1.0f);
+        const bool even = random() % 2;
+        for (float& v : square.block) v = even ? 1 : 0.8f + 0.2f * unit();
         square.pixel_centre_x = square.pixel_centre_y = 1.5;
+        square.pixel_half_x = square.pixel_half_y = 1;
+        const auto [least, most] = std::minmax_element(std::begin(square.block), std::end(square.block));
+        square.none_from = square.births_per_density * *most;
         const Placed expected = run(kBaselineKernels, square, false, false);
-        CHECK(points.born_before(square.births_per_density) == expected.x.size());
+        square.sure_below = square.births_per_density * *least;
         for (const Kernels* kernels : all) {
-            Placed first{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256), {}, {}};
-            kernels->place_first(square, expected.x.size(),
-                                 {first.x.data(), first.y.data(), first.threshold.data()});
-            for (std::vector<float>* column : {&first.x, &first.y, &first.threshold})
-                column->resize(expected.x.size());
-            if (first != expected) FAIL("trial ", trial);
+            Placed placed{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256), {}, {}};
+            const KernelOutput output{placed.x.data(), placed.y.data(), placed.threshold.data()};
+            const SurePoints sure = kernels->place_sure(square, output);
+            if (even) CHECK(sure.all);
+            square.first = sure.count;
+            const std::size_t count = sure.all ? sure.count : kernels->place(square, output).dots;
+            square.first = 0;
+            for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold})
+                column->resize(count);
+            if (placed != expected) FAIL("trial ", trial);
+            decided += !even && sure.all;
+            partly += !sure.all && sure.count > 0;
         }
     }
+    CHECK(decided > 100);
+    CHECK(partly > 100);
 }

@@ -17,6 +17,7 @@ namespace dapple {
 struct KernelSquare {
     const PointBlock* points = nullptr;  // by ascending birth, up to a birth of infinity
     bool swap = false;                   // x and y
+    std::size_t first = 0;               // the first point to be tested; those before it are dots already
 
     float centre_x = 0, centre_y = 0;  // in the window
     float half_x = 0, half_y = 0;      // half sides; the signs mirror the points
@@ -61,20 +62,26 @@ struct KernelOutput {
     bool beyond_caches = false;   // the columns: their lines are asked for before they are written
 };
 
-/// How many a kernel wrote.
+/// How many dots of a square there are, and late ones, those before its first point among them.
 struct PlacedCount {
     std::size_t dots = 0, late = 0;
+};
+
+/// The points of a square, from the first one on, that exist wherever in it they lie.
+struct SurePoints {
+    std::size_t count = 0;
+    bool all = false;  // no other can exist; else some that are sure may not be counted
 };
 
 inline constexpr std::size_t kKernelPadding = kBlockPoints;
 
 struct Kernels {
-    /// Writes the square's dots, in the order of their births.
-    PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
+    /// Writes sure points of a square without edges, in the order of their births. Its first point and what
+    /// belongs to its source may be unset; output.critical is not written.
+    SurePoints (*place_sure)(const KernelSquare& square, const KernelOutput& output);
 
-    /// Writes the square's first `count` points, whatever the density and the edges are: output.critical is
-    /// not written, and what belongs to the square's source may be unset.
-    void (*place_first)(const KernelSquare& square, std::size_t count, const KernelOutput& output);
+    /// Writes the square's dots from its first point on, in the same order, behind those that are there.
+    PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
 };
 
 extern const Kernels kBaselineKernels, kAvx2Kernels, kAvx512Kernels;

@@ -151,6 +151,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 namespace dapple {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{place_square, place_first};
+const Kernels kAvx2Kernels{place_sure, place_square};
 
 }  // namespace dapple

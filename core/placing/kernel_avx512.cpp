@@ -140,6 +140,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 namespace dapple {
 
 extern const Kernels kAvx512Kernels;
-const Kernels kAvx512Kernels{place_square, place_first};
+const Kernels kAvx512Kernels{place_sure, place_square};
 
 }  // namespace dapple

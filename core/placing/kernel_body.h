@@ -12,6 +12,7 @@ using dapple::KernelOutput;
 using dapple::KernelSquare;
 using dapple::PlacedCount;
 using dapple::PointBlock;
+using dapple::SurePoints;
 using Source = KernelSquare::Source;
 
 inline Mask in_edges(const KernelSquare& s, Lanes x, Lanes y) {
@@ -61,8 +62,8 @@ inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& 
     const KernelOutput out = output;
     const std::size_t swap = s.swap;
     const Block block = load_block(s.block);
-    PlacedCount placed;
-    for (std::size_t i = 0;; i += kWidth) {
+    PlacedCount placed{.dots = s.first, .late = 0};
+    for (std::size_t i = s.first;; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
         if (!(points.birth[at] < s.none_from)) return placed;
@@ -93,18 +94,29 @@ inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& 
     }
 }
 
-void place_first(const KernelSquare& square, std::size_t count, const KernelOutput& output) {
+SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
     const KernelSquare s = square;
     const KernelOutput out = output;
     const std::size_t swap = s.swap;
-    for (std::size_t i = 0; i < count; i += kWidth) {
-        const PointBlock& points = s.points[i / kBlockPoints];
-        const std::size_t at = i % kBlockPoints;
-        ask_for_lines(out, i, i);
+    const auto place = [&](std::size_t i, const PointBlock& points, std::size_t at) {
         const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
         store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
         store(out.threshold + i, load(points.birth + at) * Lanes(s.threshold_per_birth));
+    };
+    for (std::size_t i = 0;; i += kWidth) {
+        const PointBlock& points = s.points[i / kBlockPoints];
+        const std::size_t at = i % kBlockPoints;
+        ask_for_lines(out, i, i);
+        if (points.birth[at + kWidth - 1] < s.sure_below) {
+            place(i, points, at);
+            continue;
+        }
+        const Lanes birth = load(points.birth + at);
+        const unsigned sure = bits_of(Lanes(s.sure_below) > birth);
+        if (sure != bits_of(Lanes(s.none_from) > birth)) return {i, false};
+        place(i, points, at);
+        return {i + static_cast<std::size_t>(__builtin_popcount(sure)), true};
     }
 }
 

@@ -120,22 +120,7 @@ void CellPoints::add(const CellPoint& point) {
     block.at[0][i] = point.x;
     block.at[1][i] = point.y;
     block.birth[i] = point.birth;
-    if (size_ == 1) first_birth_ = point.birth;
-    const float span = point.birth - first_birth_;
     last_birth_ = point.birth;
-    blocks_per_birth_ = span > 0 ? static_cast<float>(size_ - 1) / (kBlockPoints * span) : 0;
-}
-
-std::size_t CellPoints::born_before(float birth) const {
-    // Births are spread evenly: it lies close to where a straight line has it.
-    const auto last_block = static_cast<float>(blocks_.size() - 1);
-    const float line = (birth - first_birth_) * blocks_per_birth_;
-    auto block = static_cast<std::size_t>(line > 0 ? std::min(line, last_block) : 0);
-    while (block > 0 && !(blocks_[block - 1].birth[kBlockPoints - 1] < birth)) --block;
-    while (blocks_[block].birth[kBlockPoints - 1] < birth) ++block;
-    int before = 0;
-    for (const float b : blocks_[block].birth) before += b < birth;
-    return block * kBlockPoints + static_cast<std::size_t>(before);
 }
 
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {

@@ -46,13 +46,11 @@ class CellPoints {
         return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
     }
     float last_birth() const { return last_birth_; }
-    /// How many have a lower birth.
-    std::size_t born_before(float birth) const;
     const PointBlock* blocks() const { return blocks_.data(); }
 
  private:
     std::size_t size_ = 0;
-    float first_birth_ = 0, last_birth_ = 0, blocks_per_birth_ = 0;
+    float last_birth_ = 0;
     std::vector<PointBlock> blocks_;  // the last is empty: there a kernel stops
 };
 

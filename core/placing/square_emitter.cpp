@@ -69,11 +69,11 @@ void SquareEmitter::emit(const Visit& visit) {
     square.threshold_per_birth = scale.threshold_per_birth;
     set_edges(visit, square);
     const KernelOutput output = room_for(points.size() + kKernelPadding);
-    PlacedCount placed;
-    if (const auto sure = decided_by_bounds(square, points)) {
-        kernels_.place_first(square, *sure, output);
-        placed.dots = *sure;
-    } else {
+    SurePoints sure;
+    if (may_be_decided(square, points)) sure = kernels_.place_sure(square, output);
+    PlacedCount placed{.dots = sure.count, .late = 0};
+    if (!sure.all) {
+        square.first = sure.count;
         const bool across_seam = set_density(visit, square);
         placed = across_seam ? emit_across_seam(square, output) : kernels_.place(square, output);
     }
@@ -81,17 +81,10 @@ void SquareEmitter::emit(const Visit& visit) {
     late_ += placed.late;
 }
 
-// How many of the square's points exist, the first ones, if its bounds tell: no other point is born between
-// what is there all over the square and what is nowhere in it. Nobody has to look the density up then.
-std::optional<std::size_t> SquareEmitter::decided_by_bounds(const KernelSquare& square,
-                                                            const CellPoints& points) const {
-    if (traversal_.request().critical || square.at_edge) return std::nullopt;
-    if (square.sure_below <= std::min(kCloseBounds * square.none_from, points.last_birth())) {
-        return std::nullopt;
-    }
-    const std::size_t sure = points.born_before(square.sure_below);
-    if (sure < points.size() && points[sure].birth < square.none_from) return std::nullopt;
-    return sure;
+// Whether the square's bounds may tell which of its points exist, so that nobody has to look the density up.
+bool SquareEmitter::may_be_decided(const KernelSquare& square, const CellPoints& points) const {
+    if (traversal_.request().critical || square.at_edge) return false;
+    return square.sure_below > std::min(kCloseBounds * square.none_from, points.last_birth());
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
@@ -153,8 +146,8 @@ void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.
 PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
     const Density& density = traversal_.density();
-    PlacedCount placed;
-    for (std::size_t i = 0;; ++i) {
+    PlacedCount placed{.dots = s.first, .late = 0};
+    for (std::size_t i = s.first;; ++i) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
         const float x = points.at[s.swap][at], y = points.at[!s.swap][at], birth = points.birth[at];

@@ -2,7 +2,6 @@
 // From a square of the recursion to its dots.
 
 #include <cstddef>
-#include <optional>
 
 #include "core/placing/dots.h"
 #include "core/placing/kernel.h"
@@ -30,7 +29,7 @@ class SquareEmitter {
 
  private:
     void set_edges(const Visit& visit, KernelSquare& square) const;
-    std::optional<std::size_t> decided_by_bounds(const KernelSquare& square, const CellPoints& points) const;
+    bool may_be_decided(const KernelSquare& square, const CellPoints& points) const;
     bool set_density(const Visit& visit, KernelSquare& square) const;
     PlacedCount emit_across_seam(const KernelSquare& square, const KernelOutput& output) const;
     KernelOutput room_for(std::size_t count);
