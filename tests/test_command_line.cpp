@@ -1,0 +1,120 @@
+// The command line: its help, and what is understood or refused before anything is drawn.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "tests/file_text.h"
+#include "tests/render_scene.h"
+#include "tests/shell.h"
+
+using namespace dapple;
+
+TEST_CASE("help names every option and shows examples") {
+    const Outcome all = run_dapple("--help"), render = run_dapple("render --help");
+    CHECK(all.status == 0);
+    CHECK(all.err.empty());
+    CHECK(all.out.find("render") != std::string::npos);
+    for (const char* option :
+         {"--output",     "--scale",      "--dots",   "--placer", "--tile",        "--ranking",
+          "--dot-radius", "--width",      "--margin", "--dpi",    "--black-point", "--white-point",
+          "--contrast",   "--brightness", "--gamma",  "--blur",   "--invert",      "--ink",
+          "--paper",      "--order",      "--sheet",  "--region", "--tiles",       "--background",
+          "--threads",    "--huge",       "--stats",  "Examples:"}) {
+        CAPTURE(std::string(option));
+        CHECK(render.out.find(option) != std::string::npos);
+    }
+}
+
+TEST_CASE("a misspelt command is told with the nearest one, and a name that may be a picture is none") {
+    const Scene scene;
+    scene.must_fail("rendr x", "there is no command \"rendr\"; did you mean \"render\"?");
+    scene.must_fail("analyze x -o y", "there is no command \"analyze\"; did you mean \"analyse\"?");
+    scene.must_fail("tile chekc paper16", "there is no command \"chekc\"; did you mean \"check\"?");
+    scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help shows");
+    scene.must_fail("missing.png --nonsense", "--nonsense");
+}
+
+TEST_CASE(
+    "a tile for the window that is none is refused before there is a window, and no command swallows it") {
+    const Scene scene;
+    scene.must_fail("--tile missing.tile", "missing.tile: no such tile or tile file");
+    scene.must_fail("--tile 1,2/17", "17 points");
+    scene.must_fail("--tile paper16 render -o " + scene("s.svg"), "--tile: belongs to the window");
+    CHECK_FALSE(std::filesystem::exists(scene("s.svg")));
+}
+
+TEST_CASE("a count is understood as people write it") {
+    const Scene scene;
+    const auto dots = [&](const std::string& text) {
+        REQUIRE(
+            run_dapple("render " + scene("cat.png") + " -o " + scene("n.csv") + " --dots " + text).status ==
+            0);
+        const std::string table = text_of(scene("n.csv"));
+        return std::ranges::count(table, '\n') - 1;
+    };
+    CHECK(dots("1,200") == 1200);
+    CHECK(dots("2k") == 2000);
+    CHECK(dots("1.5K") == 1500);
+    CHECK(dots("0.002M") == 2000);
+    CHECK(dots("1e3") == 1000);
+}
+
+TEST_CASE("option values that cannot be are refused with the option's name") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " -o " + scene("old.svg") + " ";
+    struct Wrong {
+        const char* option;
+        const char* words;
+    };
+    for (const Wrong& wrong : {Wrong{"--scale -1", "--scale: -1 is not possible"},
+                               Wrong{"--scale 0", "--scale: 0 is not possible"},
+                               Wrong{"--scale nan", "--scale: nan is not a number"},
+                               Wrong{"--scale inf", "--scale: inf is not a number"},
+                               Wrong{"--scale 12x", "--scale: 12x is not a number"},
+                               Wrong{"--scale 1e30", "--scale: 1e+30 would make"},
+                               Wrong{"--dots 0", "--dots: 0 is not possible"},
+                               Wrong{"--dots -5", "--dots: -5 is not possible"},
+                               Wrong{"--dots 1.5", "--dots: 1.5 is not possible"},
+                               Wrong{"--dots 10.000", "--dots: 10.000 is not possible"},
+                               Wrong{"--dots 10,00", "--dots: 10,00 is not possible"},
+                               Wrong{"--dots 1,0000", "--dots: 1,0000 is not possible"},
+                               Wrong{"--dots 1.2345k", "--dots: 1.2345k is not possible"},
+                               Wrong{"--dots 99999999999", "--dots: 99999999999 is not possible"},
+                               Wrong{"--dots 10 --scale 10", "--dots: cannot be given together with --scale"},
+                               Wrong{"--dots 10 --placer figure8", "--dots: the figure8 placer"},
+                               Wrong{"--placer best", "--placer: best is not known"},
+                               Wrong{"--ranking best", "--ranking: best is not known"},
+                               Wrong{"--tile best", "best: no such tile"},
+                               Wrong{"--tile 1,2/17", "17 points"},
+                               Wrong{"--dot-radius 0", "--dot-radius: 0 is not possible"},
+                               Wrong{"--dot-radius -1", "--dot-radius: -1 is not possible"},
+                               Wrong{"--width 0", "--width: 0 is not possible"},
+                               Wrong{"--width nan", "--width: nan is not a number"},
+                               Wrong{"--dpi 0", "--dpi: 0 is not possible"},
+                               Wrong{"--threads -1", "--threads: -1 is not possible"},
+                               Wrong{"--threads 1.5", "--threads: 1.5 is not a whole number"},
+                               Wrong{"--black-point 2", "--black-point: 2 is not possible"},
+                               Wrong{"--black-point 0.5 --white-point 0.5", "--black-point: must be below"},
+                               Wrong{"--contrast 1.1", "--contrast: 1.1 is not possible"},
+                               Wrong{"--gamma 0", "--gamma: 0 is not possible"},
+                               Wrong{"--blur -3", "--blur: -3 is not possible"},
+                               Wrong{"--sheet 4,1/3x4", "--sheet: '4,1/3x4': sheets are counted"},
+                               Wrong{"--region 1,2,3", "--region: '1,2,3' is not a region"},
+                               Wrong{"--region 0,0,0x5", "--region: '0,0,0x5': a region needs a width"},
+                               Wrong{"--region -1,0,5x5", "--region: '-1,0,5x5': a region's corner"},
+                               Wrong{"--region 150,0,60x10", "--region: the region reaches to 210"},
+                               Wrong{"--region 0,0,9x9 --sheet 1,1/2x2", "--region: cannot be given"},
+                               Wrong{"--ink blue", "--ink: blue: not a colour"},
+                               Wrong{"--nonsense", "--nonsense"}}) {
+        scene.must_fail(from + wrong.option, wrong.words);
+    }
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --tiles",
+                    "--tiles: only an SVG");
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --width 100000 --dpi 2400",
+                    "9448819 x 6299213 pixels, and 1000000 a side and 4 gigapixels");
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --dpi 100000",
+                    "choose 9800 dots to the inch or fewer");
+}

@@ -1,0 +1,145 @@
+// dapple render: sheets, regions and margins, the parts of a page.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "app/files/picture.h"
+#include "tests/file_text.h"
+#include "tests/render_scene.h"
+#include "tests/shell.h"
+
+using namespace dapple;
+
+TEST_CASE("a mural's sheets, made one by one, have the dots of the whole, each once") {
+    const Scene scene;
+    for (const std::string dots : {"--dots 5000", "--scale 400"}) {
+        const std::string from = "render " + scene("cat.png") + " --width 300 " + dots + " -o ";
+        REQUIRE(run_dapple(from + scene("whole.csv")).status == 0);
+        // x, y, in micrometres, from the whole page's corner.
+        std::multiset<std::pair<long, long>> whole, on_sheets;
+        const auto read = [](const std::string& table, double x0, double y0, auto& places) {
+            std::istringstream lines(table);
+            std::string line;
+            std::getline(lines, line);
+            while (std::getline(lines, line)) {
+                double x = 0, y = 0;
+                REQUIRE(std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2);
+                places.emplace(std::lround((x + x0) * 1e3), std::lround((y + y0) * 1e3));
+            }
+        };
+        read(text_of(scene("whole.csv")), 0, 0, whole);
+        for (int row = 1; row <= 2; ++row) {
+            for (int column = 1; column <= 3; ++column) {
+                const std::string sheet = std::to_string(column) + "," + std::to_string(row) + "/3x2";
+                REQUIRE(run_dapple(from + scene("sheet.csv") + " --sheet " + sheet).status == 0);
+                read(text_of(scene("sheet.csv")), (column - 1) * 100.0, (row - 1) * 100.0, on_sheets);
+            }
+        }
+        CHECK(on_sheets.size() == whole.size());
+        std::size_t found = 0;
+        for (const auto& [x, y] : on_sheets) {
+            // Adding the corner may round to the next micrometre.
+            bool here = false;
+            for (long dx = -1; dx <= 1; ++dx)
+                for (long dy = -1; dy <= 1; ++dy) here = here || whole.contains({x + dx, y + dy});
+            found += here;
+        }
+        CHECK(found == whole.size());
+    }
+}
+
+TEST_CASE("a region is what the page shows there, at its place and in its size") {
+    const Scene scene;
+    const std::string from =
+        "render " + scene("cat.png") + " --width 300 --tile paper16 --dots 5000 --dpi 60 -o ";
+    REQUIRE(run_dapple(from + scene("page.svg")).status == 0);
+    // The second of three columns, the first of two rows.
+    for (const std::string ending : {".svg", ".csv", ".png"}) {
+        REQUIRE(run_dapple(from + scene("r" + ending) + " --region 100,0,100x100").status == 0);
+        REQUIRE(run_dapple(from + scene("s" + ending) + " --sheet 2,1/3x2").status == 0);
+        CHECK(text_of(scene("r" + ending)) == text_of(scene("s" + ending)));
+    }
+    REQUIRE(run_dapple(from + scene("r.svg") + " --tiles --region 110.5,20,80x61").status == 0);
+    const Svg page = read_svg(scene("page.svg")), region = read_svg(scene("r.svg"));
+    CHECK(region.document.child("svg").attribute("width").value() == std::string("80mm"));
+    CHECK(region.document.child("svg").attribute("height").value() == std::string("61mm"));
+    const double px = 96 / 25.4;
+    std::size_t expected = 0;
+    for (const pugi::xml_node& circle : page.circles()) {
+        const double x = circle.attribute("cx").as_double() / px, y = circle.attribute("cy").as_double() / px;
+        expected += x >= 110.5 && x < 190.5 && y >= 20 && y < 81;
+    }
+    CHECK(expected > 300);
+    // Two decimals of a px leave it open for a dot on the very edge.
+    CHECK(std::abs(static_cast<double>(region.circles().size()) - static_cast<double>(expected)) <= 2);
+    // The outlines end where the region does.
+    std::size_t outlines = 0;
+    for (const pugi::xml_node& level :
+         region.document.child("svg").child("g").next_sibling("g").children("g")) {
+        for (const pugi::xml_node& tile : level.children("rect")) {
+            const double x = tile.attribute("x").as_double(), y = tile.attribute("y").as_double();
+            CHECK(x >= 0);
+            CHECK(y >= 0);
+            CHECK(tile.attribute("width").as_double() > 0);
+            CHECK(tile.attribute("height").as_double() > 0);
+            CHECK(x + tile.attribute("width").as_double() < 80 * px + 0.002);
+            CHECK(y + tile.attribute("height").as_double() < 61 * px + 0.002);
+            ++outlines;
+        }
+    }
+    CHECK(outlines > 0);
+}
+
+TEST_CASE("within a margin no dot reaches over the edge, in any format, and sheets still join") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") +
+                             " --width 150 --margin 15 --dots 4000 --dpi 60 --stats " + scene("m.json");
+    REQUIRE(run_dapple(from + " -o " + scene("m.svg") + " --tiles").status == 0);
+    const Svg svg = read_svg(scene("m.svg"));
+    // The picture is 3 by 2, so 120 by 80 mm of it are left.
+    CHECK(svg.document.child("svg").attribute("width").value() == std::string("150mm"));
+    CHECK(svg.document.child("svg").attribute("height").value() == std::string("110mm"));
+    const double px = 96 / 25.4;
+    REQUIRE(svg.circles().size() == 4000);
+    for (const pugi::xml_node& circle : svg.circles()) {
+        const double x = circle.attribute("cx").as_double() / px, y = circle.attribute("cy").as_double() / px;
+        CHECK((x >= 14.99 && x <= 135.01 && y >= 14.99 && y <= 95.01));
+    }
+    for (const pugi::xpath_node& found : svg.document.select_nodes("//g[@id]/rect")) {
+        const pugi::xml_node tile = found.node();
+        const auto mm = [&](const char* name) { return tile.attribute(name).as_double() / px; };
+        CHECK((mm("x") >= 14.99 && mm("x") + mm("width") <= 135.01));
+        CHECK((mm("y") >= 14.99 && mm("y") + mm("height") <= 95.01));
+    }
+    CHECK(read_json(scene("m.json"))["preflight"]["over_the_edge"] == 0);
+    CHECK(read_json(scene("m.json"))["duplicates"] == 0);
+
+    REQUIRE(run_dapple(from + " -o " + scene("m.png")).status == 0);
+    const Picture png = read_picture(scene("m.png"));
+    CHECK(png.light.width == 354);
+    CHECK(png.light.height == 260);
+    for (int x = 0; x < png.light.width; ++x) CHECK(png.light.at(x, 20) == 1);
+    double ink = 0;
+    for (const float light : png.light.values) ink += 1 - light;
+    CHECK(ink > 5000);
+
+    std::size_t on_sheets = 0;
+    for (const std::string sheet : {"1,1/2x2", "2,1/2x2", "1,2/2x2", "2,2/2x2"}) {
+        REQUIRE(run_dapple(from + " -o " + scene("s.svg") + " --sheet " + sheet).status == 0);
+        on_sheets += read_svg(scene("s.svg")).circles().size();
+    }
+    CHECK(on_sheets == 4000);
+    REQUIRE(run_dapple(from + " -o " + scene("r.svg") + " --region 0,0,75x55").status == 0);
+    REQUIRE(run_dapple(from + " -o " + scene("s.svg") + " --sheet 1,1/2x2").status == 0);
+    CHECK(text_of(scene("r.svg")) == text_of(scene("s.svg")));
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.svg") + " --margin 100",
+                    "--margin: 100 mm on either side leave no room on a page 200 mm wide");
+}
