@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPieceDots = 16384;       // 192 KiB: leaves most of a core's own cache to the density
 constexpr double kLeastPieceDots = 1024;   // smaller ones are not worth handing over
-constexpr double kPiecesPerThread = 16;    // so that threads finish together
+constexpr double kPiecesPerThread = 8;     // so that threads finish together
 constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
 
 void resize(Dots& dots, std::size_t count, bool critical) {
