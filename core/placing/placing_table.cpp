@@ -123,6 +123,11 @@ void CellPoints::add(const CellPoint& point) {
     last_birth_ = point.birth;
 }
 
+CellPoint CellPoints::operator[](std::size_t i) const {
+    const PointBlock& block = blocks_[i / kBlockPoints];
+    return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
+}
+
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     PlacingTable table;
     table.tile_size = tile.size();

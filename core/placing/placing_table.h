@@ -41,10 +41,7 @@ class CellPoints {
     void add(const CellPoint& point);
 
     std::size_t size() const { return size_; }
-    CellPoint operator[](std::size_t i) const {
-        const PointBlock& block = blocks_[i / kBlockPoints];
-        return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
-    }
+    CellPoint operator[](std::size_t i) const;
     float last_birth() const { return last_birth_; }
     const PointBlock* blocks() const { return blocks_.data(); }
 
