@@ -98,18 +98,17 @@ void figure8(benchmark::State& state, const Density& density) {
     report(state, distinct);
 }
 
-// The least that any placer does: x, y and one more number a dot, into memory that is there.
+// The least that any placer does: x and y, into memory that is there.
 void write_floats(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
     Dots dots;
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(count);
+    dots.resize(count, false);
     float value = 0;
     for (auto _ : state) {
         value += 1;
         for (std::size_t i = 0; i < count; ++i) {
             dots.x[i] = value;
             dots.y[i] = value + 1;
-            dots.threshold[i] = value + 2;
         }
         benchmark::DoNotOptimize(dots.x.data());
         benchmark::ClobberMemory();

@@ -98,8 +98,7 @@ Plot plot_against_dots() {
             add(exactly, [&] { aperiodic.placer().place_exactly(density, count, placed); });
         const double writing_ms = add(writing, [&, value = 0.0f]() mutable {
             value += 1;
-            for (FloatBuffer* column : {&placed.x, &placed.y, &placed.threshold})
-                std::ranges::fill(*column, value);
+            for (FloatBuffer* column : {&placed.x, &placed.y}) std::ranges::fill(*column, value);
         });
         fmt::print("{:>10.0f} {:>11.3f} {:>11.3f} {:>11.3f} {:>11.3f} {:>11.4f}\n", dots, figure8_ms, one_ms,
                    all_ms, exactly_ms, writing_ms);

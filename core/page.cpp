@@ -42,12 +42,14 @@ void cut_to(const PagePart& part, Dots& dots) {
         if (!is_on(part.across, x) || !is_on(part.down, y)) continue;
         dots.x[to] = static_cast<float>(x - part.across.offset);
         dots.y[to] = static_cast<float>(y - part.down.offset);
-        dots.threshold[to] = dots.threshold[i];
-        if (!dots.critical.empty()) dots.critical[to] = dots.critical[i];
+        for (FloatBuffer* column : {&dots.threshold, &dots.critical}) {
+            if (!column->empty()) (*column)[to] = (*column)[i];
+        }
         ++to;
     }
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(to);
-    if (!dots.critical.empty()) dots.critical.resize(to);
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
+        if (!column->empty()) column->resize(to);
+    }
 }
 
 void move_to(const PagePart& part, std::span<PlacedTile> tiles) {

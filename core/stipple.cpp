@@ -32,14 +32,14 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
         result.dots = std::move(placed.dots);
         result.duplicates = placed.duplicates;
     } else if (request.count) {
-        const ExactCount exact{*request.count, request.critical, request.threads};
+        const ExactCount exact{*request.count, request.appearance, request.threads};
         const auto scale = tile.placer().place_exactly(density, exact, result.dots, stop);
         if (!scale) return false;
         result.scale = *scale;
     } else {
         PlacingRequest placing;
         placing.scale = request.scale;
-        placing.critical = request.critical;
+        placing.appearance = request.appearance;
         placing.threads = request.threads;
         if (!tile.placer().place(density, placing, result.dots, stop)) return false;
     }
@@ -89,7 +89,7 @@ DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& 
     Pieces pieces;
     Placer& placer = tile.placer();
     if (stipple.count) {
-        const ExactCount exact{*stipple.count, stipple.critical, stipple.threads};
+        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads};
         const CountCut cut = *placer.find_cut(density, exact);
         result.scale = cut.last_scale();
         pieces = [&placer, &density, exact, cut](const TakePiece& take) {
@@ -99,7 +99,7 @@ DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& 
         result.scale = stipple.scale;
         const PlacingRequest placing{.scale = stipple.scale,
                                      .window = window_around(request.part),
-                                     .critical = stipple.critical,
+                                     .appearance = stipple.appearance,
                                      .threads = stipple.threads,
                                      .origin = PlacingOrigin::page};
         pieces = [&placer, &density, placing](const TakePiece& take) {

@@ -47,7 +47,7 @@ struct StippleRequest {
     double scale = 2500;                 // ignored when a count is given
     std::optional<std::uint64_t> count;  // exactly so many dots; the exact placer only
     int threads = 1;                     // 0: all cores
-    bool critical = false;               // fill Dots::critical too; the exact placer only
+    bool appearance = false;             // fill Dots::threshold and Dots::critical too; the exact placer only
 
     bool operator==(const StippleRequest&) const = default;
 };
@@ -75,7 +75,8 @@ struct StreamRequest {
 /// stipple() does, and if Figure 8 is asked for: its duplicates are counted over all dots.
 DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& request);
 
-/// Fills Dots::critical if it isn't there, as Figure 8 does not. Positions have to be the page's.
+/// Fills Dots::critical if it isn't there: Figure 8 fills Dots::threshold only. Positions have to be the
+/// page's.
 void fill_critical_scales(Dots& dots, const Density& density);
 
 /// The page, when the picture fills it.

@@ -130,7 +130,7 @@ TEST_CASE("two windows a pixel apart, 2^40 times enlarged, show the same dots in
     Camera camera{{400, 300}, page_point({0.7123, 0.4321}), 400 * 0x1p40};
     auto dots_in_view = [&](const Camera& seen) {
         PlacingRequest request{
-            .scale = 50 * 0x1p80, .window = window_in_view(seen, 0), .critical = false, .threads = 1};
+            .scale = 50 * 0x1p80, .window = window_in_view(seen, 0), .appearance = false, .threads = 1};
         Dots dots;
         CHECK(tile.placer().place(grey, request, dots));
         const glm::dvec2 corner = to_canvas(camera, PagePoint(request.window.x, request.window.y));

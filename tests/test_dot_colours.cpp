@@ -20,7 +20,7 @@ struct Turned {
         for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
         RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingOrder::farthest);
         const Density grey(Grid<float>(1, 1, 0.5f));
-        const PlacingRequest request{.scale = 300};
+        const PlacingRequest request{.scale = 300, .appearance = true};
         tile.placer().place(grey, request, dots);
         // A tile is listed once it has children: the dots' own tiles are those of a scale one level finer.
         tiles = placed_tiles(tile.placer().table(), grey, {.scale = 4 * request.scale});

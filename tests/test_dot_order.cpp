@@ -20,7 +20,7 @@ Dots some_dots() {
         for (int x = 0; x < 64; ++x) ramp.at(x, y) = static_cast<float>(x) / 64;
     }
     Dots dots;
-    placer.place(Density(ramp), {.scale = 1000, .window = {}, .critical = true}, dots);
+    placer.place(Density(ramp), {.scale = 1000, .window = {}, .appearance = true}, dots);
     return dots;
 }
 

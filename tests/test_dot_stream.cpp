@@ -67,12 +67,12 @@ Grid<float> pixels_of(const DotStream& dots, const PageSize& page) {
     return all;
 }
 
-const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}, .critical = true},
-                                            {.scale = 3000, .count = {}, .critical = true},
-                                            {.scale = 3000, .count = {}, .threads = 3, .critical = true},
-                                            {.count = 1, .critical = true},
-                                            {.count = 25'000, .critical = true},
-                                            {.count = 25'000, .threads = 3, .critical = true}};
+const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}, .appearance = true},
+                                            {.scale = 3000, .count = {}, .appearance = true},
+                                            {.scale = 3000, .count = {}, .threads = 3, .appearance = true},
+                                            {.count = 1, .appearance = true},
+                                            {.count = 25'000, .appearance = true},
+                                            {.count = 25'000, .threads = 3, .appearance = true}};
 
 }  // namespace
 

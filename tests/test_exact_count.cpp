@@ -40,7 +40,7 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
     std::set<std::pair<float, float>> darker;
     for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
         Dots dots;
-        const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, dots);
+        const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, dots);
         REQUIRE(scale);
         CHECK(dots.size() == count);
         CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
@@ -59,7 +59,7 @@ TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on a
     Placer placer = placer_of(random_tile(kTurning, 64, 8));
     const Density density(blotches(60, 45, 2));
     Dots all;
-    placer.place(density, {.scale = 60000, .critical = true}, all);
+    placer.place(density, {.scale = 60000, .appearance = true}, all);
     const std::vector<Dot> every = rows(all);
     for (const std::size_t count : {1u, 50u, 3000u, 40000u}) {
         std::vector<float> scales;
@@ -70,7 +70,7 @@ TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on a
         for (const int threads : {1, 2, 0}) {
             Dots dots;
             const auto scale =
-                placer.place_exactly(density, {.count = count, .critical = true, .threads = threads}, dots);
+                placer.place_exactly(density, {.count = count, .appearance = true, .threads = threads}, dots);
             REQUIRE(scale);
             std::vector<Dot> kept = rows(dots);
             REQUIRE(kept.size() == count);
@@ -96,9 +96,9 @@ TEST_CASE("an exact count comes in pieces as it comes whole, on any number of th
     for (const Density& density : {Density(blotches(60, 45, 2)), Density(Grid<float>(9, 9, 1.0f))}) {
         for (const std::size_t count : {0u, 1u, 777u, 50000u}) {
             Dots whole;
-            const auto scale = placer.place_exactly(density, {.count = count, .critical = true}, whole);
+            const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, whole);
             for (const int threads : {1, 3}) {
-                const ExactCount request{.count = count, .critical = true, .threads = threads};
+                const ExactCount request{.count = count, .appearance = true, .threads = threads};
                 const auto cut = placer.find_cut(density, request);
                 REQUIRE(cut);
                 CHECK(cut->last_scale() == doctest::Approx(*scale));
@@ -137,12 +137,12 @@ TEST_CASE("by priority, the first n dots are the drawing of n dots, ties and all
         Placer placer = placer_of(tile);
         for (const Density* density : {&black, &grey, &picture}) {
             Dots sorted;
-            placer.place_exactly(*density, {.count = 30'000, .critical = true}, sorted);
+            placer.place_exactly(*density, {.count = 30'000, .appearance = true}, sorted);
             sort_dots(sorted, DotOrder::priority);
             const std::vector<Dot> by_priority = rows(sorted);
             for (const std::size_t count : {1u, 2u, 100u, 12'345u, 21'000u, 29'999u}) {
                 Dots lighter;
-                placer.place_exactly(*density, {.count = count, .critical = true}, lighter);
+                placer.place_exactly(*density, {.count = count, .appearance = true}, lighter);
                 std::vector<Dot> first(by_priority.begin(), by_priority.begin() + count),
                     found = rows(lighter);
                 std::ranges::sort(first);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,11 +16,11 @@ namespace {
 
 struct Placed {
     std::vector<float> x, y, threshold, critical;
-    std::vector<std::pair<std::size_t, float>> late;
+    std::vector<std::tuple<std::size_t, float, float>> late;
     bool operator==(const Placed&) const = default;
 };
 
-Placed run(const Kernels& kernels, const KernelSquare& square, bool critical, bool late) {
+Placed run(const Kernels& kernels, const KernelSquare& square, bool appearance, bool late) {
     Placed placed{std::vector<float>(256),
                   std::vector<float>(256),
                   std::vector<float>(256),
@@ -27,14 +28,17 @@ Placed run(const Kernels& kernels, const KernelSquare& square, bool critical, bo
                   {}};
     std::vector<LateDot> late_dots(256);
     const PlacedCount count = kernels.place(
-        square, {placed.x.data(), placed.y.data(), placed.threshold.data(),
-                 critical ? placed.critical.data() : nullptr, late ? late_dots.data() : nullptr, 1000});
+        square, {placed.x.data(), placed.y.data(), appearance ? placed.threshold.data() : nullptr,
+                 appearance ? placed.critical.data() : nullptr, late ? late_dots.data() : nullptr, 1000});
     for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold, &placed.critical}) {
         column->resize(count.dots);
     }
-    if (!critical) placed.critical.clear();
+    if (!appearance) {
+        placed.threshold.clear();
+        placed.critical.clear();
+    }
     for (std::size_t i = 0; i < count.late; ++i)
-        placed.late.emplace_back(late_dots[i].index, late_dots[i].critical);
+        placed.late.emplace_back(late_dots[i].index, late_dots[i].threshold, late_dots[i].critical);
     return placed;
 }
 
@@ -105,20 +109,22 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         square.height = 29;
         square.early_per_density = 0.9f * square.births_per_density;
         if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
-        for (const bool critical : {false, true}) {
+        for (const bool appearance : {false, true}) {
             for (const bool late : {false, true}) {
-                const Placed expected = run(kBaselineKernels, square, critical, late);
+                const Placed expected = run(kBaselineKernels, square, appearance, late);
                 dots += expected.x.size();
                 late_dots += expected.late.size();
                 for (const Kernels* kernels : all) {
-                    if (run(*kernels, square, critical, late) != expected) FAIL("trial ", trial);
+                    if (run(*kernels, square, appearance, late) != expected) FAIL("trial ", trial);
                 }
                 // What is late has the critical scale that every dot has, and the others come earlier.
-                if (!critical || !late) continue;
+                if (!appearance || !late) continue;
                 std::size_t next = 0;
                 for (std::size_t i = 0; i < expected.x.size(); ++i) {
-                    const bool listed = next < expected.late.size() && expected.late[next].first == 1000 + i;
-                    if (listed) CHECK(expected.late[next++].second == expected.critical[i]);
+                    const bool listed = next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
+                    if (listed)
+                        CHECK(expected.late[next++] ==
+                              std::tuple(1000 + i, expected.threshold[i], expected.critical[i]));
                     const float early =
                         expected.threshold[i] / expected.critical[i] * square.early_per_density;
                     if (listed != !(early > expected.threshold[i] / 4) &&
@@ -156,15 +162,14 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
         const Placed expected = run(kBaselineKernels, square, false, false);
         square.sure_below = square.births_per_density * *least;
         for (const Kernels* kernels : all) {
-            Placed placed{std::vector<float>(256), std::vector<float>(256), std::vector<float>(256), {}, {}};
-            const KernelOutput output{placed.x.data(), placed.y.data(), placed.threshold.data()};
+            Placed placed{std::vector<float>(256), std::vector<float>(256), {}, {}, {}};
+            const KernelOutput output{placed.x.data(), placed.y.data()};
             const SurePoints sure = kernels->place_sure(square, output);
             if (even) CHECK(sure.all);
             square.first = sure.count;
             const std::size_t count = sure.all ? sure.count : kernels->place(square, output).dots;
             square.first = 0;
-            for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold})
-                column->resize(count);
+            for (std::vector<float>* column : {&placed.x, &placed.y}) column->resize(count);
             if (placed != expected) FAIL("trial ", trial);
             decided += !even && sure.all;
             partly += !sure.all && sure.count > 0;

@@ -37,7 +37,7 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
     const Density density(blotches(80, 70, 5));
     const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
     for (const PageWindow& window : {PageWindow{}, part}) {
-        PlacingRequest request{.scale = 40000, .window = window, .critical = true};
+        PlacingRequest request{.scale = 40000, .window = window, .appearance = true};
         Dots whole;
         REQUIRE(placer.place(density, request, whole));
         CHECK(whole.size() > 20000);

@@ -114,18 +114,23 @@ TEST_CASE("the number of dots is 16 * scale * mean density, and grows one dot at
     CHECK(placed(table, grey, {1024.001}).size() == 16384);
 }
 
-TEST_CASE("dots are the same, in the same order, on any number of threads") {
+TEST_CASE(
+    "dots are the same, in the same order, on any number of threads, with their appearance or without") {
     const Tile tile = random_tile(kTurning, 64, 11);
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
     const Density density(blotches(90, 60, 3));
     const Dots one = placed(table, density, {20000, {}, true, 1});
     CHECK(one.size() > 30000);
-    for (const int threads : {2, 3, 0}) {
-        const Dots many = placed(table, density, {20000, {}, true, threads});
-        CHECK(many.x == one.x);
-        CHECK(many.y == one.y);
-        CHECK(many.threshold == one.threshold);
-        CHECK(many.critical == one.critical);
+    CHECK(one.threshold.size() == one.size());
+    CHECK(one.critical.size() == one.size());
+    for (const bool appearance : {true, false}) {
+        for (const int threads : {1, 2, 3, 0}) {
+            const Dots many = placed(table, density, {20000, {}, appearance, threads});
+            CHECK(many.x == one.x);
+            CHECK(many.y == one.y);
+            CHECK(many.threshold == (appearance ? one.threshold : FloatBuffer{}));
+            CHECK(many.critical == (appearance ? one.critical : FloatBuffer{}));
+        }
     }
 }
 

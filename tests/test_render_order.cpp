@@ -30,7 +30,7 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         DrawingSettings settings;
         settings.stipple.count = count;
         settings.stipple.scale = 2500;
-        settings.stipple.critical = true;
+        settings.stipple.appearance = true;
         const Density density(density_of(read_picture(scene("cat.png")).light, settings.tone));
         RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
         Stippling drawn;

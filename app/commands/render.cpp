@@ -56,7 +56,7 @@ void check_files(const RenderOptions& options) {
 // The count or scale that is asked for, made sure to be possible.
 StippleRequest request_for(const RenderOptions& options, const Density& density) {
     StippleRequest request = options.drawing.stipple;
-    request.critical =
+    request.appearance =
         drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
     if (request.count && density.mean() == 0) {
         throw std::runtime_error(
@@ -110,7 +110,7 @@ Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
 DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRequest& request,
                         Stippling& whole) {
     stipple(tile, density, request.stipple, whole);
-    if (request.stipple.critical) fill_critical_scales(whole.dots, density);
+    if (request.stipple.appearance) fill_critical_scales(whole.dots, density);
     cut_to(request.part, whole.dots);
     return stream_of(whole.dots, whole.scale);
 }

@@ -62,7 +62,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order) {
     const auto append = [](FloatBuffer& to, const FloatBuffer& from) {
         to.insert(to.end(), from.begin(), from.end());
     };
-    for (FloatBuffer* column : {&all.x, &all.y, &all.threshold}) column->reserve(stream.count);
+    all.reserve(stream.count, false);
     stream.for_each_piece([&](const Dots& piece) {
         append(all.x, piece.x);
         append(all.y, piece.y);

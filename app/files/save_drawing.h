@@ -30,7 +30,7 @@ DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
 Dots sorted_dots(const DotStream& stream, DotOrder order);
 
 struct DrawingToSave {
-    DotStream dots;  // with Dots::critical if they go into a table
+    DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
     std::optional<PageBox> picture = {};     // where they end; none: at the page's edges

@@ -60,6 +60,10 @@ class TileWalk {
 
 }  // namespace
 
+bool tells_birthplaces(const DotColourChoice& choice) {
+    return choice.colouring != DotColouring::ink || choice.deepest_level < kDeepestStep;
+}
+
 std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
                                                std::size_t tile_size, int deepest, glm::vec3 ink) {
     if (deepest >= kDeepestStep) return colours;

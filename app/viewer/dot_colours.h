@@ -26,6 +26,9 @@ struct DotColourChoice {
     bool operator==(const DotColourChoice&) const = default;
 };
 
+/// Whether that choice needs Dots::threshold.
+bool tells_birthplaces(const DotColourChoice& choice);
+
 /// What the colours are looked up in: the tile that the dots were placed with, and their window.
 struct DotOrigins {
     std::size_t tile_size = 16;  // points

@@ -43,22 +43,23 @@ double bytes_of(const Write& write) {
     return count.bytes();
 }
 
-Dots sample_of(const Dots& dots) {
+// Of when they appear any numbers with as many digits will do: a drawing on screen has none.
+Dots sample_of(const Dots& dots, double scale) {
     Dots sample;
     const std::size_t step = 1 + dots.size() / kSample;
     for (std::size_t i = 0; i < dots.size(); i += step) {
         sample.x.push_back(dots.x[i]);
         sample.y.push_back(dots.y[i]);
-        sample.threshold.push_back(dots.threshold[i]);
-        // Any number with as many digits.
-        sample.critical.push_back(dots.threshold[i] * 1.2345f);
+        const double share = static_cast<double>(i + 1) / static_cast<double>(dots.size());
+        sample.threshold.push_back(static_cast<float>(scale * share));
+        sample.critical.push_back(static_cast<float>(scale * share * 1.2345));
     }
     return sample;
 }
 
 template <class WriteDots>
 double text_bytes(const EstimatedDrawing& drawing, const WriteDots& write) {
-    const Dots sample = sample_of(drawing.dots);
+    const Dots sample = sample_of(drawing.dots, drawing.scale);
     DotStream stream = stream_of(sample, drawing.scale);
     const double all = static_cast<double>(drawing.dots.size());
     const double share = all / static_cast<double>(std::max<std::size_t>(sample.size(), 1));

@@ -68,11 +68,11 @@ void Session::save(const fs::path& path) {
         PlacedDrawing drawing;
         PlaceOrder order = order_of(drawn, choice);
         order.most_dots = most;
-        order.stipple.critical = format == DrawingFormat::csv ||
-                                 (format == DrawingFormat::svg && saving.order == DotOrder::priority);
+        order.stipple.appearance = format == DrawingFormat::csv ||
+                                   (format == DrawingFormat::svg && saving.order == DotOrder::priority);
         if (!bench.place(order, drawing, stop)) return {};
         const Density& density = bench.density(drawn.tone, choice);
-        if (order.stipple.critical) fill_critical_scales(drawing.stippling.dots, density);
+        if (order.stipple.appearance) fill_critical_scales(drawing.stippling.dots, density);
         Dots& dots = drawing.stippling.dots;
         if (format != DrawingFormat::png)
             sort_dots(dots, saving.order.value_or(usual_order(format, dots.size())));

@@ -101,7 +101,8 @@ bool stipple_about(RankedTile& tile, const Density& page, StippleRequest request
 
 bool place_page(RankedTile& ranked, const Density& page, const PlaceOrder& order, PlacedDrawing& drawing,
                 const std::stop_token& stop) {
-    const StippleRequest request = within_limit(order.stipple, page, order.most_dots);
+    StippleRequest request = within_limit(order.stipple, page, order.most_dots);
+    if (tells_birthplaces(order.colours)) request.appearance = true;
     const bool about = request.placer == PlacerKind::figure8 && request.count;
     if (!(about ? stipple_about(ranked, page, request, drawing.stippling, stop)
                 : stipple(ranked, page, request, drawing.stippling, stop)))
@@ -118,7 +119,7 @@ bool place_close(RankedTile& ranked, const Density& page, const PlaceOrder& orde
     const double limit = scale_for(order.most_dots, density_in(page, order.close->window));
     const PlacingRequest request{.scale = std::min(order.close->scale, limit),
                                  .window = order.close->window,
-                                 .critical = true,
+                                 .appearance = true,
                                  .threads = order.stipple.threads};
     drawing.stippling.scale = request.scale;
     drawing.stippling.duplicates = 0;

@@ -12,7 +12,7 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
     text << "x_mm,y_mm,radius_mm,level,rank,critical_scale\n";
     DotsReport report(dots.count, progress);
     dots.for_each_piece([&](const Dots& piece) {
-        assert(piece.critical.size() == piece.size());
+        assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
             const Birthplace birth = birthplace_of(piece.threshold[i], columns.tile_size);

@@ -48,9 +48,11 @@ std::uint32_t key_of(const Dots& dots, std::size_t i, DotOrder order) {
 // Keys by which dots are sorted by priority, where some of them tie.
 void sort_ties(const Dots& dots, std::vector<std::uint64_t>& keys) {
     const auto critical = [](std::uint64_t key) { return key >> 32; };
-    const auto first_by_tie = [&](std::uint64_t a, std::uint64_t b) {
-        return tie_key(dots, static_cast<std::uint32_t>(a)) < tie_key(dots, static_cast<std::uint32_t>(b));
+    const auto tie_of = [&](std::uint64_t key) {
+        const auto i = static_cast<std::uint32_t>(key);
+        return tie_key(dots.x[i], dots.y[i], dots.threshold[i]);
     };
+    const auto first_by_tie = [&](std::uint64_t a, std::uint64_t b) { return tie_of(a) < tie_of(b); };
     for (auto first = keys.begin(); first != keys.end();) {
         const auto last = std::find_if(first, keys.end(),
                                        [&](std::uint64_t key) { return critical(key) != critical(*first); });

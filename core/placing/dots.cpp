@@ -22,6 +22,17 @@ void deallocate_large(void* memory) {
     ::operator delete(memory, kHugePage);
 }
 
+void Dots::resize(std::size_t count, bool appearance) {
+    for (FloatBuffer* column : {&x, &y}) column->resize(count);
+    for (FloatBuffer* column : {&threshold, &critical}) column->resize(appearance ? count : 0);
+}
+
+void Dots::reserve(std::size_t count, bool appearance) {
+    for (FloatBuffer* column : {&x, &y}) column->reserve(count);
+    if (!appearance) return;
+    for (FloatBuffer* column : {&threshold, &critical}) column->reserve(count);
+}
+
 Birthplace birthplace_of(float threshold, std::size_t tile_size) {
     double birth = threshold * 16.0;
     const auto n = static_cast<double>(tile_size);

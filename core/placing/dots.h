@@ -43,20 +43,22 @@ struct UnsetAllocator : std::allocator<T> {
 };
 using FloatBuffer = std::vector<float, UnsetAllocator<float>>;
 
-/// Dots as columns of equal length.
+/// Dots as columns of equal length; those that say when a dot appears are empty unless asked for.
 struct Dots {
     FloatBuffer x, y;  // page units, from the window's origin
     FloatBuffer
         threshold;         // the dot exists where scale * density > threshold; says level and rank, see below
-    FloatBuffer critical;  // critical scale: the dot exists at scales above this. Empty unless asked for
+    FloatBuffer critical;  // critical scale: the dot exists at scales above this
 
     std::size_t size() const { return x.size(); }
+    void resize(std::size_t count, bool appearance);
+    void reserve(std::size_t count, bool appearance);
 };
 
 /// A dot among others, and when it appears.
 struct LateDot {
     std::size_t index;
-    float critical;
+    float threshold, critical;
 };
 using LateDots = std::vector<LateDot, UnsetAllocator<LateDot>>;
 

@@ -24,9 +24,13 @@ double margin(std::uint64_t count) {
 PlacingRequest request_at(const ExactCount& request, double scale) {
     PlacingRequest placing;
     placing.scale = scale;
-    placing.critical = request.critical;
+    placing.appearance = request.appearance;
     placing.threads = request.threads;
     return placing;
+}
+
+TieKey tie_of(const Dots& dots, const LateDot& dot) {
+    return tie_key(dots.x[dot.index], dots.y[dot.index], dot.threshold);
 }
 
 // Drops the dots beyond a cut from a drawing that comes whole or piece after piece.
@@ -39,7 +43,7 @@ class Cutter {
         dropped_.clear();
         for (const LateDot& dot : late) {
             const bool stays =
-                dot.critical < limit_ || (dot.critical == limit_ && tie_key(dots, dot.index) <= last_tie_);
+                dot.critical < limit_ || (dot.critical == limit_ && tie_of(dots, dot) <= last_tie_);
             if (!stays) dropped_.push_back(dot.index);
         }
         if (dropped_.empty()) return;
@@ -72,8 +76,8 @@ class Counter : public PieceTaker {
     bool take_in_turn(PieceMemory& piece) override {
         count_ += piece.dots.size();
         for (const LateDot& dot : piece.emitter.late) {
-            late_.push_back({keys_.size(), dot.critical});
-            keys_.push_back(tie_key(piece.dots, dot.index));
+            late_.push_back({keys_.size(), dot.threshold, dot.critical});
+            keys_.push_back(tie_of(piece.dots, dot));
         }
         return true;
     }
@@ -101,7 +105,7 @@ CountCut cut_among(PlacerMemory& memory, std::size_t kept, KeyOf key_of) {
     std::vector<TieKey>& ties = memory.ties;
     ties.clear();
     for (const LateDot& dot : late) {
-        if (dot.critical == cut.limit) ties.push_back(key_of(dot.index));
+        if (dot.critical == cut.limit) ties.push_back(key_of(dot));
     }
     std::nth_element(ties.begin(), ties.begin() + kept_ties, ties.end());
     cut.last_tie = ties[static_cast<std::size_t>(kept_ties)];
@@ -110,7 +114,7 @@ CountCut cut_among(PlacerMemory& memory, std::size_t kept, KeyOf key_of) {
 
 // Tries scales until the end of the drawing lies between two of them. place(scale, early scale) places and
 // returns how many dots there are, the late ones of them in memory; nothing if stopped. key_of() gives the
-// tie key of a late dot by its index.
+// tie key of a late dot.
 template <class Place, class KeyOf>
 std::optional<CountCut> find_end(const Density& density, std::uint64_t count, PlacerMemory& memory,
                                  Place place, KeyOf key_of) {
@@ -164,7 +168,7 @@ std::optional<double> Placer::place_exactly(const Density& density, const ExactC
         if (!place_columns(traversal, *memory_, dots, stop)) return std::nullopt;
         return dots.size();
     };
-    const auto key_of = [&](std::size_t index) { return tie_key(dots, index); };
+    const auto key_of = [&](const LateDot& dot) { return tie_of(dots, dot); };
     const std::optional<CountCut> cut = find_end(density, request.count, *memory_, place, key_of);
     if (!cut) return std::nullopt;
     Cutter(*cut, memory_->dropped).cut(dots, memory_->emitter.late);
@@ -182,7 +186,8 @@ std::optional<CountCut> Placer::find_cut(const Density& density, const ExactCoun
         keys = counter.take_keys();
         return counter.count();
     };
-    return find_end(density, request.count, *memory_, place, [&](std::size_t index) { return keys[index]; });
+    return find_end(density, request.count, *memory_, place,
+                    [&](const LateDot& dot) { return keys[dot.index]; });
 }
 
 bool Placer::place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,

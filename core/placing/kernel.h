@@ -51,7 +51,8 @@ struct KernelSquare {
     int width = 0, height = 0;
 };
 
-/// Where dots go; room for all the square's points plus kKernelPadding. critical and late may be null.
+/// Where dots go; room for all the square's points plus kKernelPadding. threshold and critical are null
+/// together, late too may be.
 struct KernelOutput {
     float* x = nullptr;
     float* y = nullptr;
@@ -77,7 +78,7 @@ inline constexpr std::size_t kKernelPadding = kBlockPoints;
 
 struct Kernels {
     /// Writes sure points of a square without edges, in the order of their births. Its first point and what
-    /// belongs to its source may be unset; output.critical is not written.
+    /// belongs to its source may be unset; only output.x and y are written.
     SurePoints (*place_sure)(const KernelSquare& square, const KernelOutput& output);
 
     /// Writes the square's dots from its first point on, in the same order, behind those that are there.

@@ -58,10 +58,9 @@ inline Lanes load(const float* p) {
 inline void store(float* p, Lanes a) {
     _mm256_storeu_ps(p, a.v);
 }
-inline std::size_t pack(float* p, Lanes a, Mask keep) {
+inline void pack(float* p, Lanes a, Mask keep) {
     const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(kPackOrder.lane[keep]));
     _mm256_storeu_ps(p, _mm256_permutevar8x32_ps(a.v, order));
-    return static_cast<std::size_t>(__builtin_popcount(keep));
 }
 struct Whole {
     __m256i v;

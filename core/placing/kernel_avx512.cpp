@@ -42,10 +42,9 @@ inline Lanes load(const float* p) {
 inline void store(float* p, Lanes a) {
     _mm512_storeu_ps(p, a.v);
 }
-inline std::size_t pack(float* p, Lanes a, Mask keep) {
+inline void pack(float* p, Lanes a, Mask keep) {
     // To a register, then whole to memory: compressing straight to memory is very slow on some processors.
     _mm512_storeu_ps(p, _mm512_maskz_compress_ps(keep, a.v));
-    return static_cast<std::size_t>(__builtin_popcount(keep));
 }
 struct Whole {
     __m512i v;

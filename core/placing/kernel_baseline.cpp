@@ -40,9 +40,8 @@ inline Lanes load(const float* p) {
 inline void store(float* p, Lanes a) {
     *p = a.v;
 }
-inline std::size_t pack(float* p, Lanes a, Mask keep) {
+inline void pack(float* p, Lanes a, Mask) {
     *p = a.v;
-    return keep ? 1 : 0;
 }
 using Whole = std::int32_t;
 

@@ -40,23 +40,24 @@ template <Source kSource>
     if (!out.beyond_caches || point % kBlockPoints != 0) return;
     __builtin_prefetch(out.x + at + kAhead, 1);
     __builtin_prefetch(out.y + at + kAhead, 1);
-    __builtin_prefetch(out.threshold + at + kAhead, 1);
 }
 
 // Few dots are late: one by one.
-inline void list_late(Mask late, Mask exists, Lanes critical, const KernelOutput& out, PlacedCount& placed) {
-    float values[kWidth];
-    store(values, critical);
+inline void list_late(Mask late, Mask exists, Lanes threshold, Lanes density, const KernelOutput& out,
+                      PlacedCount& placed) {
+    float thresholds[kWidth], criticals[kWidth];
+    store(thresholds, threshold);
+    store(criticals, threshold / density);
     for (unsigned bits = bits_of(late); bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits);
         const unsigned before = bits_of(exists) & ((1u << lane) - 1);
         out.late[placed.late++] = {
             out.first_index + placed.dots + static_cast<std::size_t>(__builtin_popcount(before)),
-            values[lane]};
+            thresholds[lane], criticals[lane]};
     }
 }
 
-template <Source kSource, bool kCritical, bool kLate>
+template <Source kSource, bool kAppearance, bool kLate>
 inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& output) {
     const KernelSquare s = square;  // copies: no store can change them, so that they stay in registers
     const KernelOutput out = output;
@@ -70,27 +71,29 @@ inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& 
         ask_for_lines(out, i, placed.dots);
         const Lanes birth = load(points.birth + at);
         const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
-        const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
-        if (!kCritical && !s.at_edge && points.birth[at + kWidth - 1] < s.sure_below) {
+        if (!kAppearance && !s.at_edge && points.birth[at + kWidth - 1] < s.sure_below) {
             store(out.x + placed.dots, page_x);
             store(out.y + placed.dots, page_y);
-            store(out.threshold + placed.dots, threshold);
             placed.dots += kWidth;
             continue;
         }
         const Lanes density = density_at<kSource>(s, block, x, y);
         Mask exists = density * Lanes(s.births_per_density) > birth;
         if (s.at_edge) exists = both(exists, in_edges(s, x, y));
+        const Lanes threshold = birth * Lanes(s.threshold_per_birth);
         if (kLate) {
             const Mask late = without(exists, density * Lanes(s.early_per_density) > birth);
-            if (bits_of(late) != 0) list_late(late, exists, threshold / density, out, placed);
+            if (bits_of(late) != 0) list_late(late, exists, threshold, density, out, placed);
         }
         pack(out.x + placed.dots, page_x, exists);
         pack(out.y + placed.dots, page_y, exists);
-        if (kCritical) pack(out.critical + placed.dots, threshold / density, exists);
-        placed.dots += pack(out.threshold + placed.dots, threshold, exists);
+        if (kAppearance) {
+            pack(out.threshold + placed.dots, threshold, exists);
+            pack(out.critical + placed.dots, threshold / density, exists);
+        }
+        placed.dots += static_cast<std::size_t>(__builtin_popcount(bits_of(exists)));
     }
 }
 
@@ -102,7 +105,6 @@ SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
         const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
         store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
-        store(out.threshold + i, load(points.birth + at) * Lanes(s.threshold_per_birth));
     };
     for (std::size_t i = 0;; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
@@ -120,15 +122,15 @@ SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
     }
 }
 
-template <bool kCritical, bool kLate>
+template <bool kAppearance, bool kLate>
 inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
         case Source::block:
-            return place_points<Source::block, kCritical, kLate>(s, out);
+            return place_points<Source::block, kAppearance, kLate>(s, out);
         case Source::picture:
-            return place_points<Source::picture, kCritical, kLate>(s, out);
+            return place_points<Source::picture, kAppearance, kLate>(s, out);
         case Source::clamped:
-            return place_points<Source::clamped, kCritical, kLate>(s, out);
+            return place_points<Source::clamped, kAppearance, kLate>(s, out);
     }
     return {};
 }

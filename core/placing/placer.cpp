@@ -12,42 +12,37 @@ namespace dapple {
 
 namespace {
 
-constexpr double kPieceDots = 16384;       // 192 KiB: leaves most of a core's own cache to the density
+constexpr double kPieceDots = 16384;       // 128 KiB: leaves most of a core's own cache to the density
 constexpr double kLeastPieceDots = 1024;   // smaller ones are not worth handing over
 constexpr double kPiecesPerThread = 8;     // so that threads finish together
 constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
 
-void resize(Dots& dots, std::size_t count, bool critical) {
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->resize(count);
-    dots.critical.resize(critical ? count : 0);
-}
-
 // Room for what is expected, so that columns need not grow, which takes twice the memory.
-void reserve(Dots& dots, double expected, bool critical) {
+void reserve(Dots& dots, double expected, bool appearance) {
     const auto room = static_cast<std::size_t>(std::min(expected * 1.01, 1e12)) + 4096;
-    if (dots.x.capacity() >= room && (!critical || dots.critical.capacity() >= room)) return;
+    if (dots.x.capacity() >= room && (!appearance || dots.critical.capacity() >= room)) return;
     dots = {};
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold}) column->reserve(room);
-    if (critical) dots.critical.reserve(room);
+    dots.reserve(room, appearance);
 }
 
 // Puts pieces into columns, each thread its own.
 class Collector : public PieceTaker {
  public:
-    Collector(Dots& dots, LateDots& late, bool critical) : dots_(dots), late_(late), critical_(critical) {
+    Collector(Dots& dots, LateDots& late, bool appearance)
+        : dots_(dots), late_(late), appearance_(appearance) {
         late_.clear();
-        resize(dots_, dots_.x.capacity(), critical_);
+        dots_.resize(dots_.x.capacity(), appearance_);
     }
 
     bool take_in_turn(PieceMemory& piece) override {
         piece.start = count_;
         count_ += piece.dots.size();
         for (const LateDot& dot : piece.emitter.late) {
-            late_.push_back({piece.start + dot.index, dot.critical});
+            late_.push_back({piece.start + dot.index, dot.threshold, dot.critical});
         }
         if (count_ > dots_.x.size()) {
             const std::unique_lock nobody_copies(copying_);
-            resize(dots_, std::max(count_, dots_.x.size() + dots_.x.size() / 2), critical_);
+            dots_.resize(std::max(count_, dots_.x.size() + dots_.x.size() / 2), appearance_);
         }
         return true;
     }
@@ -60,7 +55,7 @@ class Collector : public PieceTaker {
         copy(piece.dots.critical, dots_.critical, piece.start);
     }
 
-    void finish() { resize(dots_, count_, critical_); }
+    void finish() { dots_.resize(count_, appearance_); }
 
  private:
     static void copy(const FloatBuffer& from, FloatBuffer& to, std::size_t at) {
@@ -69,7 +64,7 @@ class Collector : public PieceTaker {
 
     Dots& dots_;
     LateDots& late_;
-    const bool critical_;
+    const bool appearance_;
     std::size_t count_ = 0;
     std::shared_mutex copying_;
 };
@@ -104,14 +99,14 @@ bool hand_over_pieces(const Traversal& traversal, PlacerMemory& memory, PieceTak
 
 bool place_columns(const Traversal& traversal, PlacerMemory& memory, Dots& dots,
                    const std::stop_token& stop) {
-    const bool critical = traversal.request().critical, whole_page = traversal.root().in_window;
+    const bool appearance = traversal.request().appearance, whole_page = traversal.root().in_window;
     const double expected = expected_dots(traversal);
-    if (whole_page) reserve(dots, expected, critical);
+    if (whole_page) reserve(dots, expected, appearance);
     if (threads_for(traversal.request().threads) == 1 || (whole_page && expected < kWorthSharing)) {
         SquareEmitter emitter(traversal, dots, memory.emitter);
         return place_all(traversal, emitter, stop);
     }
-    Collector collector(dots, memory.emitter.late, critical);
+    Collector collector(dots, memory.emitter.late, appearance);
     const bool done = hand_over_pieces(traversal, memory, collector, stop);
     collector.finish();
     return done;

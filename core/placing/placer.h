@@ -32,10 +32,10 @@ struct PageWindow {
 enum class PlacingOrigin { window, page };
 
 struct PlacingRequest {
-    double scale = 0;       // finite, >= 0: about 16 * scale * mean density dots, whatever the tile
-    PageWindow window{};    // which dots: those whose position is in [x, x + width) x [y, y + height)
-    bool critical = false;  // fill Dots::critical too
-    int threads = 1;        // the dots and their order are the same for any number; 0: all cores
+    double scale = 0;         // finite, >= 0: about 16 * scale * mean density dots, whatever the tile
+    PageWindow window{};      // which dots: those whose position is in [x, x + width) x [y, y + height)
+    bool appearance = false;  // fill Dots::threshold and Dots::critical too
+    int threads = 1;          // the dots and their order are the same for any number; 0: all cores
     PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots have
 };
 
@@ -43,8 +43,8 @@ struct PlacingRequest {
 /// equal, the first in the order of core/placing/tie_order.h.
 struct ExactCount {
     std::uint64_t count = 0;
-    bool critical = false;  // fill Dots::critical too
-    int threads = 1;        // as above
+    bool appearance = false;  // as above
+    int threads = 1;
 };
 
 /// Where a drawing of exactly so many dots ends.

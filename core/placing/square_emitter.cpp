@@ -9,16 +9,8 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
-constexpr std::size_t kBeyondCaches = 2 << 20;  // dots: three columns of 8 MiB
+constexpr std::size_t kBeyondCaches = 2 << 20;  // dots: two columns of 8 MiB
 constexpr float kCloseBounds = 0.95f;
-
-// Columns are used to their full capacity while dots are appended.
-void resize_all(Dots& dots, std::size_t count, bool critical) {
-    dots.x.resize(count);
-    dots.y.resize(count);
-    dots.threshold.resize(count);
-    dots.critical.resize(critical ? count : 0);
-}
 
 // The lowest single number that is not below this: comparing with it, singles compare as with the double.
 float not_below(double value) {
@@ -31,12 +23,13 @@ float not_below(double value) {
 SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory)
     : traversal_(traversal), dots_(dots), memory_(memory), kernels_(best_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
-    resize_all(dots_, capacity_, traversal_.request().critical);
+    dots_.resize(capacity_,
+                 traversal_.request().appearance);  // to be used to the full while dots are appended
     if (traversal_.early_share()) memory_.late.resize(std::max(kFirstCapacity, memory_.late.capacity()));
 }
 
 SquareEmitter::~SquareEmitter() {
-    resize_all(dots_, count_, traversal_.request().critical);
+    dots_.resize(count_, traversal_.request().appearance);
     memory_.late.resize(late_);
 }
 
@@ -83,7 +76,7 @@ void SquareEmitter::emit(const Visit& visit) {
 
 // Whether the square's bounds may tell which of its points exist, so that nobody has to look the density up.
 bool SquareEmitter::may_be_decided(const KernelSquare& square, const CellPoints& points) const {
-    if (traversal_.request().critical || square.at_edge) return false;
+    if (traversal_.request().appearance || square.at_edge) return false;
     return square.sure_below > std::min(kCloseBounds * square.none_from, points.last_birth());
 }
 
@@ -169,19 +162,21 @@ PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         output.x[placed.dots] = s.centre_x + s.half_x * x;
         output.y[placed.dots] = s.centre_y + s.half_y * y;
         const float threshold = birth * s.threshold_per_birth;
-        output.threshold[placed.dots] = threshold;
-        if (output.critical) output.critical[placed.dots] = threshold / d;
+        if (output.critical) {
+            output.threshold[placed.dots] = threshold;
+            output.critical[placed.dots] = threshold / d;
+        }
         if (output.late && !(d * s.early_per_density > birth))
-            output.late[placed.late++] = {output.first_index + placed.dots, threshold / d};
+            output.late[placed.late++] = {output.first_index + placed.dots, threshold, threshold / d};
         ++placed.dots;
     }
 }
 
 KernelOutput SquareEmitter::room_for(std::size_t count) {
-    const bool critical = traversal_.request().critical;
+    const bool appearance = traversal_.request().appearance;
     if (count_ + count > capacity_) {
         capacity_ = std::max(count_ + count, capacity_ + capacity_ / 2);
-        resize_all(dots_, capacity_, critical);
+        dots_.resize(capacity_, appearance);
     }
     const bool late = traversal_.early_share().has_value();
     if (late && late_ + count > memory_.late.size()) {
@@ -189,8 +184,8 @@ KernelOutput SquareEmitter::room_for(std::size_t count) {
     }
     return {dots_.x.data() + count_,
             dots_.y.data() + count_,
-            dots_.threshold.data() + count_,
-            critical ? dots_.critical.data() + count_ : nullptr,
+            appearance ? dots_.threshold.data() + count_ : nullptr,
+            appearance ? dots_.critical.data() + count_ : nullptr,
             late ? memory_.late.data() + late_ : nullptr,
             count_,
             capacity_ >= kBeyondCaches};

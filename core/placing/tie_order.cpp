@@ -40,9 +40,8 @@ std::uint32_t dither_of(std::uint32_t column, std::uint32_t row, int digits) {
 
 }  // namespace
 
-TieKey tie_key(const Dots& dots, std::size_t index) {
-    const float x = dots.x[index], y = dots.y[index];
-    const int digits = digits_for(dots.threshold[index]);
+TieKey tie_key(float x, float y, float threshold) {
+    const int digits = digits_for(threshold);
     const auto cell = [digits](float position) {
         const auto cells = static_cast<float>(1u << digits);
         return static_cast<std::uint32_t>(std::clamp(position * cells, 0.0f, cells - 1));

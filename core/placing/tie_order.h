@@ -20,6 +20,6 @@ struct TieKey {
 };
 
 /// Dots that tie come by ascending key. Of a page whose positions are in page units from its corner.
-TieKey tie_key(const Dots& dots, std::size_t index);
+TieKey tie_key(float x, float y, float threshold);
 
 }  // namespace dapple
