@@ -12,7 +12,7 @@ namespace dapple {
 
 namespace {
 
-constexpr double kPieceDots = 16384;       // 128 KiB: leaves most of a core's own cache to the density
+constexpr double kPieceDots = 32768;       // 256 KiB: leaves most of a core's own cache to the density
 constexpr double kLeastPieceDots = 1024;   // smaller ones are not worth handing over
 constexpr double kPiecesPerThread = 8;     // so that threads finish together
 constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
