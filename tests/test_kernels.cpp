@@ -79,6 +79,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         const CellPoints points = some_points(random);
         KernelSquare square;
         square.points = points.blocks();
+        square.block_ends = points.block_ends();
         square.swap = random() % 2;
         square.centre_x = unit();
         square.centre_y = unit();
@@ -149,6 +150,7 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
         const CellPoints points = some_points(random);
         KernelSquare square;
         square.points = points.blocks();
+        square.block_ends = points.block_ends();
         square.swap = random() % 2;
         square.half_x = square.half_y = 0.01f;
         square.births_per_density = 100 * unit();

@@ -16,6 +16,7 @@ namespace dapple {
 /// -1..1.
 struct KernelSquare {
     const PointBlock* points = nullptr;  // by ascending birth, up to a birth of infinity
+    const float* block_ends = nullptr;   // each block's last birth
     bool swap = false;                   // x and y
     std::size_t first = 0;               // the first point to be tested; those before it are dots already
 
@@ -45,7 +46,7 @@ struct KernelSquare {
     // pixel is at 1, so that none is negative. In double precision: a point then has the same density with
     // whatever square it comes.
     double pixel_centre_x = 0, pixel_centre_y = 0, pixel_half_x = 0, pixel_half_y = 0;
-    float block[16] = {};                 // rows of four
+    float block[16];                      // rows of four; not set at first, as that takes a while
     int first_column = 0, first_row = 0;  // of the block; counted likewise
     const float* picture = nullptr;
     int width = 0, height = 0;

@@ -106,10 +106,15 @@ SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
         store(out.x + i, Lanes(s.centre_x) + Lanes(s.half_x) * x);
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
     };
-    for (std::size_t i = 0;; i += kWidth) {
+    std::size_t first = 0;
+    for (; s.block_ends[first / kBlockPoints] < s.sure_below; first += kBlockPoints) {
+        ask_for_lines(out, first, first);
+        const PointBlock& points = s.points[first / kBlockPoints];
+        for (std::size_t at = 0; at < kBlockPoints; at += kWidth) place(first + at, points, at);
+    }
+    for (std::size_t i = first;; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
-        ask_for_lines(out, i, i);
         if (points.birth[at + kWidth - 1] < s.sure_below) {
             place(i, points, at);
             continue;

@@ -110,12 +110,17 @@ float end_of_subtree(const PlacingTable& table, const Cell& cell, int generation
 
 void CellPoints::clear() {
     blocks_.assign(1, empty_block());
+    block_ends_.assign(1, blocks_[0].birth[kBlockPoints - 1]);
     size_ = 0;
 }
 
 void CellPoints::add(const CellPoint& point) {
     const std::size_t i = size_ % kBlockPoints;
-    if (i == 0) blocks_.push_back(empty_block());
+    if (i == 0) {
+        block_ends_.push_back(block_ends_.back());
+        blocks_.push_back(empty_block());
+    }
+    if (i == kBlockPoints - 1) block_ends_[size_ / kBlockPoints] = point.birth;
     PointBlock& block = blocks_[size_++ / kBlockPoints];
     block.at[0][i] = point.x;
     block.at[1][i] = point.y;

@@ -44,11 +44,14 @@ class CellPoints {
     CellPoint operator[](std::size_t i) const;
     float last_birth() const { return last_birth_; }
     const PointBlock* blocks() const { return blocks_.data(); }
+    /// Each block's last birth: infinity if it is not full.
+    const float* block_ends() const { return block_ends_.data(); }
 
  private:
     std::size_t size_ = 0;
     float last_birth_ = 0;
     std::vector<PointBlock> blocks_;  // the last is empty: there a kernel stops
+    std::vector<float> block_ends_;
 };
 
 struct Cell {

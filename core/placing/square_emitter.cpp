@@ -44,6 +44,7 @@ void SquareEmitter::emit(const Visit& visit) {
     const glm::dvec2 centre = traversal_.corner_in_window(visit.square) + scale.half;
     KernelSquare square;
     square.points = points.blocks();
+    square.block_ends = points.block_ends();
     square.swap = steps.swap;
     square.sign_x = steps.negate_x ? -1.0f : 1.0f;
     square.sign_y = steps.negate_y ? -1.0f : 1.0f;
@@ -102,6 +103,7 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
         square.source = KernelSquare::Source::block;
         square.first_column = static_cast<int>(range.first_column) + 1;
         square.first_row = static_cast<int>(range.first_row) + 1;
+        std::ranges::fill(square.block, 0.0f);
         for (std::int64_t j = range.first_row; j <= range.last_row; ++j) {
             float* const row = square.block + 4 * (j - range.first_row);
             for (std::int64_t i = range.first_column; i <= range.last_column; ++i) {
