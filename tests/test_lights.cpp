@@ -336,7 +336,7 @@ TEST_CASE("a region's light is that of the texels nearer to its dot than to any 
             nearest[static_cast<std::size_t>(owner - dots.begin())] += map.solid_angle(y);
         }
     }
-    const std::vector<Region> regions = share_light(map, dots, 0);
+    const std::vector<LightRegion> regions = share_light(map, dots, 0);
     for (std::size_t i = 0; i < dots.size(); ++i)
         CHECK(regions[i].solid_angle == doctest::Approx(nearest[i]).epsilon(0.02));
 }

@@ -57,7 +57,7 @@ TEST_CASE("every number of the paper comes out, and every figure, on one well-fo
 }
 
 TEST_CASE("a number that differs is an error that says where to look") {
-    const std::vector<Comparison> rows{{"a", "1.00", "1.00", "paper"}, {"b", "2.00", "2.01", "paper"}};
+    const std::vector<ComparedNumber> rows{{"a", "1.00", "1.00", "paper"}, {"b", "2.00", "2.01", "paper"}};
     CHECK_THROWS_WITH_AS(
         check_equal(rows, "paper/index.html"),
         "1 of 2 numbers differ from what should come out; they are marked in paper/index.html",

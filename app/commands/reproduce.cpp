@@ -27,17 +27,17 @@ void make_folder(const fs::path& folder) {
         throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
 }
 
-void add_table(HtmlPage& page, const std::vector<Comparison>& rows, const char* expected) {
+void add_table(HtmlPage& page, const std::vector<ComparedNumber>& rows, const char* expected) {
     std::vector<HtmlPage::Row> cells;
-    for (const Comparison& row : rows)
+    for (const ComparedNumber& row : rows)
         cells.push_back({.cells = {row.what, row.source, row.expected, row.ours, row.equal() ? "yes" : "NO"},
                          .kind = row.equal() ? HtmlPage::RowKind::good : HtmlPage::RowKind::bad});
     page.table({"What", "Source", expected, "Ours", "Equal?"}, cells);
 }
 
-std::string numbers_json(const std::vector<Comparison>& rows) {
+std::string numbers_json(const std::vector<ComparedNumber>& rows) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const Comparison& row : rows)
+    for (const ComparedNumber& row : rows)
         json.push_back({{"what", row.what},
                         {"source", row.source},
                         {"expected", row.expected},
@@ -53,8 +53,8 @@ void save_text(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-void check_equal(std::span<const Comparison> rows, const fs::path& page) {
-    const auto differ = std::ranges::count_if(rows, [](const Comparison& row) { return !row.equal(); });
+void check_equal(std::span<const ComparedNumber> rows, const fs::path& page) {
+    const auto differ = std::ranges::count_if(rows, [](const ComparedNumber& row) { return !row.equal(); });
     if (differ == 0) return;
     throw std::runtime_error(
         fmt::format("{} of {} numbers differ from what should come out; they are marked in {}", differ,
@@ -73,9 +73,9 @@ void reproduce(const ReproduceOptions& options) {
         "Self-Similar Hierarchical Tile\" (2006), worked out from scratch by dapple reproduce. Nothing here "
         "is copied from the paper but the numbers in the column headed so.");
 
-    const std::vector<Comparison> printed = compare_printed_numbers();
-    const std::vector<Comparison> counts = compare_figure8_counts();
-    const std::vector<Comparison> larger = compare_larger_tiles();
+    const std::vector<ComparedNumber> printed = compare_printed_numbers();
+    const std::vector<ComparedNumber> counts = compare_figure8_counts();
+    const std::vector<ComparedNumber> larger = compare_larger_tiles();
     page.heading("Table 1: numbers that the paper prints");
     add_table(page, printed, "Printed");
     page.paragraph(
@@ -99,7 +99,7 @@ void reproduce(const ReproduceOptions& options) {
     add_stippling_figures(page);
     add_light_figures(page, options.environments);
 
-    std::vector<Comparison> all = printed;
+    std::vector<ComparedNumber> all = printed;
     all.insert(all.end(), counts.begin(), counts.end());
     all.insert(all.end(), larger.begin(), larger.end());
     save_text(numbers_file, numbers_json(all));

@@ -23,7 +23,7 @@ struct ReproduceOptions {
 void reproduce(const ReproduceOptions& options);
 
 /// Throws std::runtime_error saying how many numbers differ, and naming `page`, unless none does.
-void check_equal(std::span<const Comparison> rows, const std::filesystem::path& page);
+void check_equal(std::span<const ComparedNumber> rows, const std::filesystem::path& page);
 
 /// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
 class ReproduceCommand {

@@ -68,7 +68,7 @@ std::vector<FoundTile> best_tiles(int points, std::size_t different_radii) {
 }
 
 template <std::size_t N>
-std::vector<FoundTile> add_radii(std::vector<Comparison>& rows, int points,
+std::vector<FoundTile> add_radii(std::vector<ComparedNumber>& rows, int points,
                                  const std::array<std::string_view, N>& printed, const char* source) {
     const std::vector<FoundTile> found = best_tiles(points, N);
     for (std::size_t i = 0; i < N; ++i)
@@ -126,8 +126,8 @@ int coinciding_points(const Tile& tile) {
 
 }  // namespace
 
-std::vector<Comparison> compare_printed_numbers() {
-    std::vector<Comparison> rows;
+std::vector<ComparedNumber> compare_printed_numbers() {
+    std::vector<ComparedNumber> rows;
     for (const BalancedShare& row : kBalancedShares)
         rows.push_back({fmt::format("balanced sequences of {} bits", row.length), std::string(row.share),
                         fmt::format("{:.1f} %", 100 * balanced_share(row.length)), kSection4});
@@ -154,7 +154,7 @@ std::vector<Comparison> compare_printed_numbers() {
     return rows;
 }
 
-std::vector<Comparison> compare_figure8_counts() {
+std::vector<ComparedNumber> compare_figure8_counts() {
     // Every rank of levels 0 to 5 needs less than 2500, and level 6 needs 1024 + 192 (r + 1/2), which is less
     // for r = 0..7: 16 (1 + 4 + ... + 4^5) + 8 * 4^6 dots. Different ones are the 16 * 4^5 of level 5 and
     // what level 6 adds. Each of the 16 points is inherited by one of four siblings and newborn in three, so
@@ -169,8 +169,8 @@ std::vector<Comparison> compare_figure8_counts() {
              fmt::format("{}", run.dots.size() - run.duplicates), source}};
 }
 
-std::vector<Comparison> compare_larger_tiles() {
-    std::vector<Comparison> rows;
+std::vector<ComparedNumber> compare_larger_tiles() {
+    std::vector<ComparedNumber> rows;
     const char* source = "this program's first search: the paper stops at 20 points";
     add_radii(rows, 24, std::array{kBestOf24}, source);
     add_radii(rows, 28, std::array{kBestOf28}, source);

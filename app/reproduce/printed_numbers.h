@@ -9,7 +9,7 @@
 namespace dapple {
 
 /// One number that should come out, and the one that did, to the same digits.
-struct Comparison {
+struct ComparedNumber {
     std::string what;
     std::string expected;
     std::string ours;
@@ -20,12 +20,12 @@ struct Comparison {
 
 /// Section 4: shares of balanced sequences, the best tiles of 16 and 20 points by an exhaustive search; the
 /// paper's tile and Appendix A. About a second on one core.
-std::vector<Comparison> compare_printed_numbers();
+std::vector<ComparedNumber> compare_printed_numbers();
 
 /// What follows from Figure 8 as printed: it places some dots twice. Counted by hand, and run.
-std::vector<Comparison> compare_figure8_counts();
+std::vector<ComparedNumber> compare_figure8_counts();
 
 /// What the paper's own search could not reach, 24 and 28 points: recorded when this program first did.
-std::vector<Comparison> compare_larger_tiles();
+std::vector<ComparedNumber> compare_larger_tiles();
 
 }  // namespace dapple

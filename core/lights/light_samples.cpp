@@ -120,11 +120,11 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
 
     const Stopwatch sharing;
     const bool drawn = request.position == SamplePosition::random;
-    const std::vector<Region> regions =
+    const std::vector<LightRegion> regions =
         share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt);
     result.samples.resize(dots.size());
     for (std::size_t i = 0; i < dots.size(); ++i) {
-        const Region& region = regions[i];
+        const LightRegion& region = regions[i];
         LightSample& sample = result.samples[i];
         sample.uv = dots[i];
         if (request.position == SamplePosition::centroid && glm::length(region.moment) > 0)

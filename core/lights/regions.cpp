@@ -205,14 +205,14 @@ RowPart part_of_row(const EnvironmentMap& map, int row, Side side) {
     return {std::sin(theta), std::cos(theta), map.solid_angle(row) / 2};
 }
 
-void add(Region& whole, const Pair& pair, const RowPart& part) {
+void add(LightRegion& whole, const Pair& pair, const RowPart& part) {
     whole.flux += pair.flux;
     whole.luminance += pair.luminance;
     whole.solid_angle += part.solid_angle;
     whole.moment += glm::dvec3(part.sine * pair.x, part.cosine * pair.luminance, part.sine * pair.z);
 }
 
-void add(Region& region, const Region& patch, double share, const glm::dvec3& moved) {
+void add(LightRegion& region, const LightRegion& patch, double share, const glm::dvec3& moved) {
     region.flux += share * patch.flux;
     region.luminance += share * patch.luminance;
     region.solid_angle += share * patch.solid_angle;
@@ -222,7 +222,7 @@ void add(Region& region, const Region& patch, double share, const glm::dvec3& mo
 // A texel drawn for each region: every quarter of a patch replaces what was drawn before with its share of
 // the light so far.
 void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByPatch& by_patch,
-                 const Owners& owners, RandomBits random, std::vector<Region>& regions) {
+                 const Owners& owners, RandomBits random, std::vector<LightRegion>& regions) {
     std::vector<double> so_far(regions.size());
     const auto offer = [&](std::size_t dot, int column, int row, double light) {
         so_far[dot] += light;
@@ -251,14 +251,14 @@ void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByP
 
 }  // namespace
 
-std::vector<Region> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                std::optional<std::uint64_t> seed) {
+std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
+                                     std::optional<std::uint64_t> seed) {
     const PatchGrid grid{map.width(), map.height()};
     const DotsByPatch by_patch(grid, dots);
     const Owners owners(grid, dots, by_patch);
     const TexelPairs pairs(map);
 
-    std::vector<Region> regions(dots.size());
+    std::vector<LightRegion> regions(dots.size());
     std::vector<Pair> above(grid.width), below(grid.width);
     for (int j = 0; j < grid.rows(); ++j) {
         RowPart upper, lower;
@@ -275,7 +275,7 @@ std::vector<Region> share_light(const EnvironmentMap& map, std::span<const glm::
             std::ranges::fill(below, Pair{});
         }
         for (int i = 0; i < grid.width; ++i) {
-            Region patch;
+            LightRegion patch;
             add(patch, above[i], upper);
             add(patch, below[i], lower);
             const std::span own = by_patch.of(grid.index(i, j));

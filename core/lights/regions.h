@@ -18,7 +18,7 @@
 
 namespace dapple {
 
-struct Region {
+struct LightRegion {
     glm::dvec3 flux{};       // linear RGB; over all regions, the map's total flux
     double solid_angle = 0;  // steradians; over all regions, 4 pi
     glm::dvec3 moment{};     // the integral of luminance * direction, directions as in OpenEXR
@@ -28,7 +28,7 @@ struct Region {
 
 /// One for each dot (u in [0, 1), v in [0, 1]). Dots at the same place share alike. Places are drawn if there
 /// is a seed.
-std::vector<Region> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                std::optional<std::uint64_t> seed = {});
+std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
+                                     std::optional<std::uint64_t> seed = {});
 
 }  // namespace dapple
