@@ -135,19 +135,17 @@ void add_picture(const std::string& name, const Density& density) {
         counts(benchmark::RegisterBenchmark((what + "/" + name).c_str(), function), threads);
     };
     add("figure8", [&density](benchmark::State& s) { figure8(s, density); });
-    for (const std::string tile : {"paper16", "aperiodic16", "aperiodic1024", "aperiodic4096"}) {
-        try {
-            tile_named(tile, RankingOrder::paper);
-        } catch (const std::exception&) {
-            continue;
-        }
+    for (const std::string tile : {"paper16", "aperiodic16", "aperiodic1024", "aperiodic4096"})
         add("exact_" + tile, [&density, tile](benchmark::State& s) { exact(s, density, tile, 1); });
+    for (const std::string tile : {"paper16", "aperiodic4096"}) {
+        add(
+            "exact_" + tile + "_all_cores",
+            [&density, tile](benchmark::State& s) { exact(s, density, tile, 0); }, 0);
+        add(
+            "two_at_once_" + tile, [&density, tile](benchmark::State& s) { two_at_once(s, density, tile); },
+            2);
+        add("exact_count_" + tile, [&density, tile](benchmark::State& s) { exact_count(s, density, tile); });
     }
-    add(
-        "exact_paper16_all_cores", [&density](benchmark::State& s) { exact(s, density, "paper16", 0); }, 0);
-    add(
-        "two_at_once_paper16", [&density](benchmark::State& s) { two_at_once(s, density, "paper16"); }, 2);
-    add("exact_count_paper16", [&density](benchmark::State& s) { exact_count(s, density, "paper16"); });
 }
 
 }  // namespace
