@@ -59,10 +59,10 @@ DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
 
 Dots sorted_dots(const DotStream& stream, DotOrder order) {
     Dots all;
-    const auto append = [](FloatBuffer& to, const FloatBuffer& from) {
+    const auto append = [&stream](FloatBuffer& to, const FloatBuffer& from) {
+        if (!from.empty()) to.reserve(stream.count);
         to.insert(to.end(), from.begin(), from.end());
     };
-    all.reserve(stream.count, false);
     stream.for_each_piece([&](const Dots& piece) {
         append(all.x, piece.x);
         append(all.y, piece.y);

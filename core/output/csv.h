@@ -16,8 +16,7 @@ struct CsvColumns {
 
 /// A line x_mm,y_mm,radius_mm,level,rank,critical_scale and a line a dot, in the order given. Numbers have as
 /// many digits as it takes to read back the very same: x_mm / mm_per_page_unit, rounded to float, is the
-/// dot's x. Needs Dots::threshold and
-/// Dots::critical. Needs the memory of a piece and a buffer.
+/// dot's x. Needs Dots::threshold and Dots::critical, and the memory of a piece and a buffer.
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress = {});
 
