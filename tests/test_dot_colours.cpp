@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
 #include "app/files/tile_library.h"
 #include "app/viewer/dot_colours.h"
+#include "app/viewer/workbench.h"
 #include "core/output/colour.h"
 
 namespace dapple {
@@ -120,6 +122,29 @@ TEST_CASE("the eight orientations have eight colours") {
         colours.insert({c.r, c.g, c.b});
     }
     CHECK(colours.size() == 8);
+}
+
+TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in ink") {
+    Workbench bench;
+    bench.set_picture(Grid<float>(32, 32, 0.25f));
+    PlaceOrder order;
+    order.tile = "aperiodic64";
+    order.stipple.count = 3000;
+    PlacedDrawing ink, coloured;
+    REQUIRE(bench.place(order, ink));
+    CHECK(ink.colours.empty());
+    CHECK(ink.stippling.dots.threshold.empty());
+    for (const DotColourChoice& choice :
+         {DotColourChoice{.colouring = DotColouring::level},
+          DotColourChoice{.colouring = DotColouring::orientation}, DotColourChoice{.deepest_level = 1}}) {
+        order.colours = choice;
+        REQUIRE(bench.place(order, coloured));
+        CHECK(coloured.stippling.dots.x == ink.stippling.dots.x);
+        REQUIRE(coloured.colours.size() == 3000);
+        const auto different = std::ranges::count_if(
+            coloured.colours, [&](glm::u8vec4 colour) { return colour != coloured.colours[0]; });
+        CHECK(different > 100);
+    }
 }
 
 }  // namespace dapple
