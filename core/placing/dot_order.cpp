@@ -83,7 +83,8 @@ std::string_view name_of(DotOrder order) {
 
 void sort_dots(Dots& dots, DotOrder order) {
     if (order == DotOrder::recursion) return;
-    assert(order != DotOrder::priority || dots.critical.size() == dots.size());
+    assert(order != DotOrder::priority ||
+           (dots.threshold.size() == dots.size() && dots.critical.size() == dots.size()));
     std::vector<std::uint64_t> keys(dots.size());  // key above, index below
     for (std::size_t i = 0; i < dots.size(); ++i) keys[i] = std::uint64_t{key_of(dots, i, order)} << 32 | i;
     tbb::parallel_sort(keys.begin(), keys.end());

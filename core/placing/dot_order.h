@@ -16,8 +16,8 @@ enum class DotOrder {
 /// "recursion", "priority", "space".
 std::string_view name_of(DotOrder order);
 
-/// Sorts dots. For priority Dots::critical has to be filled; dots that tie come in the order of
-/// core/placing/tie_order.h.
+/// Sorts dots. For priority Dots::threshold and Dots::critical have to be filled; dots that tie come in the
+/// order of core/placing/tie_order.h.
 void sort_dots(Dots& dots, DotOrder order);
 
 }  // namespace dapple

@@ -23,8 +23,8 @@ float not_below(double value) {
 SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory)
     : traversal_(traversal), dots_(dots), memory_(memory), kernels_(best_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
-    dots_.resize(capacity_,
-                 traversal_.request().appearance);  // to be used to the full while dots are appended
+    // Columns are used to their full capacity while dots are appended.
+    dots_.resize(capacity_, traversal_.request().appearance);
     if (traversal_.early_share()) memory_.late.resize(std::max(kFirstCapacity, memory_.late.capacity()));
 }
 
