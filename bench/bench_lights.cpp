@@ -38,7 +38,7 @@ void figure8_dots(benchmark::State& state) {
 void exact_dots(benchmark::State& state) {
     const Density density = light_density(sky_map());
     RankedTile tile = paper_tile();
-    Dots dots;
+    DotPieces dots;
     for (auto _ : state) tile.placer().place(density, {.scale = scale_for(density)}, dots);
     count(state, dots.size(), 0);
 }

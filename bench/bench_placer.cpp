@@ -43,11 +43,11 @@ void exact(benchmark::State& state, const Density& density, const std::string& t
     PlacingRequest request;
     request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
     request.threads = threads;
-    Dots dots;
+    DotPieces dots;
     ranked.placer().place(density, request, dots);  // the memory that a program has after its first frame
     for (auto _ : state) {
         ranked.placer().place(density, request, dots);
-        benchmark::DoNotOptimize(dots.x.data());
+        benchmark::DoNotOptimize(dots.pieces.data());
         benchmark::ClobberMemory();
     }
     report(state, dots.size());
@@ -58,7 +58,7 @@ void two_at_once(benchmark::State& state, const Density& density, const std::str
     RankedTile ranked[] = {tile_named(tile, RankingOrder::energy), tile_named(tile, RankingOrder::energy)};
     PlacingRequest request;
     request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
-    Dots dots[2];
+    DotPieces dots[2];
     const auto place = [&] {
         tbb::parallel_invoke([&] { ranked[0].placer().place(density, request, dots[0]); },
                              [&] { ranked[1].placer().place(density, request, dots[1]); });
@@ -66,8 +66,8 @@ void two_at_once(benchmark::State& state, const Density& density, const std::str
     place();
     for (auto _ : state) {
         place();
-        benchmark::DoNotOptimize(dots[0].x.data());
-        benchmark::DoNotOptimize(dots[1].x.data());
+        benchmark::DoNotOptimize(dots[0].pieces.data());
+        benchmark::DoNotOptimize(dots[1].pieces.data());
         benchmark::ClobberMemory();
     }
     report(state, dots[0].size() + dots[1].size());
@@ -76,11 +76,11 @@ void two_at_once(benchmark::State& state, const Density& density, const std::str
 void exact_count(benchmark::State& state, const Density& density, const std::string& tile) {
     RankedTile ranked = tile_named(tile, RankingOrder::energy);
     const ExactCount request{.count = static_cast<std::uint64_t>(state.range(0))};
-    Dots dots;
+    DotPieces dots;
     ranked.placer().place_exactly(density, request, dots);
     for (auto _ : state) {
         ranked.placer().place_exactly(density, request, dots);
-        benchmark::DoNotOptimize(dots.x.data());
+        benchmark::DoNotOptimize(dots.pieces.data());
     }
     report(state, dots.size());
 }

@@ -89,7 +89,7 @@ Plot plot_against_dots() {
             figure8_ms =
                 add(figure8, [&] { place_figure8(density, paper.tile(), paper.own_ranks(), scale); });
         }
-        Dots placed;
+        DotPieces placed;
         const double one_ms = add(one, [&] { aperiodic.placer().place(density, {.scale = scale}, placed); });
         const double all_ms =
             add(all, [&] { aperiodic.placer().place(density, {.scale = scale, .threads = 0}, placed); });
@@ -98,7 +98,9 @@ Plot plot_against_dots() {
             add(exactly, [&] { aperiodic.placer().place_exactly(density, count, placed); });
         const double writing_ms = add(writing, [&, value = 0.0f]() mutable {
             value += 1;
-            for (FloatBuffer* column : {&placed.x, &placed.y}) std::ranges::fill(*column, value);
+            for (Dots& piece : placed.pieces) {
+                for (FloatBuffer* column : {&piece.x, &piece.y}) std::ranges::fill(*column, value);
+            }
         });
         fmt::print("{:>10.0f} {:>11.3f} {:>11.3f} {:>11.3f} {:>11.3f} {:>11.4f}\n", dots, figure8_ms, one_ms,
                    all_ms, exactly_ms, writing_ms);
@@ -122,7 +124,7 @@ Plot plot_against_picture() {
         const Density density(density_of(std::move(light), Tone{}));
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         tone.points.emplace_back(megapixels, took.count());
-        Dots placed;
+        DotPieces placed;
         for (std::size_t i = 0; i < placing.size(); ++i) {
             const double scale = scale_for(i == 0 ? 1e6 : 1e4, density);
             placing[i].points.emplace_back(

@@ -52,9 +52,9 @@ std::string in_columns(const Marks& m) {
                        m.nearest.mean);
 }
 
-Marks marks_of(const Dots& dots) {
+Marks marks_of(const DotPieces& dots) {
     std::vector<glm::dvec2> points;
-    for (std::size_t i = 0; i < dots.size(); ++i) points.emplace_back(dots.x[i], dots.y[i]);
+    for_each_position(dots, [&](float x, float y) { points.emplace_back(x, y); });
     const Domain torus{};
     const std::vector<glm::dvec2> inside = points_inside(points, torus);
     const Periodogram spectrum = periodogram(inside, torus);

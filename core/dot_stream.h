@@ -17,7 +17,8 @@ struct DotStream {
     std::function<void(const TakePiece& take)> for_each_piece = [](const TakePiece&) {};
 };
 
-/// Dots in memory, which have to outlive the stream: one piece.
+/// Dots in memory, which have to outlive the stream.
 DotStream stream_of(const Dots& dots, double scale = 0);
+DotStream stream_of(const DotPieces& dots, double scale = 0);
 
 }  // namespace dapple

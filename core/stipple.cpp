@@ -29,7 +29,7 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
                 "an exact number of dots needs the exact placer; give figure8 a scale instead");
         }
         Figure8Result placed = place_figure8(density, tile.tile(), tile.own_ranks(), request.scale);
-        result.dots = std::move(placed.dots);
+        result.dots = in_one_piece(std::move(placed.dots));
         result.duplicates = placed.duplicates;
     } else if (request.count) {
         const ExactCount exact{*request.count, request.appearance, request.threads};
@@ -48,11 +48,13 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
     return true;
 }
 
-void fill_critical_scales(Dots& dots, const Density& density) {
-    if (dots.critical.size() == dots.size()) return;
-    dots.critical.resize(dots.size());
-    for (std::size_t i = 0; i < dots.size(); ++i)
-        dots.critical[i] = static_cast<float>(dots.threshold[i] / density.at({dots.x[i], dots.y[i]}));
+void fill_critical_scales(DotPieces& dots, const Density& density) {
+    for (Dots& piece : dots.pieces) {
+        if (piece.critical.size() == piece.size()) continue;
+        piece.critical.resize(piece.size());
+        for (std::size_t i = 0; i < piece.size(); ++i)
+            piece.critical[i] = static_cast<float>(piece.threshold[i] / density.at({piece.x[i], piece.y[i]}));
+    }
 }
 
 namespace {

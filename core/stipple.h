@@ -53,7 +53,7 @@ struct StippleRequest {
 };
 
 struct Stippling {
-    Dots dots;                     // as emitted
+    DotPieces dots;                // as emitted
     double scale = 0;              // the one given, or the one that gives the count
     std::uint64_t duplicates = 0;  // of them (Figure 8 only)
     double place_ms = 0;           // wall time of the placing alone
@@ -77,7 +77,7 @@ DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& 
 
 /// Fills Dots::critical if it isn't there: Figure 8 fills Dots::threshold only. Positions have to be the
 /// page's.
-void fill_critical_scales(Dots& dots, const Density& density);
+void fill_critical_scales(DotPieces& dots, const Density& density);
 
 /// The page, when the picture fills it.
 PageSize page_size(const Density& density, double width_mm);

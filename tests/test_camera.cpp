@@ -131,12 +131,13 @@ TEST_CASE("two windows a pixel apart, 2^40 times enlarged, show the same dots in
     auto dots_in_view = [&](const Camera& seen) {
         PlacingRequest request{
             .scale = 50 * 0x1p80, .window = window_in_view(seen, 0), .appearance = false, .threads = 1};
-        Dots dots;
+        DotPieces dots;
         CHECK(tile.placer().place(grey, request, dots));
         const glm::dvec2 corner = to_canvas(camera, PagePoint(request.window.x, request.window.y));
         std::vector<glm::dvec2> pixels;
-        for (std::size_t i = 0; i < dots.size(); ++i)
-            pixels.push_back(corner + glm::dvec2(dots.x[i], dots.y[i]) * camera.pixels_per_unit);
+        for_each_position(dots, [&](float x, float y) {
+            pixels.push_back(corner + glm::dvec2(x, y) * camera.pixels_per_unit);
+        });
         return pixels;
     };
     const auto here = dots_in_view(camera), there = dots_in_view(dragged(camera, {-1, 0}));

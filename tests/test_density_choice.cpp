@@ -31,7 +31,8 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     REQUIRE(drawing.stippling.dots.size() == 3000);
     // A linear ramp has a quarter of its dots in the left half.
     int left = 0;
-    for (const float x : drawing.stippling.dots.x) left += x < 0.5f;
+    const auto count_left = [&left](float x, float) { left += x < 0.5f; };
+    for_each_position(drawing.stippling.dots, count_left);
     CHECK(left == doctest::Approx(750).epsilon(0.05));
 
     REQUIRE(bench.place(order_of(settings, {DensitySource::grey, 0.2}), drawing));
@@ -39,7 +40,7 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     REQUIRE(bench.place(order_of(settings), drawing));
     CHECK(drawing.page_size == glm::dvec2(1, 0.5));
     left = 0;
-    for (const float x : drawing.stippling.dots.x) left += x < 0.5f;
+    for_each_position(drawing.stippling.dots, count_left);
     CHECK(left == doctest::Approx(1500).epsilon(0.05));
 }
 

@@ -11,6 +11,7 @@
 #include "app/viewer/dot_colours.h"
 #include "app/viewer/workbench.h"
 #include "core/output/colour.h"
+#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {
@@ -23,11 +24,15 @@ struct Turned {
         RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingOrder::farthest);
         const Density grey(Grid<float>(1, 1, 0.5f));
         const PlacingRequest request{.scale = 300, .appearance = true};
-        tile.placer().place(grey, request, dots);
+        DotPieces placed;
+        tile.placer().place(grey, request, placed);
+        dots = joined(placed);
         // A tile is listed once it has children: the dots' own tiles are those of a scale one level finer.
         tiles = placed_tiles(tile.placer().table(), grey, {.scale = 4 * request.scale});
         origins = {.tile_size = tile.tile().size(), .rule = rule, .window = {}};
     }
+    DotPieces pieces() const { return split(dots); }
+
     Dots dots;
     std::vector<PlacedTile> tiles;
     DotOrigins origins;
@@ -40,12 +45,12 @@ glm::u8vec3 rgb8(glm::vec3 colour) {
 }  // namespace
 
 TEST_CASE("ink needs no colours") {
-    CHECK(dot_colours(Turned().dots, {}, DotColouring::ink).empty());
+    CHECK(dot_colours(Turned().pieces(), {}, DotColouring::ink).empty());
 }
 
 TEST_CASE("a dot has the colour of the orientation of the tile around it at its level") {
     const Turned drawing;
-    const auto colours = dot_colours(drawing.dots, drawing.origins, DotColouring::orientation);
+    const auto colours = dot_colours(drawing.pieces(), drawing.origins, DotColouring::orientation);
     REQUIRE(colours.size() == drawing.dots.size());
     int wrong = 0, found = 0;
     std::set<int> seen;
@@ -68,8 +73,8 @@ TEST_CASE("a dot has the colour of the orientation of the tile around it at its 
 
 TEST_CASE("a dot has its level's colour, and the first of its level is darker than the last") {
     const Turned drawing;
-    const auto levels = dot_colours(drawing.dots, drawing.origins, DotColouring::level);
-    const auto ranks = dot_colours(drawing.dots, drawing.origins, DotColouring::rank);
+    const auto levels = dot_colours(drawing.pieces(), drawing.origins, DotColouring::level);
+    const auto ranks = dot_colours(drawing.pieces(), drawing.origins, DotColouring::rank);
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const auto birth = birthplace_of(drawing.dots.threshold[i], drawing.origins.tile_size);
         CHECK(glm::u8vec3(levels[i]) == rgb8(level_colour(birth.level)));
@@ -90,8 +95,8 @@ TEST_CASE("a dot of a window deep in the page has the colour it has on the page"
     }
     DotOrigins origins = drawing.origins;
     origins.window = {.x = quarter, .y = quarter, .width = 0.75, .height = 0.75};
-    const auto here = dot_colours(drawing.dots, drawing.origins, DotColouring::orientation);
-    const auto there = dot_colours(moved, origins, DotColouring::orientation);
+    const auto here = dot_colours(drawing.pieces(), drawing.origins, DotColouring::orientation);
+    const auto there = dot_colours(in_one_piece(moved), origins, DotColouring::orientation);
     CHECK(here == there);
 }
 
@@ -100,7 +105,7 @@ TEST_CASE("up to a level just the dots born until then are shown") {
     const std::size_t n = drawing.origins.tile_size;
     std::size_t before = 0;
     for (int deepest = 0; deepest < 4; ++deepest) {
-        const auto colours = without_deeper_levels({}, drawing.dots, n, deepest, {1, 0, 0});
+        const auto colours = without_deeper_levels({}, drawing.pieces(), n, deepest, {1, 0, 0});
         REQUIRE(colours.size() == drawing.dots.size());
         std::size_t shown = 0;
         for (const glm::u8vec4 colour : colours) {
@@ -112,7 +117,7 @@ TEST_CASE("up to a level just the dots born until then are shown") {
         CHECK(shown > before);
         before = shown;
     }
-    CHECK(without_deeper_levels({}, drawing.dots, n, kDeepestStep, {}).empty());
+    CHECK(without_deeper_levels({}, drawing.pieces(), n, kDeepestStep, {}).empty());
 }
 
 TEST_CASE("the eight orientations have eight colours") {
@@ -133,13 +138,14 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     PlacedDrawing ink, coloured;
     REQUIRE(bench.place(order, ink));
     CHECK(ink.colours.empty());
-    CHECK(ink.stippling.dots.threshold.empty());
+    const Dots dots = joined(ink.stippling.dots);
+    CHECK(dots.threshold.empty());
     for (const DotColourChoice& choice :
          {DotColourChoice{.colouring = DotColouring::level},
           DotColourChoice{.colouring = DotColouring::orientation}, DotColourChoice{.deepest_level = 1}}) {
         order.colours = choice;
         REQUIRE(bench.place(order, coloured));
-        CHECK(coloured.stippling.dots.x == ink.stippling.dots.x);
+        CHECK(joined(coloured.stippling.dots).x == dots.x);
         REQUIRE(coloured.colours.size() == 3000);
         const auto different = std::ranges::count_if(
             coloured.colours, [&](glm::u8vec4 colour) { return colour != coloured.colours[0]; });

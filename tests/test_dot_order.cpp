@@ -19,9 +19,9 @@ Dots some_dots() {
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) ramp.at(x, y) = static_cast<float>(x) / 64;
     }
-    Dots dots;
+    DotPieces dots;
     placer.place(Density(ramp), {.scale = 1000, .window = {}, .appearance = true}, dots);
-    return dots;
+    return joined(dots);
 }
 
 std::multiset<std::pair<float, float>> places(const Dots& dots, std::size_t count) {

@@ -40,9 +40,10 @@ struct Scene {
     Dots whole(const StippleRequest& request, const PagePart& part, double& scale) {
         Stippling all;
         CHECK(stipple(tile, density, request, all));
-        cut_to(part, all.dots);
         scale = all.scale;
-        return all.dots;
+        Dots dots = joined(all.dots);
+        cut_to(part, dots);
+        return dots;
     }
 };
 

@@ -39,9 +39,10 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
     const Density density(blotches(40, 30, 8));
     std::set<std::pair<float, float>> darker;
     for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
-        Dots dots;
-        const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, dots);
+        DotPieces placed;
+        const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, placed);
         REQUIRE(scale);
+        const Dots dots = joined(placed);
         CHECK(dots.size() == count);
         CHECK(*std::max_element(dots.critical.begin(), dots.critical.end()) <= *scale);
         std::set<std::pair<float, float>> lighter;
@@ -51,16 +52,16 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
             CHECK(std::includes(darker.begin(), darker.end(), lighter.begin(), lighter.end()));
         darker = lighter;
     }
-    Dots none;
+    DotPieces none;
     CHECK_THROWS(placer.place_exactly(Density(Grid<float>(4, 4)), {100}, none));
 }
 
 TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on any number of threads") {
     Placer placer = placer_of(random_tile(kTurning, 64, 8));
     const Density density(blotches(60, 45, 2));
-    Dots all;
+    DotPieces all;
     placer.place(density, {.scale = 60000, .appearance = true}, all);
-    const std::vector<Dot> every = rows(all);
+    const std::vector<Dot> every = rows(joined(all));
     for (const std::size_t count : {1u, 50u, 3000u, 40000u}) {
         std::vector<float> scales;
         for (const Dot& dot : every) scales.push_back(dot.critical);
@@ -68,11 +69,11 @@ TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on a
         const float first_dropped = scales[count];
         std::vector<Dot> on_one_thread;
         for (const int threads : {1, 2, 0}) {
-            Dots dots;
+            DotPieces dots;
             const auto scale =
                 placer.place_exactly(density, {.count = count, .appearance = true, .threads = threads}, dots);
             REQUIRE(scale);
-            std::vector<Dot> kept = rows(dots);
+            std::vector<Dot> kept = rows(joined(dots));
             REQUIRE(kept.size() == count);
             if (threads == 1) on_one_thread = kept;
             CHECK(kept == on_one_thread);
@@ -95,7 +96,7 @@ TEST_CASE("an exact count comes in pieces as it comes whole, on any number of th
     Placer placer = placer_of(random_tile(kTurning, 64, 8));
     for (const Density& density : {Density(blotches(60, 45, 2)), Density(Grid<float>(9, 9, 1.0f))}) {
         for (const std::size_t count : {0u, 1u, 777u, 50000u}) {
-            Dots whole;
+            DotPieces whole;
             const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, whole);
             for (const int threads : {1, 3}) {
                 const ExactCount request{.count = count, .appearance = true, .threads = threads};
@@ -108,7 +109,7 @@ TEST_CASE("an exact count comes in pieces as it comes whole, on any number of th
                     return true;
                 };
                 CHECK(placer.place_in_pieces(density, request, *cut, take));
-                CHECK(together == rows(whole));
+                CHECK(together == rows(joined(whole)));
             }
         }
     }
@@ -118,15 +119,15 @@ TEST_CASE("where all dots tie, those that stay are spread over the whole page") 
     // On black, whole levels of dots have critical scales alike: a few more than one level's.
     Placer placer = placer_of(make_tile(14217, 2895, 16));
     const Density black(Grid<float>(4, 4, 1.0f));
-    Dots level, more;
+    DotPieces level, more;
     placer.place_exactly(black, {.count = 16384}, level);
     placer.place_exactly(black, {.count = 16384 + 400}, more);
     std::set<std::pair<float, float>> before;
-    for (std::size_t i = 0; i < level.size(); ++i) before.emplace(level.x[i], level.y[i]);
+    for_each_position(level, [&](float x, float y) { before.emplace(x, y); });
     int quarters[4] = {};
-    for (std::size_t i = 0; i < more.size(); ++i) {
-        if (!before.contains({more.x[i], more.y[i]})) ++quarters[(more.x[i] > 0.5f) + 2 * (more.y[i] > 0.5f)];
-    }
+    for_each_position(more, [&](float x, float y) {
+        if (!before.contains({x, y})) ++quarters[(x > 0.5f) + 2 * (y > 0.5f)];
+    });
     for (const int quarter : quarters) CHECK(std::abs(quarter - 100) <= 1);
 }
 
@@ -136,15 +137,16 @@ TEST_CASE("by priority, the first n dots are the drawing of n dots, ties and all
     for (const Tile& tile : {make_tile(14217, 2895, 16), random_tile(kTurning, 64, 8)}) {
         Placer placer = placer_of(tile);
         for (const Density* density : {&black, &grey, &picture}) {
-            Dots sorted;
-            placer.place_exactly(*density, {.count = 30'000, .appearance = true}, sorted);
+            DotPieces darkest;
+            placer.place_exactly(*density, {.count = 30'000, .appearance = true}, darkest);
+            Dots sorted = joined(darkest);
             sort_dots(sorted, DotOrder::priority);
             const std::vector<Dot> by_priority = rows(sorted);
             for (const std::size_t count : {1u, 2u, 100u, 12'345u, 21'000u, 29'999u}) {
-                Dots lighter;
+                DotPieces lighter;
                 placer.place_exactly(*density, {.count = count, .appearance = true}, lighter);
                 std::vector<Dot> first(by_priority.begin(), by_priority.begin() + count),
-                    found = rows(lighter);
+                    found = rows(joined(lighter));
                 std::ranges::sort(first);
                 std::ranges::sort(found);
                 CHECK(first == found);

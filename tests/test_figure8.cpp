@@ -41,7 +41,7 @@ TEST_CASE("a hairline that Figure 8 loses is drawn by the exact placer") {
         const Density density(grid);
         RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
         CHECK(place_figure8(density, tile.tile(), tile.own_ranks(), 2500).dots.size() == 0);
-        Dots dots;
+        DotPieces dots;
         CHECK(tile.placer().place(density, {2500}, dots));
         const double expected = 16 * 2500 * density.mean();
         // A line thinner than the dots' spacing meets more of them, or fewer, as it happens to lie.

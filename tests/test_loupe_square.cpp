@@ -7,6 +7,7 @@
 
 #include "app/viewer/loupe_square.h"
 #include "tests/point_sets.h"
+#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {
@@ -15,10 +16,12 @@ namespace {
 PlacedDrawing lattice(int m, const PageWindow& window = {}) {
     PlacedDrawing drawing;
     drawing.window = window;
+    Dots dots;
     for (const glm::dvec2 p : square_lattice(m)) {
-        drawing.stippling.dots.x.push_back(static_cast<float>(p.x * window.width));
-        drawing.stippling.dots.y.push_back(static_cast<float>(p.y * window.height));
+        dots.x.push_back(static_cast<float>(p.x * window.width));
+        dots.y.push_back(static_cast<float>(p.y * window.height));
     }
+    drawing.stippling.dots = split(dots);
     return drawing;
 }
 
@@ -125,11 +128,9 @@ TEST_CASE("the loupe folds the square's own dots, each in its place within its t
 
 TEST_CASE("dots that lie on one another, as Figure 8 emits them, are folded once") {
     PlacedDrawing drawing = lattice(256);
-    Dots& dots = drawing.stippling.dots;
-    const Dots once = dots;
-    dots.x.insert(dots.x.end(), once.x.begin(), once.x.end());
-    dots.y.insert(dots.y.end(), once.y.begin(), once.y.end());
-    drawing.stippling.duplicates = once.size();
+    DotPieces& dots = drawing.stippling.dots;
+    drawing.stippling.duplicates = dots.size();
+    dots.pieces.push_back(joined(dots));
     const LoupeSquare square{page_point({0.25, 0.25}), 6, 8};
     CHECK(folded(drawing, square).points.size() == 16 * 64);
 }

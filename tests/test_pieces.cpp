@@ -23,13 +23,6 @@ bool same(const Dots& a, const Dots& b) {
     return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical;
 }
 
-void append(Dots& to, const Dots& piece) {
-    to.x.insert(to.x.end(), piece.x.begin(), piece.x.end());
-    to.y.insert(to.y.end(), piece.y.begin(), piece.y.end());
-    to.threshold.insert(to.threshold.end(), piece.threshold.begin(), piece.threshold.end());
-    to.critical.insert(to.critical.end(), piece.critical.begin(), piece.critical.end());
-}
-
 }  // namespace
 
 TEST_CASE("pieces one after another are the drawing, whichever part of it and on any number of threads") {
@@ -38,12 +31,14 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
     const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
     for (const PageWindow& window : {PageWindow{}, part}) {
         PlacingRequest request{.scale = 40000, .window = window, .appearance = true};
-        Dots whole;
-        REQUIRE(placer.place(density, request, whole));
+        DotPieces placed;
+        REQUIRE(placer.place(density, request, placed));
+        const Dots whole = joined(placed);
         CHECK(whole.size() > 20000);
         for (const int threads : {1, 2, 5}) {
             request.threads = threads;
-            Dots together, at_once;
+            Dots together;
+            DotPieces at_once;
             std::size_t largest = 0, pieces = 0;
             CHECK(placer.place_in_pieces(density, request, [&](const Dots& piece) {
                 append(together, piece);
@@ -55,7 +50,7 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
             CHECK(pieces > 8);
             CHECK(largest < 40000);
             CHECK(placer.place(density, request, at_once));
-            CHECK(same(at_once, whole));
+            CHECK(same(joined(at_once), whole));
         }
     }
 }
@@ -70,7 +65,7 @@ TEST_CASE("whoever takes the pieces can end the placing, and what it throws come
         CHECK(taken == 3);
         const auto full = [](const Dots&) -> bool { throw std::runtime_error("the disk is full"); };
         CHECK_THROWS_WITH(placer.place_in_pieces(density, request, full), "the disk is full");
-        Dots dots;
+        DotPieces dots;
         CHECK(placer.place(density, request, dots));  // nothing is left over
         std::stop_source stop;
         stop.request_stop();
@@ -81,7 +76,7 @@ TEST_CASE("whoever takes the pieces can end the placing, and what it throws come
 TEST_CASE("a frame like the last one allocates nothing") {
     Placer placer = placer_of(random_tile(kTurning, 64, 3));
     const Density density(blotches(80, 70, 5));
-    Dots dots;
+    DotPieces dots;
     const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
     const auto frames = [&](int threads) {
         placer.place(density, {.scale = 30000, .threads = threads}, dots);

@@ -71,9 +71,9 @@ void check_same(const Dots& dots, std::vector<Expected> expected) {
 
 Dots placed(const PlacingTable& table, const Density& density, const PlacingRequest& request) {
     Placer placer(table);
-    Dots dots;
+    DotPieces dots;
     CHECK(placer.place(density, request, dots));
-    return dots;
+    return joined(dots);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Dots dots_at(const std::vector<std::pair<float, float>>& places) {
 }
 
 Grid<float> draw(const Dots& dots, int width, int height, double radius, int threads = 1) {
-    return coverage_of(dots, pixel_page(width, height),
+    return coverage_of(stream_of(dots), pixel_page(width, height),
                        {.dot_radius_mm = radius, .dpi = kOnePixelPerMm, .threads = threads});
 }
 

@@ -10,6 +10,7 @@
 #include "app/viewer/renderer.h"
 #include "core/output/colour.h"
 #include "tests/offscreen_gl.h"
+#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {
@@ -33,7 +34,7 @@ class Picture200 {
     }
     void radius(double pixels) { look.dot_radius = pixels / kPixelsPerUnit; }
     Grid<glm::u8vec4> draw() {
-        renderer.set_dots(dots);
+        renderer.set_dots(split(dots));
         framebuffer.bind();
         renderer.draw(camera, look);
         return read_pixels(kSize);
@@ -204,7 +205,7 @@ TEST_CASE("dots of a window far into the page lie where the camera says") {
     picture.look.page_size = {1, 1};
     picture.dots.x = {static_cast<float>(40 / deep)};
     picture.dots.y = {static_cast<float>(30 / deep)};
-    picture.renderer.set_dots(picture.dots, window);
+    picture.renderer.set_dots(in_one_piece(picture.dots), window);
     picture.framebuffer.bind();
     picture.renderer.draw(picture.camera, picture.look);
     auto pixels = read_pixels(kSize);

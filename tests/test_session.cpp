@@ -65,8 +65,8 @@ struct SplitSession {
 std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
     const glm::dvec2 corner = in_page_units({shown.window.x, shown.window.y});
     std::vector<glm::dvec2> places;
-    const Dots& dots = shown.stippling.dots;
-    for (std::size_t i = 0; i < dots.size(); ++i) places.push_back(corner + glm::dvec2(dots.x[i], dots.y[i]));
+    for_each_position(shown.stippling.dots,
+                      [&](float x, float y) { places.push_back(corner + glm::dvec2(x, y)); });
     return places;
 }
 

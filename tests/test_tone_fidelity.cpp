@@ -38,7 +38,7 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     REQUIRE(stipple(tile, density, settings.stipple, stippling));
     const PageSize page = page_size(density, settings.width_mm);
     Grid<float> drawn = coverage_of(
-        stippling.dots, page,
+        stream_of(stippling.dots), page,
         {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page), .dpi = 150, .threads = 0});
     if (!settings.tone.invert)
         for (float& value : drawn.values) value = 1 - value;

@@ -9,23 +9,24 @@
 #include "app/viewer/background.h"
 #include "app/viewer/view_analysis.h"
 #include "tests/point_sets.h"
+#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {
 
-Dots dots_of(const std::vector<glm::dvec2>& points) {
+DotPieces dots_of(const std::vector<glm::dvec2>& points) {
     Dots dots;
     for (const glm::dvec2 p : points) {
         dots.x.push_back(static_cast<float>(p.x));
         dots.y.push_back(static_cast<float>(p.y));
     }
-    return dots;
+    return split(dots);
 }
 
 }  // namespace
 
 TEST_CASE("the points in view are those in the rectangle, measured from its corner") {
-    const Dots dots = dots_of(square_lattice(10));
+    const DotPieces dots = dots_of(square_lattice(10));
     const PointsInView view = points_in_view(dots, {{0.2, 0.4}, {0.5, 0.3}});
     CHECK(view.all);
     CHECK(view.domain == Domain{0.5, 0.3, Topology::window});
@@ -48,7 +49,7 @@ TEST_CASE("all dots in one place do not keep the view shrinking for ever") {
     Dots dots;
     dots.x.assign(1000, 0.25f);
     dots.y.assign(1000, 0.25f);
-    CHECK(points_in_view(dots, {}, 100).points.size() <= 100);
+    CHECK(points_in_view(in_one_piece(dots), {}, 100).points.size() <= 100);
 }
 
 TEST_CASE("a square lattice repeats itself and keeps its known distance") {
@@ -75,10 +76,8 @@ TEST_CASE("dots thrown at random do not repeat and have power 1 everywhere") {
 }
 
 TEST_CASE("a dot that is there twice counts once") {
-    Dots dots = dots_of(square_lattice(32));
-    const Dots once = dots;
-    dots.x.insert(dots.x.end(), once.x.begin(), once.x.end());
-    dots.y.insert(dots.y.end(), once.y.begin(), once.y.end());
+    DotPieces dots = dots_of(square_lattice(32));
+    dots.pieces.push_back(joined(dots));
     const auto analysis = analyse_view({.view = points_in_view(dots, {}), .has_duplicates = true});
     REQUIRE(analysis);
     CHECK(analysis->dots == 1024);

@@ -69,11 +69,11 @@ void drop_duplicates(std::vector<glm::dvec2>& points) {
 
 // The distinct dots. Rounded to float, one can lie a hair beyond the far edge.
 std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& domain) {
-    const Dots& dots = stippling.dots;
-    std::vector<glm::dvec2> points(dots.size());
+    std::vector<glm::dvec2> points;
+    points.reserve(stippling.dots.size());
     const glm::dvec2 corner{domain.width, domain.height};
-    for (std::size_t i = 0; i < dots.size(); ++i)
-        points[i] = glm::min(glm::dvec2(dots.x[i], dots.y[i]), corner);
+    for_each_position(stippling.dots,
+                      [&](float x, float y) { points.push_back(glm::min(glm::dvec2(x, y), corner)); });
     if (stippling.duplicates > 0) drop_duplicates(points);
     return points;
 }
@@ -81,7 +81,7 @@ std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& doma
 std::vector<ToneFromAfar> tone_from_afar(const Stippling& stippling, const Grid<float>& light,
                                          const DrawingSettings& settings, const PageSize& page) {
     const double mm_per_px = page.width_mm / light.width;
-    Grid<float> drawing = coverage_of(stippling.dots, page,
+    Grid<float> drawing = coverage_of(stream_of(stippling.dots), page,
                                       {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page),
                                        .dpi = 25.4 / mm_per_px,
                                        .threads = settings.stipple.threads});

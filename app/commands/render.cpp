@@ -111,7 +111,7 @@ DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRe
                         Stippling& whole) {
     stipple(tile, density, request.stipple, whole);
     if (request.stipple.appearance) fill_critical_scales(whole.dots, density);
-    cut_to(request.part, whole.dots);
+    for (Dots& piece : whole.dots.pieces) cut_to(request.part, piece);
     return stream_of(whole.dots, whole.scale);
 }
 

@@ -59,15 +59,9 @@ DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
 
 Dots sorted_dots(const DotStream& stream, DotOrder order) {
     Dots all;
-    const auto append = [&stream](FloatBuffer& to, const FloatBuffer& from) {
-        if (!from.empty()) to.reserve(stream.count);
-        to.insert(to.end(), from.begin(), from.end());
-    };
     stream.for_each_piece([&](const Dots& piece) {
-        append(all.x, piece.x);
-        append(all.y, piece.y);
-        append(all.threshold, piece.threshold);
-        append(all.critical, piece.critical);
+        all.reserve(stream.count, !piece.critical.empty());
+        append(all, piece);
         return true;
     });
     sort_dots(all, order);

@@ -23,8 +23,7 @@ void add_map(HtmlPage& page, const EnvironmentMap& map, const std::string& name)
         stipple(tile, density, {.count = count}, placed);
         std::vector<glm::dvec2> places;
         // The map is the upper half of the root square.
-        for (std::size_t i = 0; i < placed.dots.size(); ++i)
-            places.push_back({placed.dots.x[i], 2 * double(placed.dots.y[i])});
+        for_each_position(placed.dots, [&](float x, float y) { places.push_back({x, 2 * double(y)}); });
         pictures.push_back({.bytes = png_of(light_picture(map, places, natural_exposure(map))),
                             .alt = "an environment map with its light samples",
                             .caption = fmt::format("{}: {} samples, placed in {:.1f} ms", name, places.size(),

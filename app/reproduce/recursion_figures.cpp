@@ -26,13 +26,13 @@ Density ramp() {
     return Density(std::move(grid));
 }
 
-std::string drawing_of(const Dots& dots, std::vector<PlacedTile> tiles, const Density& density) {
+std::string drawing_of(const DotStream& dots, std::vector<PlacedTile> tiles, const Density& density) {
     const PageSize page = page_size(density, 200);
     // Outlines beyond the picture say nothing.
     std::erase_if(tiles,
                   [&](const PlacedTile& tile) { return tile.y >= page.height_mm / page.mm_per_page_unit; });
     std::ostringstream out;
-    write_svg(out, stream_of(dots), page, {.dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
+    write_svg(out, dots, page, {.dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
     return std::move(out).str();
 }
 
@@ -63,21 +63,22 @@ void add_recursion_figures(HtmlPage& page) {
     const Density density = ramp();
     RankedTile tile(parse_tile_integers("14217,2895/16"), RankingOrder::energy);
     const Figure8Result printed = place_figure8(density, tile.tile(), tile.own_ranks(), kRampScale);
-    Dots dots;
+    DotPieces dots;
     tile.placer().place(density, {.scale = kRampScale}, dots);
 
     page.heading("Figure 3: the recursion on a ramp");
     page.pictures(
         std::array{
             HtmlPage::Picture{
-                .bytes = drawing_of(printed.dots, printed.tiles, density),
+                .bytes = drawing_of(stream_of(printed.dots), printed.tiles, density),
                 .media_type = "image/svg+xml",
                 .alt = "dots on a ramp from white to black, with the outlines of the tiles",
                 .caption = fmt::format("Figure 8 as printed: {} dots, {} of them a second time, {} tiles",
                                        printed.dots.size(), printed.duplicates, printed.tiles.size())},
             HtmlPage::Picture{
-                .bytes = drawing_of(dots, placed_tiles(tile.placer().table(), density, {.scale = kRampScale}),
-                                    density),
+                .bytes =
+                    drawing_of(stream_of(dots),
+                               placed_tiles(tile.placer().table(), density, {.scale = kRampScale}), density),
                 .media_type = "image/svg+xml",
                 .alt = "the same with the exact placer",
                 .caption = fmt::format("The exact placer: {} dots, each once", dots.size())}},

@@ -19,7 +19,7 @@ HtmlPage::Picture drawing_of(const Density& density, const Stippling& drawn, con
     const PageSize page = page_size(density, kSide);
     DrawingSettings settings;
     const Grid<float> coverage =
-        coverage_of(drawn.dots, page,
+        coverage_of(stream_of(drawn.dots), page,
                     {.dot_radius_mm = dot_radius_mm(settings, drawn.scale, page), .dpi = 25.4, .threads = 0});
     return {.bytes = png_of(ink_on_paper(coverage, kBlack, kWhite)),
             .alt = "a still life of shaded solids, drawn with dots",

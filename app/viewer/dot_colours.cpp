@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <span>
 
 #include "core/output/colour.h"
 
@@ -27,12 +28,18 @@ double rank_share(const Birthplace& birth, std::size_t tile_size) {
 }
 
 // A million dots in some milliseconds.
-template <class Visit>
-void for_each_dot(const Dots& dots, Visit&& visit) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, dots.size(), 1 << 14),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                          for (std::size_t i = part.begin(); i < part.end(); ++i) visit(i);
-                      });
+template <class Colour>
+void colour_each(std::span<glm::u8vec4> colours, const DotPieces& dots, const Colour& colour) {
+    std::size_t first = 0;
+    for (const Dots& piece : dots.pieces) {
+        const auto of_piece = colours.subspan(first, piece.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, piece.size(), 1 << 14),
+                          [&](const tbb::blocked_range<std::size_t>& part) {
+                              for (std::size_t i = part.begin(); i < part.end(); ++i)
+                                  colour(of_piece[i], piece, i);
+                          });
+        first += piece.size();
+    }
 }
 
 /// Finds the orientation of the tile of a level that a page point lies in, by walking down to it.
@@ -64,17 +71,17 @@ bool tells_birthplaces(const DotColourChoice& choice) {
     return choice.colouring != DotColouring::ink || choice.deepest_level < kDeepestStep;
 }
 
-std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
                                                std::size_t tile_size, int deepest, glm::vec3 ink) {
     if (deepest >= kDeepestStep) return colours;
     if (colours.empty()) colours.assign(dots.size(), packed(ink));
-    for_each_dot(dots, [&](std::size_t i) {
-        if (birthplace_of(dots.threshold[i], tile_size).level > deepest) colours[i].a = 0;
+    colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
+        if (birthplace_of(piece.threshold[i], tile_size).level > deepest) colour.a = 0;
     });
     return colours;
 }
 
-std::vector<glm::u8vec4> chosen_colours(const Dots& dots, const DotOrigins& origins,
+std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
                                         const DotColourChoice& choice) {
     return without_deeper_levels(dot_colours(dots, origins, choice.colouring), dots, origins.tile_size,
                                  choice.deepest_level, choice.ink);
@@ -95,7 +102,8 @@ glm::vec3 orientation_colour(Orientation orientation) {
     return orientation.index < 4 ? hue : glm::mix(hue, glm::vec3(1), 0.45f);
 }
 
-std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins, DotColouring colouring) {
+std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
+                                     DotColouring colouring) {
     std::vector<glm::u8vec4> colours;
     if (colouring == DotColouring::ink) return colours;
     colours.resize(dots.size());
@@ -107,16 +115,16 @@ std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins
     const auto on_page = [](std::int64_t corner, float offset) {
         return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
     };
-    for_each_dot(dots, [&](std::size_t i) {
-        const Birthplace birth = birthplace_of(dots.threshold[i], origins.tile_size);
+    colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
+        const Birthplace birth = birthplace_of(piece.threshold[i], origins.tile_size);
         if (colouring == DotColouring::level) {
-            colours[i] = of_level[std::min(birth.level, kMostLevels - 1)];
+            colour = of_level[std::min(birth.level, kMostLevels - 1)];
         } else if (colouring == DotColouring::rank) {
-            colours[i] = packed(rank_colour(rank_share(birth, origins.tile_size)));
+            colour = packed(rank_colour(rank_share(birth, origins.tile_size)));
         } else {
-            const Orientation tile = walk.at(on_page(origins.window.x, dots.x[i]),
-                                             on_page(origins.window.y, dots.y[i]), birth.level);
-            colours[i] = of_orientation[tile.index];
+            const Orientation tile = walk.at(on_page(origins.window.x, piece.x[i]),
+                                             on_page(origins.window.y, piece.y[i]), birth.level);
+            colour = of_orientation[tile.index];
         }
     });
     return colours;

@@ -39,15 +39,16 @@ struct DotOrigins {
 /// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of
 /// the orientation of the tile it was born in. Empty for ink: all alike. A dot within a float's rounding of
 /// its tile's edge may get the neighbour's orientation.
-std::vector<glm::u8vec4> dot_colours(const Dots& dots, const DotOrigins& origins, DotColouring colouring);
+std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
+                                     DotColouring colouring);
 
 /// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become
 /// the ink's first. From kDeepestStep on nothing is hidden.
-std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const Dots& dots,
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
                                                std::size_t tile_size, int deepest, glm::vec3 ink);
 
 /// Both of these, as chosen; empty: all dots in ink.
-std::vector<glm::u8vec4> chosen_colours(const Dots& dots, const DotOrigins& origins,
+std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
                                         const DotColourChoice& choice);
 
 /// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,

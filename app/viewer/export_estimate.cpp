@@ -44,16 +44,18 @@ double bytes_of(const Write& write) {
 }
 
 // Of when they appear any numbers with as many digits will do: a drawing on screen has none.
-Dots sample_of(const Dots& dots, double scale) {
+Dots sample_of(const DotPieces& dots, double scale) {
     Dots sample;
-    const std::size_t step = 1 + dots.size() / kSample;
-    for (std::size_t i = 0; i < dots.size(); i += step) {
-        sample.x.push_back(dots.x[i]);
-        sample.y.push_back(dots.y[i]);
-        const double share = static_cast<double>(i + 1) / static_cast<double>(dots.size());
+    const std::size_t count = dots.size(), step = 1 + count / kSample;
+    std::size_t i = 0;
+    for_each_position(dots, [&](float x, float y) {
+        if (i++ % step != 0) return;
+        sample.x.push_back(x);
+        sample.y.push_back(y);
+        const double share = static_cast<double>(i) / static_cast<double>(count);
         sample.threshold.push_back(static_cast<float>(scale * share));
         sample.critical.push_back(static_cast<float>(scale * share * 1.2345));
-    }
+    });
     return sample;
 }
 
@@ -102,22 +104,22 @@ Mosaic mosaic_of(const EstimatedDrawing& drawing, const RasterSize& size) {
     Mosaic mosaic;
     mosaic.page = {pixels.x * mm_per_pixel, pixels.y * mm_per_pixel, longer * mm_per_pixel};
     mosaic.share = pixels.x * pixels.y / (static_cast<double>(size.width) * size.height);
-    for (std::size_t i = 0; i < drawing.dots.size(); ++i) {
-        const glm::dvec2 at = glm::dvec2(drawing.dots.x[i], drawing.dots.y[i]) * pixels_per_unit;
+    for_each_position(drawing.dots, [&](float x, float y) {
+        const glm::dvec2 at = glm::dvec2(x, y) * pixels_per_unit;
         const glm::dvec2 index = glm::min(glm::floor(at / cell), glm::dvec2(count - 1));
         const glm::dvec2 in_patch = at - (index + 0.5) * cell + glm::dvec2(patch) * 0.5;
-        if (in_patch.x < 0 || in_patch.y < 0 || in_patch.x >= patch.x || in_patch.y >= patch.y) continue;
+        if (in_patch.x < 0 || in_patch.y < 0 || in_patch.x >= patch.x || in_patch.y >= patch.y) return;
         const glm::dvec2 place = (index * glm::dvec2(patch) + in_patch) / longer;
         mosaic.dots.x.push_back(static_cast<float>(place.x));
         mosaic.dots.y.push_back(static_cast<float>(place.y));
-    }
+    });
     return mosaic;
 }
 
 double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawing, double radius) {
     const Mosaic mosaic = mosaic_of(drawing, raster_size(drawing.page, drawing.dpi));
-    const Grid<float> coverage =
-        coverage_of(mosaic.dots, mosaic.page, {.dot_radius_mm = radius, .dpi = drawing.dpi, .threads = 0});
+    const Grid<float> coverage = coverage_of(stream_of(mosaic.dots), mosaic.page,
+                                             {.dot_radius_mm = radius, .dpi = drawing.dpi, .threads = 0});
     const auto is_grey = [](glm::vec3 colour) { return colour.r == colour.g && colour.g == colour.b; };
     PngHeader header{coverage.width, coverage.height, drawing.dpi};
     if (is_grey(settings.ink) && is_grey(settings.paper)) header.colours = PngColours::grey;

@@ -13,7 +13,7 @@ namespace dapple {
 
 /// What would be written, as save_drawing() gets it; dots in memory.
 struct EstimatedDrawing {
-    const Dots& dots;
+    const DotPieces& dots;
     double scale = 0;
     PageSize page;
     std::span<const PlacedTile> tiles = {};

@@ -72,14 +72,18 @@ GlVertexArray::GlVertexArray() : name_(generated([](GLsizei n, GLuint* p) { glGe
 GlStreamBuffer::GlStreamBuffer() : name_(generated([](GLsizei n, GLuint* p) { glGenBuffers(n, p); })) {}
 
 void GlStreamBuffer::write(std::span<const std::byte> bytes) {
+    write(bytes.size(), [bytes](std::byte* place) { std::memcpy(place, bytes.data(), bytes.size()); });
+}
+
+void GlStreamBuffer::write(std::size_t bytes, const std::function<void(std::byte* place)>& fill) {
     bind();
-    if (bytes.size() > capacity_) capacity_ = bytes.size() + bytes.size() / 4;
+    if (bytes > capacity_) capacity_ = bytes + bytes / 4;
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
-    if (bytes.empty()) return;
-    void* place = glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes.size()),
+    if (bytes == 0) return;
+    void* place = glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes),
                                    GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
     if (!place) throw std::runtime_error("The graphics memory is too small for so many dots.");
-    std::memcpy(place, bytes.data(), bytes.size());
+    fill(static_cast<std::byte*>(place));
     glUnmapBuffer(GL_ARRAY_BUFFER);
 }
 

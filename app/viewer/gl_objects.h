@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -69,6 +70,8 @@ class GlStreamBuffer {
     GlStreamBuffer();
     void bind() const { glBindBuffer(GL_ARRAY_BUFFER, name_.get()); }
     void write(std::span<const std::byte> bytes);
+    /// Has the new storage filled, all of it.
+    void write(std::size_t bytes, const std::function<void(std::byte* place)>& fill);
 
  private:
     GlName<delete_buffer> name_;

@@ -18,20 +18,20 @@ constexpr double kLeastFolded = 8;      // folded
 constexpr int kMostAcross = 8;
 constexpr double kDotsAround = 400;  // that the density about a place is told from
 
-std::size_t count_around(const Dots& dots, glm::dvec2 centre, double side) {
+std::size_t count_around(const DotPieces& dots, glm::dvec2 centre, double side) {
     const auto low_x = static_cast<float>(centre.x - side / 2),
                high_x = static_cast<float>(centre.x + side / 2);
     const auto low_y = static_cast<float>(centre.y - side / 2),
                high_y = static_cast<float>(centre.y + side / 2);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < dots.size(); ++i)
-        count += (dots.x[i] >= low_x) & (dots.x[i] < high_x) & (dots.y[i] >= low_y) & (dots.y[i] < high_y);
+    for_each_position(
+        dots, [&](float x, float y) { count += (x >= low_x) & (x < high_x) & (y >= low_y) & (y < high_y); });
     return count;
 }
 
 /// Dots per square page unit around a place.
 double density_around(const PlacedDrawing& shown, glm::dvec2 place) {
-    const Dots& dots = shown.stippling.dots;
+    const DotPieces& dots = shown.stippling.dots;
     const double area =
         std::min(shown.window.width, shown.page_size.x) * std::min(shown.window.height, shown.page_size.y);
     double density = static_cast<double>(dots.size()) / area;
@@ -93,12 +93,11 @@ std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t 
 Folding folded(const PlacedDrawing& shown, const LoupeSquare& square) {
     const glm::dvec2 corner = in_page_units(square.corner - PagePoint{shown.window.x, shown.window.y});
     const double side = square.across * square.period();
-    const Dots& dots = shown.stippling.dots;
     std::vector<glm::dvec2> points;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const glm::dvec2 p = glm::dvec2(dots.x[i], dots.y[i]) - corner;
+    for_each_position(shown.stippling.dots, [&](float x, float y) {
+        const glm::dvec2 p = glm::dvec2(x, y) - corner;
         if (p.x >= 0 && p.y >= 0 && p.x < side && p.y < side) points.push_back(p);
-    }
+    });
     if (shown.stippling.duplicates > 0) drop_duplicates(points, {side, side, Topology::window});
     return folded(points, {0, 0}, square.period(), square.across);
 }

@@ -58,6 +58,13 @@ void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLu
     glVertexAttribDivisor(location, divisor);
 }
 
+void write_column(GlStreamBuffer& buffer, const DotPieces& dots, FloatBuffer Dots::*column) {
+    buffer.write(dots.size() * sizeof(float), [&](std::byte* place) {
+        for (const Dots& piece : dots.pieces)
+            place = std::ranges::copy(std::as_bytes(std::span(piece.*column)), place).out;
+    });
+}
+
 }  // namespace
 
 Renderer::Renderer()
@@ -81,13 +88,13 @@ Renderer::Renderer()
     largest_point_ = sizes[1];
 }
 
-void Renderer::set_dots(const Dots& dots, const PageWindow& window) {
-    dot_x_.write(std::as_bytes(std::span(dots.x)));
-    dot_y_.write(std::as_bytes(std::span(dots.y)));
-    has_critical_ = dots.critical.size() == dots.size();
-    if (has_critical_) dot_critical_.write(std::as_bytes(std::span(dots.critical)));
-    // Not looked at then, but the column must be as long as the others.
-    if (!has_critical_) dot_critical_.write(std::as_bytes(std::span(dots.x)));
+void Renderer::set_dots(const DotPieces& dots, const PageWindow& window) {
+    write_column(dot_x_, dots, &Dots::x);
+    write_column(dot_y_, dots, &Dots::y);
+    has_critical_ = std::ranges::all_of(
+        dots.pieces, [](const Dots& piece) { return piece.critical.size() == piece.size(); });
+    // Not looked at if it isn't there, but the column must be as long as the others.
+    write_column(dot_critical_, dots, has_critical_ ? &Dots::critical : &Dots::x);
     dot_origin_ = {window.x, window.y};
     dot_count_ = dots.size();
     if (has_colours_) set_dot_colours({});

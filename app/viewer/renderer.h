@@ -31,7 +31,7 @@ class Renderer {
     Renderer();
 
     /// Positions are relative to the window's corner. Dots::critical is needed for fading in only.
-    void set_dots(const Dots& dots, const PageWindow& window = {});
+    void set_dots(const DotPieces& dots, const PageWindow& window = {});
     /// One colour a dot, or none for the ink; until the next set_dots().
     void set_dot_colours(std::span<const glm::u8vec4> colours);
     void set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window = {});

@@ -73,20 +73,19 @@ void Session::save(const fs::path& path) {
         if (!bench.place(order, drawing, stop)) return {};
         const Density& density = bench.density(drawn.tone, choice);
         if (order.stipple.appearance) fill_critical_scales(drawing.stippling.dots, density);
-        Dots& dots = drawing.stippling.dots;
-        if (format != DrawingFormat::png)
-            sort_dots(dots, saving.order.value_or(usual_order(format, dots.size())));
         const PageSize page = page_size(density, drawn.width_mm);
         const std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
         const double dpi = saving.dpi;
-        return [path, drawn, page, tile_size, dpi, drawing = std::move(drawing)](const SavingWatch& watch) {
+        const auto order_wanted =
+            format == DrawingFormat::png ? std::optional(DotOrder::recursion) : saving.order;
+        return [=, drawing = std::move(drawing)](const SavingWatch& watch) {
             return save_drawing(path, drawn,
                                 {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
                                  .page = page,
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size,
                                  .dpi = dpi,
-                                 .order = DotOrder::recursion},  // as they lie
+                                 .order = order_wanted},
                                 watch);
         };
     };

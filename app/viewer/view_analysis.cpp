@@ -26,21 +26,26 @@ ViewRectangle shrunk(const ViewRectangle& view, double factor) {
     return {view.corner + view.size * ((1 - factor) / 2), view.size * factor};
 }
 
-double guessed_count(const Dots& dots, const ViewRectangle& view) {
+double guessed_count(const DotPieces& dots, const ViewRectangle& view) {
     const std::size_t step = 1 + dots.size() / kCounted;
     std::size_t found = 0;
-    for (std::size_t i = 0; i < dots.size(); i += step) found += holds(view, dots.x[i], dots.y[i]);
+    for (const Dots& piece : dots.pieces) {
+        for (std::size_t i = 0; i < piece.size(); i += step) found += holds(view, piece.x[i], piece.y[i]);
+    }
     return static_cast<double>(found * step);
 }
 
 // False if there are more than `most`.
-bool collect(const Dots& dots, const ViewRectangle& view, std::size_t most, std::vector<glm::dvec2>& points) {
+bool collect(const DotPieces& dots, const ViewRectangle& view, std::size_t most,
+             std::vector<glm::dvec2>& points) {
     points.clear();
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        if (!holds(view, dots.x[i], dots.y[i])) continue;
-        if (points.size() == most) return false;
-        points.push_back(
-            glm::clamp(glm::dvec2(dots.x[i], dots.y[i]) - view.corner, glm::dvec2(0), view.size));
+    for (const Dots& piece : dots.pieces) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const glm::dvec2 p(piece.x[i], piece.y[i]);
+            if (!holds(view, p.x, p.y)) continue;
+            if (points.size() == most) return false;
+            points.push_back(glm::clamp(p - view.corner, glm::dvec2(0), view.size));
+        }
     }
     return true;
 }
@@ -97,7 +102,7 @@ void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain) {
     points = std::move(kept);
 }
 
-PointsInView points_in_view(const Dots& dots, const ViewRectangle& view, std::size_t most) {
+PointsInView points_in_view(const DotPieces& dots, const ViewRectangle& view, std::size_t most) {
     PointsInView result;
     if (!(view.size.x > 0 && view.size.y > 0)) return result;
     ViewRectangle part = view;

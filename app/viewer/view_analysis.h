@@ -35,7 +35,8 @@ struct PointsInView {
 };
 
 /// Of a million dots it takes some milliseconds. No points if the rectangle is empty.
-PointsInView points_in_view(const Dots& dots, const ViewRectangle& view, std::size_t most = kMostAnalysed);
+PointsInView points_in_view(const DotPieces& dots, const ViewRectangle& view,
+                            std::size_t most = kMostAnalysed);
 
 /// Leaves one of those that lie within a thousandth of the mean spacing of one another. Sorts them.
 void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain);

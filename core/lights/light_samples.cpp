@@ -68,10 +68,11 @@ std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& dens
 }
 
 std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request) {
-    Dots dots;
+    DotPieces dots;
     tile.placer().place_exactly(density, {.count = request.count, .threads = request.threads}, dots);
-    std::vector<glm::dvec2> places(dots.size());
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = {dots.x[i], dots.y[i]};
+    std::vector<glm::dvec2> places;
+    places.reserve(dots.size());
+    for_each_position(dots, [&](float x, float y) { places.emplace_back(x, y); });
     return places;
 }
 

@@ -229,10 +229,10 @@ void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest&
     }
 }
 
-Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request) {
+Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request) {
     const RasterSize size = raster_size(page, request.dpi);
     Grid<float> whole(size.width, size.height);
-    rasterise(stream_of(dots), page, request, [&](int first_row, const Grid<float>& band) {
+    rasterise(dots, page, request, [&](int first_row, const Grid<float>& band) {
         std::ranges::copy(band.values, whole.row(first_row));
     });
     return whole;

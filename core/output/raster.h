@@ -42,7 +42,7 @@ void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest&
                const CoverageSink& sink);
 
 /// All bands in one, of dots in memory.
-Grid<float> coverage_of(const Dots& dots, const PageSize& page, const RasterRequest& request);
+Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request);
 
 /// sRGB-encoded pixels of that coverage. The colours are sRGB-encoded too.
 Grid<glm::u8vec3> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);

@@ -33,6 +33,34 @@ void Dots::reserve(std::size_t count, bool appearance) {
     for (FloatBuffer* column : {&threshold, &critical}) column->reserve(count);
 }
 
+void append(Dots& to, const Dots& more) {
+    const auto add = [](FloatBuffer& column, const FloatBuffer& end) {
+        column.insert(column.end(), end.begin(), end.end());
+    };
+    add(to.x, more.x);
+    add(to.y, more.y);
+    add(to.threshold, more.threshold);
+    add(to.critical, more.critical);
+}
+
+std::size_t DotPieces::size() const {
+    std::size_t count = 0;
+    for (const Dots& piece : pieces) count += piece.size();
+    return count;
+}
+
+DotPieces in_one_piece(Dots dots) {
+    DotPieces result;
+    result.pieces.push_back(std::move(dots));
+    return result;
+}
+
+Dots joined(const DotPieces& dots) {
+    Dots whole;
+    for (const Dots& piece : dots.pieces) append(whole, piece);
+    return whole;
+}
+
 Birthplace birthplace_of(float threshold, std::size_t tile_size) {
     double birth = threshold * 16.0;
     const auto n = static_cast<double>(tile_size);

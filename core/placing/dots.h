@@ -55,6 +55,27 @@ struct Dots {
     void reserve(std::size_t count, bool appearance);
 };
 
+void append(Dots& to, const Dots& more);
+
+/// A drawing's dots in their order, piece after piece: threads place them side by side, and nothing is moved
+/// afterwards. Pieces may be empty.
+struct DotPieces {
+    std::vector<Dots> pieces;
+
+    std::size_t size() const;  // dots in all
+};
+
+/// Calls visit(x, y) for each dot.
+template <class Visit>
+void for_each_position(const DotPieces& dots, const Visit& visit) {
+    for (const Dots& piece : dots.pieces) {
+        for (std::size_t i = 0; i < piece.size(); ++i) visit(piece.x[i], piece.y[i]);
+    }
+}
+
+DotPieces in_one_piece(Dots dots);
+Dots joined(const DotPieces& dots);
+
 /// A dot among others, and when it appears.
 struct LateDot {
     std::size_t index;

@@ -36,67 +36,41 @@ TieKey tie_of(const Dots& dots, const LateDot& dot) {
 // Drops the dots beyond a cut from a drawing that comes whole or piece after piece.
 class Cutter {
  public:
-    Cutter(const CountCut& cut, std::vector<std::size_t>& dropped)
-        : limit_(cut.limit), last_tie_(cut.last_tie), dropped_(dropped) {}
+    explicit Cutter(const CountCut& cut) : limit_(cut.limit), last_tie_(cut.last_tie) {}
 
-    void cut(Dots& dots, const LateDots& late) {
-        dropped_.clear();
-        for (const LateDot& dot : late) {
-            const bool stays =
-                dot.critical < limit_ || (dot.critical == limit_ && tie_of(dots, dot) <= last_tie_);
-            if (!stays) dropped_.push_back(dot.index);
-        }
-        if (dropped_.empty()) return;
+    // Leaves those that were dropped in `late`.
+    void cut(Dots& dots, LateDots& late) const {
+        std::erase_if(late, [&](const LateDot& dot) {
+            return dot.critical < limit_ || (dot.critical == limit_ && tie_of(dots, dot) <= last_tie_);
+        });
+        if (late.empty()) return;
         for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
-            if (!column->empty()) close_gaps(*column);
+            if (!column->empty()) drop(late, *column);
         }
     }
 
  private:
-    void close_gaps(FloatBuffer& column) const {
+    static void drop(const LateDots& dropped, FloatBuffer& column) {
         const auto begin = column.begin();
-        const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
-        auto to = at(dropped_.front());
-        for (std::size_t i = 0; i < dropped_.size(); ++i) {
-            const auto end = i + 1 < dropped_.size() ? at(dropped_[i + 1]) : column.end();
-            to = std::copy(at(dropped_[i]) + 1, end, to);
+        const auto at = [&](const LateDot& dot) { return begin + static_cast<std::ptrdiff_t>(dot.index); };
+        auto to = at(dropped.front());
+        for (std::size_t i = 0; i < dropped.size(); ++i) {
+            const auto end = i + 1 < dropped.size() ? at(dropped[i + 1]) : column.end();
+            to = std::copy(at(dropped[i]) + 1, end, to);
         }
-        column.resize(column.size() - dropped_.size());
+        column.resize(column.size() - dropped.size());
     }
 
     float limit_;
     TieKey last_tie_;
-    std::vector<std::size_t>& dropped_;
-};
-
-// Counts the dots of a drawing that nobody keeps, and keeps what a cut needs of the late ones.
-class Counter : public PieceTaker {
- public:
-    explicit Counter(LateDots& late) : late_(late) { late_.clear(); }
-    bool take_in_turn(PieceMemory& piece) override {
-        count_ += piece.dots.size();
-        for (const LateDot& dot : piece.emitter.late) {
-            late_.push_back({keys_.size(), dot.threshold, dot.critical});
-            keys_.push_back(tie_of(piece.dots, dot));
-        }
-        return true;
-    }
-    std::size_t count() const { return count_; }
-    std::vector<TieKey> take_keys() { return std::move(keys_); }  // by LateDot::index
-
- private:
-    LateDots& late_;
-    std::vector<TieKey> keys_;
-    std::size_t count_ = 0;
 };
 
 // Where a drawing ends in which `kept` of the late dots stay; one or more.
-template <class KeyOf>
-CountCut cut_among(PlacerMemory& memory, std::size_t kept, KeyOf key_of) {
-    const LateDots& late = memory.emitter.late;
+template <class Trial>
+CountCut cut_among(const Trial& trial, std::size_t kept, PlacerMemory& memory) {
     std::vector<float>& criticals = memory.criticals;
     criticals.clear();
-    for (const LateDot& dot : late) criticals.push_back(dot.critical);
+    trial.for_each_late([&](float critical, const auto&) { criticals.push_back(critical); });
     const auto last = criticals.begin() + static_cast<std::ptrdiff_t>(kept - 1);
     std::nth_element(criticals.begin(), last, criticals.end());
     CountCut cut;
@@ -104,20 +78,24 @@ CountCut cut_among(PlacerMemory& memory, std::size_t kept, KeyOf key_of) {
     const auto kept_ties = std::count(criticals.begin(), last, cut.limit);
     std::vector<TieKey>& ties = memory.ties;
     ties.clear();
-    for (const LateDot& dot : late) {
-        if (dot.critical == cut.limit) ties.push_back(key_of(dot));
-    }
+    trial.for_each_late([&](float critical, const auto& tie) {
+        if (critical == cut.limit) ties.push_back(tie());
+    });
     std::nth_element(ties.begin(), ties.begin() + kept_ties, ties.end());
     cut.last_tie = ties[static_cast<std::size_t>(kept_ties)];
     return cut;
 }
 
-// Tries scales until the end of the drawing lies between two of them. place(scale, early scale) places and
-// returns how many dots there are, the late ones of them in memory; nothing if stopped. key_of() gives the
-// tie key of a late dot.
-template <class Place, class KeyOf>
+struct PlacedDots {
+    std::size_t all = 0, late = 0;
+};
+
+// Tries scales until the end of the drawing lies between two of them. trial.place(scale, early scale) places
+// and says how many dots there are; nothing if stopped. trial.for_each_late() visits the late ones' critical
+// scales and functions that give their tie keys.
+template <class Trial>
 std::optional<CountCut> find_end(const Density& density, std::uint64_t count, PlacerMemory& memory,
-                                 Place place, KeyOf key_of) {
+                                 Trial& trial) {
     if (!(density.mean() > 0)) {
         throw std::runtime_error(
             "there is nothing to draw: the picture is white everywhere; darken it or invert it");
@@ -128,19 +106,19 @@ std::optional<CountCut> find_end(const Density& density, std::uint64_t count, Pl
     // The share by which a count is off, and a little; small drawings grow by steps of a whole tile's ranks.
     const auto step = [more](double share) { return std::clamp(share * more, more, 4.0); };
     while (true) {
-        const std::optional<std::size_t> placed = place(scale, early);
+        const std::optional<PlacedDots> placed = trial.place(scale, early);
         if (!placed) return std::nullopt;
-        const std::size_t sure = *placed - memory.emitter.late.size();
-        if (*placed < count) {
+        const std::size_t sure = placed->all - placed->late;
+        if (placed->all < count) {
             if (scale > kMaxScale) {
                 throw std::runtime_error("so many dots do not fit: the picture's dark part is too small");
             }
             early = scale;
-            scale *= step(static_cast<double>(count + 1) / static_cast<double>(*placed + 1));
+            scale *= step(static_cast<double>(count + 1) / static_cast<double>(placed->all + 1));
             continue;
         }
         if (sure < count) {
-            CountCut cut = cut_among(memory, count - sure, key_of);
+            CountCut cut = cut_among(trial, count - sure, memory);
             cut.scale = scale;
             cut.early_scale = early;
             if (cut.limit >= early) return cut;
@@ -151,51 +129,125 @@ std::optional<CountCut> find_end(const Density& density, std::uint64_t count, Pl
     }
 }
 
+// A drawing that is kept.
+class KeptTrial {
+ public:
+    KeptTrial(const PlacingTable& table, const Density& density, const ExactCount& request,
+              PlacerMemory& memory, DotPieces& dots, const std::stop_token& stop)
+        : table_(table), density_(density), request_(request), memory_(memory), dots_(dots), stop_(stop) {}
+
+    std::optional<PlacedDots> place(double scale, double early) {
+        const Traversal traversal(table_, density_, request_at(request_, scale), early);
+        if (!keep_dots(traversal, memory_, dots_, stop_)) return std::nullopt;
+        PlacedDots placed{.all = dots_.size()};
+        for (const EmitterMemory& emitter : memory_.emitters) placed.late += emitter.late.size();
+        return placed;
+    }
+
+    template <class Visit>
+    void for_each_late(const Visit& visit) const {
+        for (std::size_t i = 0; i < dots_.pieces.size(); ++i) {
+            for (const LateDot& dot : memory_.emitters[i].late)
+                visit(dot.critical, [&] { return tie_of(dots_.pieces[i], dot); });
+        }
+    }
+
+    void cut(const CountCut& at) {
+        const Cutter cutter(at);
+        for_each_piece(dots_.pieces.size(), threads_for(request_.threads),
+                       [&](std::size_t i) { cutter.cut(dots_.pieces[i], memory_.emitters[i].late); });
+    }
+
+ private:
+    const PlacingTable& table_;
+    const Density& density_;
+    const ExactCount& request_;
+    PlacerMemory& memory_;
+    DotPieces& dots_;
+    const std::stop_token& stop_;
+};
+
+// A drawing that nobody keeps, but for what a cut needs of the late dots.
+class CountedTrial {
+ public:
+    CountedTrial(const PlacingTable& table, const Density& density, const ExactCount& request,
+                 PlacerMemory& memory, const std::stop_token& stop)
+        : table_(table), density_(density), request_(request), memory_(memory), stop_(stop) {}
+
+    std::optional<PlacedDots> place(double scale, double early) {
+        const Traversal traversal(table_, density_, request_at(request_, scale), early);
+        Counter counter(late_);
+        if (!hand_over_dots(traversal, memory_, counter, stop_)) return std::nullopt;
+        return PlacedDots{counter.count(), late_.size()};
+    }
+
+    template <class Visit>
+    void for_each_late(const Visit& visit) const {
+        for (const Late& dot : late_) visit(dot.critical, [&] { return dot.tie; });
+    }
+
+ private:
+    struct Late {
+        float critical;
+        TieKey tie;
+    };
+
+    class Counter : public PieceTaker {
+     public:
+        explicit Counter(std::vector<Late>& late) : late_(late) { late_.clear(); }
+        bool take(PieceMemory& piece) override {
+            count_ += piece.dots.size();
+            for (const LateDot& dot : piece.emitter.late)
+                late_.push_back({dot.critical, tie_of(piece.dots, dot)});
+            return true;
+        }
+        std::size_t count() const { return count_; }
+
+     private:
+        std::vector<Late>& late_;
+        std::size_t count_ = 0;
+    };
+
+    const PlacingTable& table_;
+    const Density& density_;
+    const ExactCount& request_;
+    PlacerMemory& memory_;
+    const std::stop_token& stop_;
+    std::vector<Late> late_;
+};
+
 }  // namespace
 
 double CountCut::last_scale() const {
     return std::nextafter(limit, std::numeric_limits<float>::max());  // a dot exists above its critical scale
 }
 
-std::optional<double> Placer::place_exactly(const Density& density, const ExactCount& request, Dots& dots,
-                                            std::stop_token stop) {
+std::optional<double> Placer::place_exactly(const Density& density, const ExactCount& request,
+                                            DotPieces& dots, std::stop_token stop) {
     if (request.count == 0) {
         dots = {};
         return 0.0;
     }
-    const auto place = [&](double scale, double early) -> std::optional<std::size_t> {
-        const Traversal traversal(table_, density, request_at(request, scale), early);
-        if (!place_columns(traversal, *memory_, dots, stop)) return std::nullopt;
-        return dots.size();
-    };
-    const auto key_of = [&](const LateDot& dot) { return tie_of(dots, dot); };
-    const std::optional<CountCut> cut = find_end(density, request.count, *memory_, place, key_of);
+    KeptTrial trial(table_, density, request, *memory_, dots, stop);
+    const std::optional<CountCut> cut = find_end(density, request.count, *memory_, trial);
     if (!cut) return std::nullopt;
-    Cutter(*cut, memory_->dropped).cut(dots, memory_->emitter.late);
+    trial.cut(*cut);
     return cut->last_scale();
 }
 
 std::optional<CountCut> Placer::find_cut(const Density& density, const ExactCount& request,
                                          std::stop_token stop) {
     if (request.count == 0) return CountCut{};
-    std::vector<TieKey> keys;
-    const auto place = [&](double scale, double early) -> std::optional<std::size_t> {
-        Counter counter(memory_->emitter.late);
-        const Traversal traversal(table_, density, request_at(request, scale), early);
-        if (!hand_over_pieces(traversal, *memory_, counter, stop)) return std::nullopt;
-        keys = counter.take_keys();
-        return counter.count();
-    };
-    return find_end(density, request.count, *memory_, place,
-                    [&](const LateDot& dot) { return keys[dot.index]; });
+    CountedTrial trial(table_, density, request, *memory_, stop);
+    return find_end(density, request.count, *memory_, trial);
 }
 
 bool Placer::place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,
                              const TakePiece& take, std::stop_token stop) {
     class CutStream : public PieceTaker {
      public:
-        CutStream(Cutter cutter, const TakePiece& take) : cutter_(cutter), take_(take) {}
-        bool take_in_turn(PieceMemory& piece) override {
+        CutStream(const CountCut& cut, const TakePiece& take) : cutter_(cut), take_(take) {}
+        bool take(PieceMemory& piece) override {
             cutter_.cut(piece.dots, piece.emitter.late);
             return piece.dots.size() == 0 || take_(piece.dots);
         }
@@ -205,9 +257,9 @@ bool Placer::place_in_pieces(const Density& density, const ExactCount& request, 
         const TakePiece& take_;
     };
     if (request.count == 0) return true;
-    CutStream stream(Cutter(cut, memory_->dropped), take);
+    CutStream stream(cut, take);
     const Traversal traversal(table_, density, request_at(request, cut.scale), cut.early_scale);
-    return hand_over_pieces(traversal, *memory_, stream, stop);
+    return hand_over_dots(traversal, *memory_, stream, stop);
 }
 
 }  // namespace dapple

@@ -1,7 +1,5 @@
 #include "core/placing/pieces.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
@@ -73,7 +71,7 @@ class Crew {
             lock.lock();
             if (!placed) end();
             memory->state = PieceMemory::State::waits;
-            hand_over(lock);
+            hand_over();
         }
     }
 
@@ -100,29 +98,25 @@ class Crew {
         return nullptr;
     }
 
-    void hand_over(std::unique_lock<std::mutex>& lock) {
+    void hand_over() {
         const auto is_next = [this](const PieceMemory& m) {
             return m.state == PieceMemory::State::waits && m.piece == turn_;
         };
         for (auto m = memories_.begin();
              !ended_ && (m = std::ranges::find_if(memories_, is_next)) != memories_.end();) {
             ++turn_;
-            m->state = PieceMemory::State::is_placed;
-            if (!take_in_turn(*m)) {
+            if (!take(*m)) {
                 end();
                 return;
             }
-            lock.unlock();
-            taker_.take_beside(*m);
-            lock.lock();
             m->state = PieceMemory::State::free;
             freed_.notify_one();
         }
     }
 
-    bool take_in_turn(PieceMemory& memory) {
+    bool take(PieceMemory& memory) {
         try {
-            return taker_.take_in_turn(memory);
+            return taker_.take(memory);
         } catch (...) {
             error_ = std::current_exception();
             return false;
@@ -132,16 +126,7 @@ class Crew {
     bool place(PieceMemory& memory) {
         try {
             SquareEmitter emitter(traversal_, memory.dots, memory.emitter);
-            const std::size_t first = memory.piece == 0 ? 0 : pieces_.ends[memory.piece - 1];
-            for (std::size_t s = first; s < pieces_.ends[memory.piece]; ++s) {
-                const PieceSquare& square = pieces_.squares[s];
-                if (!square.with_descendants) {
-                    emitter.emit(square.visit);
-                } else if (!place_from(traversal_, square.visit, emitter, stop_)) {
-                    return false;
-                }
-            }
-            return !stop_.stop_requested();
+            return place_piece(traversal_, pieces_, memory.piece, emitter, stop_);
         } catch (...) {
             const std::lock_guard lock(mutex_);
             error_ = std::current_exception();
@@ -178,19 +163,25 @@ void divide_into_pieces(const Traversal& traversal, double dots, Pieces& pieces)
     if (pieces.ends.empty() || pieces.ends.back() < pieces.squares.size()) division.end_piece();
 }
 
-bool place_all(const Traversal& traversal, SquareEmitter& emitter, const std::stop_token& stop) {
-    return !traversal.starts() || place_from(traversal, traversal.root(), emitter, stop);
+bool place_piece(const Traversal& traversal, const Pieces& pieces, std::size_t piece, SquareEmitter& emitter,
+                 const std::stop_token& stop) {
+    const std::size_t first = piece == 0 ? 0 : pieces.ends[piece - 1];
+    for (std::size_t s = first; s < pieces.ends[piece]; ++s) {
+        const PieceSquare& square = pieces.squares[s];
+        if (!square.with_descendants) {
+            emitter.emit(square.visit);
+        } else if (!place_from(traversal, square.visit, emitter, stop)) {
+            return false;
+        }
+    }
+    return !stop.stop_requested();
 }
 
-bool place_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
-                  std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop) {
+bool hand_over_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
+                      std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop) {
     memories.resize(kMemoriesPerThread * threads);
     Crew crew(traversal, pieces, memories, taker, stop);
-    if (threads == 1) {
-        crew.work();
-    } else {
-        tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t) { crew.work(); });
-    }
+    on_threads(threads, [&] { crew.work(); });
     return crew.finish();
 }
 

@@ -1,6 +1,11 @@
 #pragma once
-// A placing cut into pieces that several threads work on and hand over in the order of the recursion.
+// A placing cut into pieces that several threads work on: kept side by side, or handed over in the order of
+// the recursion.
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <stop_token>
 #include <vector>
@@ -25,14 +30,31 @@ struct Pieces {
 /// Cuts into pieces of at most about `dots` dots each. Uses the memory of `pieces` again.
 void divide_into_pieces(const Traversal& traversal, double dots, Pieces& pieces);
 
-/// All that the traversal reaches, onto the emitter. False if stopped.
-bool place_all(const Traversal& traversal, SquareEmitter& emitter, const std::stop_token& stop);
+/// A piece's dots onto the emitter. False if stopped.
+bool place_piece(const Traversal& traversal, const Pieces& pieces, std::size_t piece, SquareEmitter& emitter,
+                 const std::stop_token& stop);
 
-/// Where a piece is placed, kept for others after it: small enough for a core's own cache.
+/// Does the same work on so many threads at once.
+template <class Work>
+void on_threads(std::size_t threads, const Work& work) {
+    if (threads == 1) return work();
+    tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t) { work(); });
+}
+
+/// Calls body(i) for each i below `count`, on so many threads.
+template <class Body>
+void for_each_piece(std::size_t count, std::size_t threads, const Body& body) {
+    std::atomic<std::size_t> next = 0;
+    on_threads(std::min(count, threads), [&] {
+        for (std::size_t i; (i = next++) < count;) body(i);
+    });
+}
+
+/// Where a piece is placed that is handed over, kept for others after it: small enough for a core's own
+/// cache.
 struct PieceMemory {
     Dots dots;
     EmitterMemory emitter;
-    std::size_t start = 0;  // of the piece within the whole, for who takes it
 
     enum class State {
         free,
@@ -43,18 +65,16 @@ struct PieceMemory {
     std::size_t piece = 0;
 };
 
-/// Who takes the pieces. Taking in turn may throw.
+/// Who takes the pieces.
 class PieceTaker {
  public:
     virtual ~PieceTaker() = default;
-    /// Called in the order of the pieces, one at a time. False ends the placing.
-    virtual bool take_in_turn(PieceMemory& piece) = 0;
-    /// Called after that, beside other pieces'.
-    virtual void take_beside(const PieceMemory&) {}
+    /// Called in the order of the pieces, one at a time. False ends the placing. May throw.
+    virtual bool take(PieceMemory& piece) = 0;
 };
 
-/// Places every piece. False if stopped or ended by the taker.
-bool place_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
-                  std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop);
+/// Places every piece and hands it over. False if stopped or ended by the taker.
+bool hand_over_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
+                      std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop);
 
 }  // namespace dapple

@@ -73,9 +73,10 @@ class Placer {
 
     const PlacingTable& table() const { return table_; }
 
-    /// Places into `dots`, overwriting it, in the order of the recursion. Returns false, with `dots` in an
-    /// unspecified state, if the stop token asked to stop first.
-    bool place(const Density& density, const PlacingRequest& request, Dots& dots, std::stop_token stop = {});
+    /// Places into `dots`, overwriting it and using its memory again, in the order of the recursion. Returns
+    /// false, with `dots` in an unspecified state, if the stop token asked to stop first.
+    bool place(const Density& density, const PlacingRequest& request, DotPieces& dots,
+               std::stop_token stop = {});
 
     /// The same dots in the same order, handed over in pieces of some thousands: a drawing of any size in
     /// constant memory.
@@ -84,7 +85,7 @@ class Placer {
 
     /// Places exactly request.count dots. Returns a scale at which all of them exist, or nothing if stopped.
     /// Throws std::runtime_error if the density is 0 everywhere, or dark nowhere that so many dots fit.
-    std::optional<double> place_exactly(const Density& density, const ExactCount& request, Dots& dots,
+    std::optional<double> place_exactly(const Density& density, const ExactCount& request, DotPieces& dots,
                                         std::stop_token stop = {});
 
     /// The two halves of that, for drawings too large to be held: the search for the end, and the same dots

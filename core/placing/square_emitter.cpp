@@ -9,7 +9,6 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
-constexpr std::size_t kBeyondCaches = 2 << 20;  // dots: two columns of 8 MiB
 constexpr float kCloseBounds = 0.95f;
 
 // The lowest single number that is not below this: comparing with it, singles compare as with the double.
@@ -20,8 +19,13 @@ float not_below(double value) {
 
 }  // namespace
 
-SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory)
-    : traversal_(traversal), dots_(dots), memory_(memory), kernels_(best_kernels()) {
+SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory,
+                             bool beyond_caches)
+    : traversal_(traversal),
+      dots_(dots),
+      memory_(memory),
+      beyond_caches_(beyond_caches),
+      kernels_(best_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
     // Columns are used to their full capacity while dots are appended.
     dots_.resize(capacity_, traversal_.request().appearance);
@@ -190,7 +194,7 @@ KernelOutput SquareEmitter::room_for(std::size_t count) {
             appearance ? dots_.critical.data() + count_ : nullptr,
             late ? memory_.late.data() + late_ : nullptr,
             count_,
-            capacity_ >= kBeyondCaches};
+            beyond_caches_};
 }
 
 }  // namespace dapple

@@ -18,8 +18,8 @@ struct EmitterMemory {
 class SquareEmitter {
  public:
     /// Dots that do not exist yet at the traversal's early scale are listed in memory.late too, in their
-    /// order.
-    SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory);
+    /// order. `beyond_caches`: the drawing will be larger than the caches.
+    SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory, bool beyond_caches = false);
     ~SquareEmitter();
     SquareEmitter(const SquareEmitter&) = delete;
     SquareEmitter& operator=(const SquareEmitter&) = delete;
@@ -37,6 +37,7 @@ class SquareEmitter {
     const Traversal& traversal_;
     Dots& dots_;
     EmitterMemory& memory_;
+    const bool beyond_caches_;
     const Kernels& kernels_;
     std::size_t count_ = 0, capacity_ = 0;
     std::size_t late_ = 0;

@@ -1,0 +1,21 @@
+#pragma once
+// Dots in pieces, as threads leave them, for those who read drawings.
+
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+/// The first third and the rest, between empty pieces.
+inline DotPieces split(const Dots& dots) {
+    DotPieces result;
+    result.pieces.resize(5);
+    for (FloatBuffer Dots::*column : {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical}) {
+        const FloatBuffer& whole = dots.*column;
+        const auto third = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 3);
+        (result.pieces[1].*column).assign(whole.begin(), third);
+        (result.pieces[3].*column).assign(third, whole.end());
+    }
+    return result;
+}
+
+}  // namespace dapple
