@@ -96,3 +96,32 @@ TEST_CASE("a frame like the last one allocates nothing") {
     }
     CHECK(allocated == 0);
 }
+
+TEST_CASE("a drawing of a million dots takes at most 12 bytes a dot") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 3));
+    const Density density(blotches(80, 70, 5));
+    for (const int threads : {1, 2, 5}) {
+        DotPieces dots;
+        for (const double scale : {200'000.0, 500'000.0, 500'000.0})
+            placer.place(density, {.scale = scale, .threads = threads}, dots);
+        std::size_t room = 0;
+        for (const Dots& piece : dots.pieces) room += piece.x.capacity() + piece.y.capacity();
+        CHECK(dots.size() > 1'000'000);
+        CHECK(room * sizeof(float) <= 12 * dots.size());
+    }
+}
+
+TEST_CASE("a drawing of less dots than the last one has none of its dots, late ones neither") {
+    Placer placer = placer_of(make_tile(14217, 2895, 16));
+    const Density density(blotches(80, 70, 5));
+    DotPieces dots;
+    placer.place_exactly(density, {.count = 200'000, .threads = 2}, dots);
+    for (const std::size_t count : {50'000u, 100u}) {
+        DotPieces anew;
+        placer_of(make_tile(14217, 2895, 16)).place_exactly(density, {.count = count, .threads = 2}, anew);
+        placer.place_exactly(density, {.count = count, .threads = 2}, dots);
+        CHECK(same(joined(dots), joined(anew)));
+    }
+    placer.place(Density(Grid<float>(4, 4)), {.scale = 1000, .threads = 2}, dots);
+    CHECK(dots.size() == 0);
+}

@@ -146,7 +146,7 @@ class KeptTrial {
 
     template <class Visit>
     void for_each_late(const Visit& visit) const {
-        for (std::size_t i = 0; i < dots_.pieces.size(); ++i) {
+        for (std::size_t i = 0; i < memory_.emitters.size(); ++i) {
             for (const LateDot& dot : memory_.emitters[i].late)
                 visit(dot.critical, [&] { return tie_of(dots_.pieces[i], dot); });
         }
@@ -154,7 +154,7 @@ class KeptTrial {
 
     void cut(const CountCut& at) {
         const Cutter cutter(at);
-        for_each_piece(dots_.pieces.size(), threads_for(request_.threads),
+        for_each_piece(memory_.pieces.ends.size(), threads_for(request_.threads),
                        [&](std::size_t i) { cutter.cut(dots_.pieces[i], memory_.emitters[i].late); });
     }
 

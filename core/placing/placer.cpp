@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kWhole = std::numeric_limits<double>::infinity();
 constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
-constexpr double kLeastPieceDots = 1024;   // smaller ones are not worth claiming
-constexpr double kPiecesPerThread = 16;    // so that threads finish together
+constexpr double kLeastPieceDots = 2048;   // smaller ones are not worth claiming
+constexpr double kPiecesPerThread = 12;    // so that threads finish together
 constexpr double kMostHandedOver = 32768;  // 256 KiB: leaves most of a core's own cache to the density
 constexpr double kMostKept = 1 << 20;      // else room for more dots than come
 constexpr double kBeyondCaches = 2 << 20;  // dots: two columns of 8 MiB
@@ -66,11 +66,9 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     const std::size_t count = memory.pieces.ends.size();
     // Pieces that are not needed stay for the next time.
     if (dots.pieces.size() < count) dots.pieces.resize(count);
-    memory.emitters.resize(dots.pieces.size());
-    for (std::size_t i = count; i < dots.pieces.size(); ++i) {
-        dots.pieces[i].resize(0, appearance);
-        memory.emitters[i].late.clear();
-    }
+    if (memory.emitters.size() < count) memory.emitters.resize(count);
+    for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, appearance);
+    for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].late.clear();
     if (count == 1 && whole_page) reserve(dots.pieces[0], expected, appearance);
     for_each_piece(count, threads, [&](std::size_t i) {
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);
