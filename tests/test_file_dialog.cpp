@@ -143,6 +143,26 @@ TEST_CASE("Enter asks before it replaces a file, and another Enter does it") {
     CHECK(f.chosen == there);
 }
 
+TEST_CASE("Enter chooses as soon as the dialog is there") {
+    Folder folder;
+    DialogUi f;
+    f.dialog.ask_where_to_save(
+        {.title = "Export", .formats = {{"SVG", ".svg"}}, .start = folder.root.path() / "new.svg"});
+    while (!f.ui.has("Path")) f.ui.frame();
+    f.ui.key(HeadlessUi::kEnter);
+    CHECK(f.chosen == folder.root.path() / "new.svg");
+}
+
+TEST_CASE("Enter chooses the file that was clicked") {
+    Folder folder;
+    DialogUi f;
+    f.open(folder.root.path());
+    f.ui.click("ant.png");
+    CHECK_FALSE(f.chosen);
+    f.ui.key(HeadlessUi::kEnter);
+    CHECK(f.chosen == folder.root.path() / "ant.png");
+}
+
 TEST_CASE("another name takes the question whether to replace back") {
     Folder folder;
     DialogUi f;

@@ -248,7 +248,9 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
     if (just_opened_) ImGui::SetKeyboardFocusHere();
     just_opened_ = false;
     const std::string before = typed_;
-    const bool entered = ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    // Enter also counts where the field has no focus: not yet, in the first frames, or no longer.
+    bool entered = ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActivated() || !ImGui::IsAnyItemActive()) entered = entered || enter_pressed();
     note_place("Path");
     if (typed_ != before) replaces_.clear();
     if (entered && !asked) chosen = accept(typed_);
