@@ -37,6 +37,7 @@ struct Division {
 
     void end_piece() {
         pieces.ends.push_back(pieces.squares.size());
+        pieces.most.push_back(in_piece);
         in_piece = 0;
     }
 };
@@ -157,6 +158,7 @@ class Crew {
 void divide_into_pieces(const Traversal& traversal, double dots, Pieces& pieces) {
     pieces.squares.clear();
     pieces.ends.clear();
+    pieces.most.clear();
     if (!traversal.starts()) return;
     Division division{traversal, dots, pieces};
     division.add(traversal.root());

@@ -25,6 +25,7 @@ struct PieceSquare {
 struct Pieces {
     std::vector<PieceSquare> squares;
     std::vector<std::size_t> ends;
+    std::vector<double> most;  // dots in each, as far as the density's maxima tell
 };
 
 /// Cuts into pieces of at most about `dots` dots each. Uses the memory of `pieces` again.

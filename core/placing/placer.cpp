@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "core/placing/placer_memory.h"
 
@@ -12,12 +13,13 @@ namespace dapple {
 namespace {
 
 constexpr double kWhole = std::numeric_limits<double>::infinity();
-constexpr double kWorthSharing = 1 << 14;  // dots; fewer are placed before another thread has woken up
-constexpr double kLeastPieceDots = 2048;   // smaller ones are not worth claiming
-constexpr double kPiecesPerThread = 12;    // so that threads finish together
-constexpr double kMostHandedOver = 32768;  // 256 KiB: leaves most of a core's own cache to the density
-constexpr double kMostKept = 1 << 20;      // else room for more dots than come
-constexpr double kBeyondCaches = 2 << 20;  // dots: two columns of 8 MiB
+constexpr double kWorthSharing = 1 << 14;      // dots; fewer are placed before another thread has woken up
+constexpr double kLeastPieceDots = 2048;       // smaller ones are not worth claiming
+constexpr double kPiecesPerThread = 12;        // so that threads finish together
+constexpr double kMostHandedOver = 32768;      // 256 KiB: leaves most of a core's own cache to the density
+constexpr double kMostKept = 1 << 20;          // else room for more dots than come
+constexpr std::size_t kMostSquareDots = 1024;  // about
+constexpr double kBeyondCaches = 2 << 20;      // dots: two columns of 8 MiB
 
 // About so many dots are in the window.
 double expected_dots(const Traversal& traversal) {
@@ -31,10 +33,10 @@ double piece_dots(const Traversal& traversal, double most) {
     return std::clamp(expected_dots(traversal) / (kPiecesPerThread * threads), kLeastPieceDots, most);
 }
 
-// Room for what is expected, so that columns need not grow, which takes twice the memory.
+// Room for what is expected where there is far less: to grow step by step takes longer than placing.
 void reserve(Dots& dots, double expected, bool appearance) {
-    const auto room = static_cast<std::size_t>(std::min(expected * 1.01, 1e12)) + 4096;
-    if (dots.x.capacity() >= room && (!appearance || dots.critical.capacity() >= room)) return;
+    const auto room = static_cast<std::size_t>(std::min(expected * 1.01, 1e12)) + kMostSquareDots;
+    if (2 * dots.x.capacity() >= room && (!appearance || 2 * dots.critical.capacity() >= room)) return;
     dots = {};
     dots.reserve(room, appearance);
 }
@@ -69,8 +71,9 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     if (memory.emitters.size() < count) memory.emitters.resize(count);
     for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, appearance);
     for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].late.clear();
-    if (count == 1 && whole_page) reserve(dots.pieces[0], expected, appearance);
+    const double most = std::accumulate(memory.pieces.most.begin(), memory.pieces.most.end(), 0.0);
     for_each_piece(count, threads, [&](std::size_t i) {
+        if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, appearance);
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);
         place_piece(traversal, memory.pieces, i, emitter, stop);
     });
