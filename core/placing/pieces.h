@@ -59,8 +59,8 @@ struct PieceMemory {
 
     enum class State {
         free,
-        is_placed,  // or is handed over
-        waits,      // for its turn
+        is_placed,  // at the moment
+        waits,      // for its turn, or is handed over
     };
     State state = State::free;
     std::size_t piece = 0;
