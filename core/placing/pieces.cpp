@@ -44,8 +44,9 @@ struct Division {
 
 bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& emitter,
                 const std::stop_token& stop) {
-    emitter.emit(visit);
-    if (traversal.ends_at(visit)) return true;
+    const bool ends = traversal.ends_at(visit);
+    emitter.emit(visit, ends);
+    if (ends) return true;
     if (stop.stop_requested()) return false;
     Visit child;
     for (int q = 0; q < 4; ++q) {
@@ -171,7 +172,7 @@ bool place_piece(const Traversal& traversal, const Pieces& pieces, std::size_t p
     for (std::size_t s = first; s < pieces.ends[piece]; ++s) {
         const PieceSquare& square = pieces.squares[s];
         if (!square.with_descendants) {
-            emitter.emit(square.visit);
+            emitter.emit(square.visit, false);
         } else if (!place_from(traversal, square.visit, emitter, stop)) {
             return false;
         }

@@ -46,9 +46,9 @@ SquareEmitter::~SquareEmitter() {
     memory_.late.resize(late_);
 }
 
-void SquareEmitter::emit(const Visit& visit) {
+void SquareEmitter::emit(const Visit& visit, bool ends) {
     if (traversal_.level(visit) < 0) return;
-    const CellPoints& points = traversal_.points_of(visit);
+    const CellPoints& points = traversal_.points_of(visit, ends);
     if (points.size() == 0) return;
     ask_for_first(points);
     const DepthScale& scale = traversal_.at_depth(visit.square.depth);

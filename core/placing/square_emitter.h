@@ -24,8 +24,8 @@ class SquareEmitter {
     SquareEmitter(const SquareEmitter&) = delete;
     SquareEmitter& operator=(const SquareEmitter&) = delete;
 
-    /// The dots that the square itself brings.
-    void emit(const Visit& visit);
+    /// The dots that the square itself brings; where the recursion ends, all there are in it.
+    void emit(const Visit& visit, bool ends);
 
  private:
     void set_edges(const Visit& visit, KernelSquare& square) const;

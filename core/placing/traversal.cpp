@@ -85,10 +85,10 @@ bool Traversal::ends_at(const Visit& visit) const {
     return depths_[depth].births_per_density * visit.density.bounds.max <= end || depth >= kMaxDepth;
 }
 
-const CellPoints& Traversal::points_of(const Visit& visit) const {
+const CellPoints& Traversal::points_of(const Visit& visit, bool ends) const {
     const Cell& cell = table_.cells[visit.cell];
     if (level(visit) == 0) return cell.all;
-    return ends_at(visit) ? cell.subtree : cell.newborn;
+    return ends ? cell.subtree : cell.newborn;
 }
 
 bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) const {

@@ -61,7 +61,7 @@ class Traversal {
 
     /// The points that the square itself brings: nothing above the root tile's cells; there the tile's own
     /// and the newborn ones; then the newborn ones, or the whole subtree where the recursion ends.
-    const CellPoints& points_of(const Visit& visit) const;
+    const CellPoints& points_of(const Visit& visit, bool ends) const;
 
     /// Goes to a quadrant, numbered in the page's frame. False if no dot of its level or below can be there,
     /// or it lies outside the window; `child` is then unspecified.
