@@ -11,7 +11,7 @@
 #include "app/viewer/dot_colours.h"
 #include "app/viewer/workbench.h"
 #include "core/output/colour.h"
-#include "tests/split_dots.h"
+#include "tests/dot_pieces.h"
 
 namespace dapple {
 namespace {

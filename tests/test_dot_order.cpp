@@ -7,6 +7,7 @@
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
+#include "tests/dot_pieces.h"
 
 using namespace dapple;
 

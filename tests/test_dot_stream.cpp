@@ -14,6 +14,7 @@
 #include "core/output/svg.h"
 #include "core/stipple.h"
 #include "core/tile/ranking.h"
+#include "tests/dot_pieces.h"
 
 using namespace dapple;
 

@@ -10,6 +10,7 @@
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
 #include "tests/densities.h"
+#include "tests/dot_pieces.h"
 
 using namespace dapple;
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "app/viewer/loupe_square.h"
+#include "tests/dot_pieces.h"
 #include "tests/point_sets.h"
-#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {

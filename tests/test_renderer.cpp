@@ -9,8 +9,8 @@
 
 #include "app/viewer/renderer.h"
 #include "core/output/colour.h"
+#include "tests/dot_pieces.h"
 #include "tests/offscreen_gl.h"
-#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {

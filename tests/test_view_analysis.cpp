@@ -8,8 +8,8 @@
 
 #include "app/viewer/background.h"
 #include "app/viewer/view_analysis.h"
+#include "tests/dot_pieces.h"
 #include "tests/point_sets.h"
-#include "tests/split_dots.h"
 
 namespace dapple {
 namespace {

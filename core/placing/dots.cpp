@@ -55,12 +55,6 @@ DotPieces in_one_piece(Dots dots) {
     return result;
 }
 
-Dots joined(const DotPieces& dots) {
-    Dots whole;
-    for (const Dots& piece : dots.pieces) append(whole, piece);
-    return whole;
-}
-
 Birthplace birthplace_of(float threshold, std::size_t tile_size) {
     double birth = threshold * 16.0;
     const auto n = static_cast<double>(tile_size);

@@ -74,7 +74,6 @@ void for_each_position(const DotPieces& dots, const Visit& visit) {
 }
 
 DotPieces in_one_piece(Dots dots);
-Dots joined(const DotPieces& dots);
 
 /// A dot among others, and when it appears.
 struct LateDot {

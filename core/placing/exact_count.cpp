@@ -154,8 +154,8 @@ class KeptTrial {
 
     void cut(const CountCut& at) {
         const Cutter cutter(at);
-        for_each_piece(memory_.pieces.ends.size(), threads_for(request_.threads),
-                       [&](std::size_t i) { cutter.cut(dots_.pieces[i], memory_.emitters[i].late); });
+        for_each_on_threads(memory_.pieces.ends.size(), threads_for(request_.threads),
+                            [&](std::size_t i) { cutter.cut(dots_.pieces[i], memory_.emitters[i].late); });
     }
 
  private:

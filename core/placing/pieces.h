@@ -44,7 +44,7 @@ void on_threads(std::size_t threads, const Work& work) {
 
 /// Calls body(i) for each i below `count`, on so many threads.
 template <class Body>
-void for_each_piece(std::size_t count, std::size_t threads, const Body& body) {
+void for_each_on_threads(std::size_t count, std::size_t threads, const Body& body) {
     std::atomic<std::size_t> next = 0;
     on_threads(std::min(count, threads), [&] {
         for (std::size_t i; (i = next++) < count;) body(i);

@@ -72,7 +72,7 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, appearance);
     for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].late.clear();
     const double most = std::accumulate(memory.pieces.most.begin(), memory.pieces.most.end(), 0.0);
-    for_each_piece(count, threads, [&](std::size_t i) {
+    for_each_on_threads(count, threads, [&](std::size_t i) {
         if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, appearance);
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);
         place_piece(traversal, memory.pieces, i, emitter, stop);

@@ -1,5 +1,5 @@
 #pragma once
-// Dots in pieces, as threads leave them, for those who read drawings.
+// Dots into pieces, as threads leave them, and back.
 
 #include "core/placing/dots.h"
 
@@ -16,6 +16,12 @@ inline DotPieces split(const Dots& dots) {
         (result.pieces[3].*column).assign(third, whole.end());
     }
     return result;
+}
+
+inline Dots joined(const DotPieces& dots) {
+    Dots whole;
+    for (const Dots& piece : dots.pieces) append(whole, piece);
+    return whole;
 }
 
 }  // namespace dapple
