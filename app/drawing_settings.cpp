@@ -1,5 +1,7 @@
 #include "app/drawing_settings.h"
 
+#include "core/image/ink.h"
+
 namespace dapple {
 
 std::string tile_in_use(const DrawingSettings& settings) {

@@ -42,12 +42,12 @@ void cut_to(const PagePart& part, Dots& dots) {
         if (!is_on(part.across, x) || !is_on(part.down, y)) continue;
         dots.x[to] = static_cast<float>(x - part.across.offset);
         dots.y[to] = static_cast<float>(y - part.down.offset);
-        for (FloatBuffer* column : {&dots.threshold, &dots.critical}) {
+        for (FloatBuffer* column : {&dots.threshold, &dots.critical, &dots.radius}) {
             if (!column->empty()) (*column)[to] = (*column)[i];
         }
         ++to;
     }
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
         if (!column->empty()) column->resize(to);
     }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/image/ink.h"
 #include "core/image/tone.h"
 
 using namespace dapple;

@@ -25,20 +25,6 @@ struct Tone {
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
-/// The share of paper that dots of a given total area cover, 0..1: evenly spread dots overlap late, and then
-/// as chance would have it. load = number of dots * area of one / area of paper, >= 0. Measured on dots that
-/// this program places.
-float coverage_of_load(float load);
-
-/// The inverse: the load that covers so much; coverage is clamped to what kFullLoad covers.
-float load_of_coverage(float coverage);
-
-/// The load at density 1: what black is drawn with.
-inline constexpr float kFullLoad = 1.6f;
-
-/// The dot radius, in page units, with which a drawing at that scale has the photograph's tone.
-double radius_for_tone(double scale);
-
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Takes the picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone);

@@ -89,7 +89,7 @@ void sort_dots(Dots& dots, DotOrder order) {
     for (std::size_t i = 0; i < dots.size(); ++i) keys[i] = std::uint64_t{key_of(dots, i, order)} << 32 | i;
     tbb::parallel_sort(keys.begin(), keys.end());
     if (order == DotOrder::priority) sort_ties(dots, keys);
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical}) {
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
         if (!column->empty()) rearrange(*column, keys);
     }
 }

@@ -25,6 +25,7 @@ void deallocate_large(void* memory) {
 void Dots::resize(std::size_t count, bool appearance) {
     for (FloatBuffer* column : {&x, &y}) column->resize(count);
     for (FloatBuffer* column : {&threshold, &critical}) column->resize(appearance ? count : 0);
+    radius.clear();
 }
 
 void Dots::reserve(std::size_t count, bool appearance) {
@@ -41,6 +42,7 @@ void append(Dots& to, const Dots& more) {
     add(to.y, more.y);
     add(to.threshold, more.threshold);
     add(to.critical, more.critical);
+    add(to.radius, more.radius);
 }
 
 std::size_t DotPieces::size() const {

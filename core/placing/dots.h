@@ -43,14 +43,17 @@ struct UnsetAllocator : std::allocator<T> {
 };
 using FloatBuffer = std::vector<float, UnsetAllocator<float>>;
 
-/// Dots as columns of equal length; those that say when a dot appears are empty unless asked for.
+/// Dots as columns of equal length; those that say when a dot appears are empty unless asked for, and radii
+/// are where all dots are alike.
 struct Dots {
     FloatBuffer x, y;  // page units, from the window's origin
     FloatBuffer
         threshold;         // the dot exists where scale * density > threshold; says level and rank, see below
     FloatBuffer critical;  // critical scale: the dot exists at scales above this
+    FloatBuffer radius;    // page units
 
     std::size_t size() const { return x.size(); }
+    /// Leaves no radii.
     void resize(std::size_t count, bool appearance);
     void reserve(std::size_t count, bool appearance);
 };
