@@ -3,37 +3,201 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <iterator>
 #include <numbers>
 
 namespace dapple {
 
 namespace {
 
+// Rows of coverage at loads 0, 0.1, ...: bench/coverage_tables prints them.
 constexpr float kLoadStep = 0.1f;
-constexpr std::array<float, 17> kCoverage{0.0f,    0.0998f, 0.1990f, 0.2984f, 0.3961f, 0.4895f,
-                                          0.5760f, 0.6547f, 0.7241f, 0.7838f, 0.8342f, 0.8753f,
-                                          0.9087f, 0.9343f, 0.9543f, 0.9689f, 0.9794f};
+constexpr std::size_t kLoads = 23;
+using Row = std::array<float, kLoads>;
+
+// As placed, after 1 and after 2 steps, at eighths of the way from one full level to the next.
+constexpr std::size_t kPhases = 8;
+constexpr std::array<std::array<Row, kPhases>, 3> kByLevel{{
+    {{  // 0
+        {0.0f, 0.1002f, 0.1999f, 0.3002f, 0.3997f, 0.5f, 0.5968f, 0.6871f, 0.7665f, 0.8323f, 0.8838f,
+          0.9226f, 0.95f, 0.969f, 0.9817f, 0.9892f, 0.9938f, 0.9965f, 0.998f, 0.999f, 0.9995f, 0.9997f,
+          0.9999f},
+        {0.0f, 0.1001f, 0.1999f, 0.2988f, 0.3962f, 0.491f, 0.5818f, 0.6675f, 0.7451f, 0.812f, 0.867f,
+          0.9098f, 0.9412f, 0.9641f, 0.9789f, 0.9885f, 0.9942f, 0.9973f, 0.9988f, 0.9995f, 0.9998f,
+          0.9999f, 1.0f},
+        {0.0f, 0.1001f, 0.1998f, 0.2996f, 0.3957f, 0.4874f, 0.573f, 0.6523f, 0.7255f, 0.7906f, 0.8458f,
+          0.8905f, 0.9252f, 0.9512f, 0.9691f, 0.9814f, 0.9895f, 0.9941f, 0.997f, 0.9987f, 0.9994f, 0.9998f,
+          0.9999f},
+        {0.0f, 0.1001f, 0.2001f, 0.3001f, 0.3964f, 0.4868f, 0.5709f, 0.6465f, 0.7155f, 0.7783f, 0.8325f,
+          0.8779f, 0.915f, 0.9428f, 0.9627f, 0.9768f, 0.9863f, 0.9923f, 0.9959f, 0.9979f, 0.999f, 0.9996f,
+          0.9998f},
+        {0.0f, 0.1001f, 0.2001f, 0.2994f, 0.3977f, 0.4884f, 0.5714f, 0.6458f, 0.7105f, 0.7692f, 0.82f,
+          0.8644f, 0.9015f, 0.9311f, 0.954f, 0.9706f, 0.9821f, 0.9892f, 0.9938f, 0.9967f, 0.9982f, 0.9991f,
+          0.9995f},
+        {0.0f, 0.1f, 0.2005f, 0.3001f, 0.3991f, 0.4932f, 0.5771f, 0.6517f, 0.7158f, 0.7715f, 0.8189f,
+          0.8594f, 0.8945f, 0.9231f, 0.9465f, 0.9639f, 0.9771f, 0.9865f, 0.9926f, 0.996f, 0.9979f, 0.999f,
+          0.9995f},
+        {0.0f, 0.0997f, 0.2003f, 0.3004f, 0.3993f, 0.4962f, 0.5847f, 0.6613f, 0.7264f, 0.7802f, 0.8257f,
+          0.8625f, 0.8929f, 0.918f, 0.9387f, 0.9558f, 0.9694f, 0.9798f, 0.9873f, 0.9925f, 0.9959f, 0.998f,
+          0.999f},
+        {0.0f, 0.0999f, 0.2001f, 0.3004f, 0.4004f, 0.4986f, 0.5931f, 0.6773f, 0.7483f, 0.8063f, 0.8521f,
+          0.8871f, 0.9142f, 0.9343f, 0.9501f, 0.9626f, 0.9722f, 0.9799f, 0.9861f, 0.9909f, 0.9945f,
+          0.9969f, 0.9983f}
+    }},
+    {{  // 1
+        {0.0f, 0.1001f, 0.2002f, 0.3002f, 0.3998f, 0.4999f, 0.5988f, 0.6942f, 0.7802f, 0.8516f, 0.9062f,
+          0.9456f, 0.9709f, 0.9853f, 0.9932f, 0.9971f, 0.9989f, 0.9996f, 0.9998f, 0.9999f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.1f, 0.1999f, 0.2996f, 0.3995f, 0.499f, 0.5964f, 0.6882f, 0.7708f, 0.8409f, 0.8967f,
+          0.9375f, 0.9651f, 0.9823f, 0.9917f, 0.9962f, 0.9985f, 0.9995f, 0.9998f, 1.0f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.1003f, 0.2002f, 0.3f, 0.3997f, 0.4992f, 0.595f, 0.6847f, 0.7643f, 0.8309f, 0.885f,
+          0.9263f, 0.9555f, 0.975f, 0.9871f, 0.994f, 0.9973f, 0.9989f, 0.9996f, 0.9998f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.0998f, 0.2001f, 0.2999f, 0.4f, 0.4993f, 0.5938f, 0.6815f, 0.76f, 0.8259f, 0.8788f,
+          0.9193f, 0.9491f, 0.9699f, 0.9831f, 0.9911f, 0.9955f, 0.9978f, 0.9991f, 0.9996f, 0.9999f, 1.0f,
+          1.0f},
+        {0.0f, 0.0998f, 0.2002f, 0.3001f, 0.3995f, 0.4981f, 0.5927f, 0.6798f, 0.7561f, 0.8211f, 0.8738f,
+          0.9143f, 0.9445f, 0.9658f, 0.98f, 0.9889f, 0.9942f, 0.9971f, 0.9987f, 0.9994f, 0.9997f, 0.9999f,
+          1.0f},
+        {0.0f, 0.0999f, 0.2003f, 0.2996f, 0.4f, 0.4987f, 0.5925f, 0.6791f, 0.7553f, 0.8194f, 0.872f,
+          0.9125f, 0.9425f, 0.9638f, 0.9788f, 0.9877f, 0.9934f, 0.9967f, 0.9984f, 0.9993f, 0.9997f,
+          0.9999f, 1.0f},
+        {0.0f, 0.0999f, 0.2003f, 0.3007f, 0.3996f, 0.4981f, 0.5919f, 0.6783f, 0.7555f, 0.8204f, 0.8718f,
+          0.9121f, 0.9422f, 0.9631f, 0.9773f, 0.9867f, 0.9926f, 0.9961f, 0.998f, 0.9992f, 0.9996f, 0.9999f,
+          1.0f},
+        {0.0f, 0.0999f, 0.2f, 0.3004f, 0.4009f, 0.4995f, 0.5957f, 0.6857f, 0.7654f, 0.8326f, 0.8855f,
+          0.9251f, 0.9532f, 0.9719f, 0.984f, 0.9913f, 0.9955f, 0.9978f, 0.999f, 0.9996f, 0.9998f, 0.9999f,
+          1.0f}
+    }},
+    {{  // 2
+        {0.0f, 0.1001f, 0.2002f, 0.3002f, 0.3999f, 0.5001f, 0.5995f, 0.6972f, 0.7858f, 0.8591f, 0.9141f,
+          0.9524f, 0.9759f, 0.9889f, 0.9953f, 0.9981f, 0.9993f, 0.9998f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.0999f, 0.2001f, 0.2996f, 0.4f, 0.4993f, 0.5975f, 0.6926f, 0.7783f, 0.8505f, 0.9068f,
+          0.9468f, 0.9722f, 0.9867f, 0.9944f, 0.9979f, 0.9993f, 0.9998f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.1001f, 0.1999f, 0.3f, 0.4001f, 0.4998f, 0.5975f, 0.6901f, 0.7728f, 0.8427f, 0.8988f,
+          0.9394f, 0.9667f, 0.9832f, 0.9923f, 0.9967f, 0.9988f, 0.9996f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.1003f, 0.1995f, 0.3007f, 0.3998f, 0.4994f, 0.5976f, 0.6883f, 0.7691f, 0.8376f, 0.8928f,
+          0.9342f, 0.9621f, 0.9795f, 0.9901f, 0.9955f, 0.9982f, 0.9993f, 0.9998f, 0.9999f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.1f, 0.1995f, 0.2998f, 0.4001f, 0.4995f, 0.5969f, 0.6878f, 0.7681f, 0.8353f, 0.8891f,
+          0.93f, 0.9587f, 0.9774f, 0.9886f, 0.9946f, 0.9976f, 0.999f, 0.9996f, 0.9999f, 0.9999f, 1.0f, 1.0f},
+        {0.0f, 0.1f, 0.1999f, 0.2998f, 0.4001f, 0.5002f, 0.5973f, 0.6889f, 0.7685f, 0.835f, 0.8878f,
+          0.9283f, 0.9565f, 0.9755f, 0.9873f, 0.9938f, 0.9973f, 0.999f, 0.9996f, 0.9999f, 1.0f, 1.0f, 1.0f},
+        {0.0f, 0.0999f, 0.2001f, 0.3002f, 0.3999f, 0.4994f, 0.5974f, 0.6892f, 0.7703f, 0.8372f, 0.89f,
+          0.9288f, 0.9558f, 0.974f, 0.9857f, 0.9926f, 0.9965f, 0.9984f, 0.9995f, 0.9998f, 0.9999f, 1.0f,
+          1.0f},
+        {0.0f, 0.0999f, 0.2001f, 0.3001f, 0.4007f, 0.5f, 0.5988f, 0.6931f, 0.7769f, 0.8464f, 0.8997f,
+          0.9383f, 0.9638f, 0.98f, 0.9893f, 0.9947f, 0.9976f, 0.999f, 0.9996f, 0.9999f, 1.0f, 1.0f, 1.0f}
+    }},
+}};
+
+// From then on it is the same anywhere between two levels, within 0.01.
+struct RelaxedRow {
+    int steps;
+    Row coverage;
+};
+constexpr std::array<RelaxedRow, 7> kRelaxed{{
+    {3,
+     {0.0f, 0.0999f, 0.1999f, 0.2999f, 0.4001f, 0.4999f, 0.5988f, 0.6933f, 0.7786f, 0.8499f, 0.9052f,
+       0.9448f, 0.9704f, 0.9854f, 0.9934f, 0.9973f, 0.999f, 0.9997f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {4,
+     {0.0f, 0.0999f, 0.1999f, 0.3f, 0.4001f, 0.4999f, 0.5993f, 0.6951f, 0.7819f, 0.8547f, 0.9105f,
+       0.9496f, 0.9743f, 0.9881f, 0.995f, 0.9981f, 0.9994f, 0.9998f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {5,
+     {0.0f, 0.0999f, 0.2f, 0.3f, 0.4f, 0.4999f, 0.5994f, 0.696f, 0.7841f, 0.8579f, 0.9141f, 0.9533f,
+       0.9772f, 0.99f, 0.9961f, 0.9986f, 0.9996f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {7,
+     {0.0f, 0.1f, 0.1999f, 0.3f, 0.3999f, 0.5f, 0.5997f, 0.6971f, 0.787f, 0.8622f, 0.9192f, 0.9579f,
+       0.9807f, 0.9922f, 0.9972f, 0.9991f, 0.9998f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {10,
+     {0.0f, 0.1f, 0.2f, 0.2999f, 0.4f, 0.4999f, 0.5999f, 0.6981f, 0.7894f, 0.866f, 0.9237f, 0.9621f,
+       0.9839f, 0.994f, 0.9981f, 0.9995f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {20,
+     {0.0f, 0.0999f, 0.2001f, 0.2998f, 0.4f, 0.4999f, 0.6f, 0.699f, 0.7924f, 0.8718f, 0.9307f, 0.9687f,
+       0.9884f, 0.9964f, 0.999f, 0.9998f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+    {50,
+     {0.0f, 0.1f, 0.2f, 0.2999f, 0.4f, 0.5001f, 0.6f, 0.6994f, 0.7946f, 0.877f, 0.9377f, 0.9746f, 0.9923f,
+       0.9981f, 0.9996f, 0.9999f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}},
+}};
+
+// Black is covered to 99.5 % and more, anywhere between two levels.
+constexpr std::array<double, 5> kFullLoads{2.05, 1.7, 1.6, 1.5, 1.45};  // after so many steps; and after more
+
+float between(const Row& row, float load) {
+    const float at = std::clamp(load / kLoadStep, 0.0f, static_cast<float>(kLoads - 1));
+    const auto i = std::min(static_cast<std::size_t>(at), kLoads - 2);
+    return row[i] + (row[i + 1] - row[i]) * (at - static_cast<float>(i));
+}
+
+float coverage_by_level(int steps, double level, float load) {
+    const double phase = (level - std::floor(level)) * kPhases;
+    const auto i = std::min(static_cast<std::size_t>(phase), kPhases - 1);
+    const auto& rows = kByLevel[static_cast<std::size_t>(steps)];
+    const float from = between(rows[i], load), to = between(rows[(i + 1) % kPhases], load);
+    return from + (to - from) * static_cast<float>(phase - static_cast<double>(i));
+}
+
+float mean_over_levels(int steps, float load) {
+    float sum = 0;
+    for (const Row& row : kByLevel[static_cast<std::size_t>(steps)]) sum += between(row, load);
+    return sum / kPhases;
+}
+
+// Between the rows in proportion to 1 / steps, by which relaxation slows down.
+float coverage_relaxed(int steps, float load) {
+    const auto more = std::ranges::find_if(kRelaxed, [&](const RelaxedRow& row) { return row.steps >= steps; });
+    if (more == kRelaxed.end()) return between(kRelaxed.back().coverage, load);
+    if (more->steps == steps) return between(more->coverage, load);
+    const RelaxedRow& fewer = *std::prev(more);
+    const float share = (1.0f / static_cast<float>(fewer.steps) - 1.0f / static_cast<float>(steps)) /
+                        (1.0f / static_cast<float>(fewer.steps) - 1.0f / static_cast<float>(more->steps));
+    const float from = between(fewer.coverage, load), to = between(more->coverage, load);
+    return from + (to - from) * share;
+}
+
+float coverage_of(const InkedDots& dots, double density, float load) {
+    if (!depends_on_level(dots.relaxing_steps)) return coverage_relaxed(dots.relaxing_steps, load);
+    if (!dots.level) return mean_over_levels(dots.relaxing_steps, load);
+    return coverage_by_level(dots.relaxing_steps, *dots.level + std::log2(density) / 2, load);
+}
 
 }  // namespace
 
-float coverage_of_load(float load) {
-    const float at = std::clamp(load / kLoadStep, 0.0f, static_cast<float>(kCoverage.size() - 1));
-    const auto i = std::min(static_cast<std::size_t>(at), kCoverage.size() - 2);
-    return kCoverage[i] + (kCoverage[i + 1] - kCoverage[i]) * (at - static_cast<float>(i));
+double level_of(double scale, std::size_t tile_size) {
+    return std::log2(16 * scale / static_cast<double>(tile_size)) / 2;
 }
 
-float load_of_coverage(float coverage) {
-    const auto above = std::upper_bound(kCoverage.begin(), kCoverage.end(), coverage);
-    if (above == kCoverage.begin()) return 0;
-    if (above == kCoverage.end()) return kFullLoad;
+bool depends_on_level(int relaxing_steps) {
+    return relaxing_steps < static_cast<int>(kByLevel.size());
+}
+
+InkCurve::InkCurve(const InkedDots& dots)
+    : full_load_(kFullLoads[std::min(static_cast<std::size_t>(dots.relaxing_steps), kFullLoads.size() - 1)]) {
+    coverage_[0] = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+        const double density = static_cast<double>(i) / kSteps;
+        const double area = dots.smallest_area + (1 - dots.smallest_area) * density;
+        const auto load = static_cast<float>(full_load_ * density * area);
+        // More dots cover more, which rounding in the table hides where nearly all is covered.
+        coverage_[i] = std::max(coverage_of(dots, density, load), coverage_[i - 1] + 1e-6f);
+    }
+}
+
+float InkCurve::coverage(float density) const {
+    const float at = std::clamp(density, 0.0f, 1.0f) * kSteps;
+    const int i = std::min(static_cast<int>(at), kSteps - 1);
+    return coverage_[i] + (coverage_[i + 1] - coverage_[i]) * (at - static_cast<float>(i));
+}
+
+float InkCurve::density(float coverage) const {
+    const auto above = std::ranges::upper_bound(coverage_, coverage);
+    if (above == coverage_.begin()) return 0;
+    if (above == coverage_.end()) return 1;
     const float low = *(above - 1), high = *above;
-    return kLoadStep * (static_cast<float>(above - 1 - kCoverage.begin()) + (coverage - low) / (high - low));
+    const auto i = static_cast<float>(above - 1 - coverage_.begin());
+    return (i + (coverage - low) / (high - low)) / kSteps;
 }
 
-double radius_for_tone(double scale) {
+double radius_for_tone(double scale, double full_load) {
     // At density 1 there are 16 * scale dots on a root square of area 1.
-    return std::sqrt(kFullLoad / (std::numbers::pi * 16 * std::max(scale, 1e-12)));
+    return std::sqrt(full_load / (std::numbers::pi * 16 * std::max(scale, 1e-12)));
 }
 
 }  // namespace dapple

@@ -1,20 +1,60 @@
 #pragma once
 // How much paper dots cover: from their number and size to what is seen, and back.
+//
+//      load      number of dots * area of one / area of paper; more than what they cover, as dots overlap
+//      coverage  the share of paper that is covered, 0..1
+//      density   0..1, in proportion to the number of dots; load at density 1 is full_load()
+//
+// Even dots overlap late and then all at once, dots as placed earlier, and how early depends on where their
+// number lies between two full levels of the tile. All of it is measured on dots that this program places and
+// relaxes (bench/coverage_tables), with the default tile; the largest error is 0.01.
+
+#include <array>
+#include <cstddef>
+#include <optional>
 
 namespace dapple {
 
-/// The share of paper that dots of a given total area cover, 0..1: evenly spread dots overlap late, and then
-/// as chance would have it. load = number of dots * area of one / area of paper, >= 0. Measured on dots that
-/// this program places.
-float coverage_of_load(float load);
+/// The dots whose coverage is asked for.
+struct InkedDots {
+    int relaxing_steps = 0;
+    /// Of dots that were hardly relaxed: how many levels of the tile the dots at density 1 are, 0 for as many as
+    /// the tile has points on the root square, 1 for four times as many; see level_of(). Without: what is right on
+    /// the mean over a level.
+    std::optional<double> level = {};
+    /// The smallest dots' area over the largest ones', 0..1: at density d a dot has smallest + (1 - smallest) * d
+    /// of the largest area.
+    double smallest_area = 1;
 
-/// The inverse: the load that covers so much; coverage is clamped to what kFullLoad covers.
-float load_of_coverage(float coverage);
+    bool operator==(const InkedDots&) const = default;
+};
 
-/// The load at density 1: what black is drawn with.
-inline constexpr float kFullLoad = 1.6f;
+/// log4(16 * scale / tile size).
+double level_of(double scale, std::size_t tile_size);
 
-/// The dot radius, in page units, with which a drawing at that scale has the photograph's tone.
-double radius_for_tone(double scale);
+/// Whether the coverage of dots relaxed so often depends on InkedDots::level.
+bool depends_on_level(int relaxing_steps);
+
+/// Between density and coverage, for one kind of dots.
+class InkCurve {
+ public:
+    explicit InkCurve(const InkedDots& dots = {});
+
+    /// Density 0..1; clamped.
+    float coverage(float density) const;
+    /// The inverse. What no dots cover, over coverage(1), has density 1.
+    float density(float coverage) const;
+
+    /// The load at density 1, of dots of the largest area: black is covered to 99.5 % and more.
+    double full_load() const { return full_load_; }
+
+ private:
+    static constexpr int kSteps = 512;
+    std::array<float, kSteps + 1> coverage_;  // at equal steps of density, rising
+    double full_load_;
+};
+
+/// The radius of the largest dots, in page units, with which a drawing at that scale has the picture's tone.
+double radius_for_tone(double scale, double full_load);
 
 }  // namespace dapple

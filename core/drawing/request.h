@@ -1,0 +1,44 @@
+#pragma once
+// What decides where a drawing's dots lie and how large they are, beside the picture and the tile.
+
+#include <cstdint>
+#include <optional>
+
+#include "core/image/tone.h"
+#include "core/stipple.h"
+
+namespace dapple {
+
+enum class DotSizing {
+    automatic,  // all alike, with the radius that gives the picture's tone
+    fixed,      // all alike, of any radius; the tone is then lighter or darker than the picture's
+    by_tone,    // from the smallest in light areas to the largest on black; how many follows from the tone
+};
+
+/// Radii in millimetres on paper, over 0; smallest <= largest.
+struct DotSize {
+    DotSizing sizing = DotSizing::automatic;
+    double radius_mm = 0.2;                        // fixed
+    double smallest_mm = 0.15, largest_mm = 0.35;  // by tone
+
+    bool operator==(const DotSize&) const = default;
+};
+
+struct DrawingRequest {
+    /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
+    /// `tone` says the rest. A picture of one tone keeps its own.
+    bool automatic_tone = true;
+    Tone tone;
+    StippleRequest stipple;    // where dot sizes go by tone, neither its count nor its scale has a say
+    std::optional<int> relax;  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
+    DotSize size;
+    double width_mm = 200;  // of the picture on paper
+
+    bool operator==(const DrawingRequest&) const = default;
+};
+
+/// The steps after which a drawing looks as good as it needs to: a few; none where dots lie closer than the eye
+/// can tell apart on paper and are so many that they would be waited for.
+int usual_steps(double dots, double picture_area_mm2);
+
+}  // namespace dapple
