@@ -1,0 +1,84 @@
+#include "core/image/auto_tone.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/image/ink.h"
+
+namespace dapple {
+
+namespace {
+
+constexpr float kGamma = 2.2f;
+constexpr float kLeastGamma = kGamma / 1.6f, kMostGamma = kGamma / 0.6f;
+constexpr double kBalance = 0.42, kLeastInk = 0.30, kMostInk = 0.62;
+
+struct Levels {
+    float black, white;
+};
+
+std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
+    constexpr float kOneTone = 0.02f, kLeastRange = 0.2f, kReach = 0.35f, kPaperRange = 0.15f;
+    float black = std::min(percentile(histogram, 0.5), percentile(histogram, 0.01) + kReach);
+    float white = std::max(percentile(histogram, 99.5), percentile(histogram, 99.99) - kReach);
+    if (white - black < kOneTone) return std::nullopt;
+    if (invert) {
+        const float far_side = percentile(histogram, 70);
+        if (far_side - black < kPaperRange * (white - black)) black = std::max(black, far_side);
+    } else {
+        const float far_side = percentile(histogram, 30);
+        if (white - far_side < kPaperRange * (white - black)) white = std::min(white, far_side);
+    }
+    const float middle = (black + white) / 2;
+    if (white - black < kLeastRange) {
+        black = std::clamp(middle - kLeastRange / 2, 0.0f, 1 - kLeastRange);
+        white = black + kLeastRange;
+    }
+    return Levels{black, white};
+}
+
+}  // namespace
+
+double mean_ink(const Histogram& histogram, const Tone& tone) {
+    if (histogram.total == 0) return 0;
+    // Through the very function that drawings go through.
+    Grid<float> greys(Histogram::kSteps + 1, 1);
+    for (int i = 0; i < greys.width; ++i) greys.at(i, 0) = srgb_to_linear(Histogram::value_of(i));
+    Tone sharp = tone;
+    sharp.blur = 0;
+    const Grid<float> density = density_of(std::move(greys), sharp);
+    double sum = 0;
+    for (int i = 0; i < density.width; ++i)
+        sum += static_cast<double>(histogram.counts[i]) * coverage_of_load(kFullLoad * density.at(i, 0));
+    return sum / static_cast<double>(histogram.total);
+}
+
+Tone auto_tone(const Histogram& histogram, const Tone& own) {
+    const Tone neutral;
+    Tone tone = own;
+    tone.black_point = neutral.black_point;
+    tone.white_point = neutral.white_point;
+    tone.gamma = neutral.gamma;
+    const std::optional<Levels> levels = levels_of(histogram, own.invert);
+    if (!levels) return tone;
+    tone.black_point = levels->black;
+    tone.white_point = levels->white;
+
+    Tone plain{.black_point = levels->black, .white_point = levels->white, .invert = own.invert};
+    const auto ink = [&](float gamma) {
+        plain.gamma = gamma;
+        return mean_ink(histogram, plain);
+    };
+    const double target = std::clamp((ink(kGamma) + kBalance) / 2, kLeastInk, kMostInk);
+    float low = kLeastGamma, high = own.invert ? kGamma : kMostGamma;
+    // More gamma is more light: less dark ink, more light ink.
+    for (int i = 0; i < 20; ++i) {
+        const float middle = (low + high) / 2;
+        const bool too_light = own.invert ? ink(middle) > target : ink(middle) < target;
+        (too_light ? high : low) = middle;
+    }
+    tone.gamma = (low + high) / 2;
+    return tone;
+}
+
+}  // namespace dapple
