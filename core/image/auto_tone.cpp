@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/image/ink.h"
+#include "core/image/ink_use.h"
 
 namespace dapple {
 
@@ -18,7 +18,7 @@ struct Levels {
 };
 
 std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
-    constexpr float kOneTone = 0.02f, kLeastRange = 0.2f, kReach = 0.35f, kPaperRange = 0.15f;
+    constexpr float kOneTone = 0.02f, kLeastRange = 0.12f, kReach = 0.35f, kPaperRange = 0.15f;
     float black = std::min(percentile(histogram, 0.5), percentile(histogram, 0.01) + kReach);
     float white = std::max(percentile(histogram, 99.5), percentile(histogram, 99.99) - kReach);
     if (white - black < kOneTone) return std::nullopt;
@@ -39,20 +39,6 @@ std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
 
 }  // namespace
 
-double mean_ink(const Histogram& histogram, const Tone& tone) {
-    if (histogram.total == 0) return 0;
-    // Through the very function that drawings go through.
-    Grid<float> greys(Histogram::kSteps + 1, 1);
-    for (int i = 0; i < greys.width; ++i) greys.at(i, 0) = srgb_to_linear(Histogram::value_of(i));
-    Tone sharp = tone;
-    sharp.blur = 0;
-    const Grid<float> density = density_of(std::move(greys), sharp);
-    double sum = 0;
-    for (int i = 0; i < density.width; ++i)
-        sum += static_cast<double>(histogram.counts[i]) * coverage_of_load(kFullLoad * density.at(i, 0));
-    return sum / static_cast<double>(histogram.total);
-}
-
 Tone auto_tone(const Histogram& histogram, const Tone& own) {
     const Tone neutral;
     Tone tone = own;
@@ -72,7 +58,7 @@ Tone auto_tone(const Histogram& histogram, const Tone& own) {
     const double target = std::clamp((ink(kGamma) + kBalance) / 2, kLeastInk, kMostInk);
     float low = kLeastGamma, high = own.invert ? kGamma : kMostGamma;
     // More gamma is more light: less dark ink, more light ink.
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 14; ++i) {
         const float middle = (low + high) / 2;
         const bool too_light = own.invert ? ink(middle) > target : ink(middle) < target;
         (too_light ? high : low) = middle;

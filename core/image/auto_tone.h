@@ -21,7 +21,7 @@ namespace dapple {
 /// ink
 ///   (the paper of a scanned page, the sky at night in light ink), the point is on their far side, so their
 ///   noise draws no dots;
-/// - they are at least 0.2 apart, so that fog stays fog.
+/// - they are at least 0.12 apart, so that fog stays fog.
 ///
 /// Gamma: dark ink. With c0 the share of paper that ink covers at gamma 2.2, the one that covers
 /// 0.42 + (c0 - 0.42) / 2, kept within 0.30..0.62: half of the way to a well balanced page, so that a dark
@@ -32,9 +32,5 @@ namespace dapple {
 ///
 /// A picture of one tone, or nearly, has the neutral points and gamma, 0, 1 and 1.
 Tone auto_tone(const Histogram& histogram, const Tone& own);
-
-/// The mean share of paper that ink covers, 0..1, in a picture of that histogram (blur and detail left out).
-/// 0 for an empty one.
-double mean_ink(const Histogram& histogram, const Tone& tone);
 
 }  // namespace dapple
