@@ -22,12 +22,13 @@ std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
     float black = std::min(percentile(histogram, 0.5), percentile(histogram, 0.01) + kReach);
     float white = std::max(percentile(histogram, 99.5), percentile(histogram, 99.99) - kReach);
     if (white - black < kOneTone) return std::nullopt;
+    // The far side of the paper's noise, and half as far again.
     if (invert) {
-        const float far_side = percentile(histogram, 70);
-        if (far_side - black < kPaperRange * (white - black)) black = std::max(black, far_side);
+        const float paper = percentile(histogram, 70) - black;
+        if (paper < kPaperRange * (white - black)) black += 1.5f * paper;
     } else {
-        const float far_side = percentile(histogram, 30);
-        if (white - far_side < kPaperRange * (white - black)) white = std::min(white, far_side);
+        const float paper = white - percentile(histogram, 30);
+        if (paper < kPaperRange * (white - black)) white -= 1.5f * paper;
     }
     const float middle = (black + white) / 2;
     if (white - black < kLeastRange) {
@@ -35,6 +36,13 @@ std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
         white = black + kLeastRange;
     }
     return Levels{black, white};
+}
+
+// Of a picture that is nearly all black only noise would be lightened.
+float most_gamma(double ink) {
+    constexpr double kDark = 0.85, kNight = 0.97;
+    const auto night = static_cast<float>(std::clamp((ink - kDark) / (kNight - kDark), 0.0, 1.0));
+    return kMostGamma + (kGamma - kMostGamma) * night;
 }
 
 }  // namespace
@@ -55,8 +63,9 @@ Tone auto_tone(const Histogram& histogram, const Tone& own) {
         plain.gamma = gamma;
         return mean_ink(histogram, plain);
     };
-    const double target = std::clamp((ink(kGamma) + kBalance) / 2, kLeastInk, kMostInk);
-    float low = kLeastGamma, high = own.invert ? kGamma : kMostGamma;
+    const double even = ink(kGamma);
+    const double target = std::clamp((even + kBalance) / 2, kLeastInk, kMostInk);
+    float low = kLeastGamma, high = own.invert ? kGamma : most_gamma(even);
     // More gamma is more light: less dark ink, more light ink.
     for (int i = 0; i < 14; ++i) {
         const float middle = (low + high) / 2;

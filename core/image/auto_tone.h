@@ -17,15 +17,16 @@ namespace dapple {
 /// Black and white point: the 0.5th and 99.5th percentile of the encoded value; but
 /// - what is further out by more than 0.35 is the subject, however small (stars, thin lines): the point comes
 ///   that near to it;
-/// - bare paper stays bare: where 70 % of the pixels lie within 15 % of the range from the end that has no
-/// ink
-///   (the paper of a scanned page, the sky at night in light ink), the point is on their far side, so their
-///   noise draws no dots;
+/// - bare paper stays bare: where 70 % of the pixels lie within 15 % of the range from the end without ink
+/// (the
+///   paper of a scanned page, the sky at night in light ink), the point is on their far side and half as far
+///   again, so that their noise draws no dots;
 /// - they are at least 0.12 apart, so that fog stays fog.
 ///
 /// Gamma: dark ink. With c0 the share of paper that ink covers at gamma 2.2, the one that covers
 /// 0.42 + (c0 - 0.42) / 2, kept within 0.30..0.62: half of the way to a well balanced page, so that a dark
-/// portrait stays dark. Gamma is kept within 2.2 / 1.6 .. 2.2 / 0.6.
+/// portrait stays dark. Gamma is kept within 2.2 / 1.6 .. 2.2 / 0.6; the latter comes down to 2.2 while c0
+/// goes from 0.85 to 0.97, as in a picture that is nearly all black only noise would be lightened.
 ///
 /// Gamma: light ink. The same with the ink, which now is the light, but never lighter than gamma 2.2: dark
 /// parts cost no dots and need no help, and night stays night.
