@@ -6,9 +6,10 @@
 namespace dapple {
 
 /// What the tone sliders say. Levels, contrast, brightness and gamma act on the sRGB-encoded value, 0 black
-/// to 1 white, as in photo editors; blur acts on light. The defaults change nothing: the ink covers the light
-/// that the photograph lacks. Inverted, for ink that is lighter than its paper, it covers the light that
-/// the photograph has, so the other settings do to what is seen what they do for dark ink.
+/// to 1 white, as in photo editors; blur acts on light, and so would detail, whose scale only the caller
+/// knows. The defaults change nothing: the ink covers the light that the photograph lacks. Inverted, for ink
+/// that is lighter than its paper, it covers the light that the photograph has, so the other settings do to
+/// what is seen what they do for dark ink.
 struct Tone {
     float black_point = 0;  // encoded value drawn as black; 0..1, below white_point
     float white_point = 1;  // encoded value drawn as white
@@ -16,6 +17,7 @@ struct Tone {
     float brightness = 0;   // -1..1, added
     float gamma = 1;        // 0.1..10, over 1 brightens the middle tones
     float blur = 0;         // standard deviation in thousandths of the longer side, 0..100
+    float detail = 0;       // amount of with_detail(), 0..1; not applied by density_of()
     bool invert = false;    // white ink on black paper
 
     bool operator==(const Tone&) const = default;
@@ -26,7 +28,8 @@ float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
-/// Takes the picture by value so that a large one can be turned in place.
+/// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
+/// with_detail() first. Takes the picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone);
 
 }  // namespace dapple

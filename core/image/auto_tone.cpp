@@ -1,0 +1,79 @@
+#include "core/image/auto_tone.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/image/ink_use.h"
+
+namespace dapple {
+
+namespace {
+
+constexpr float kGamma = 2.2f;
+constexpr float kLeastGamma = kGamma / 1.6f, kMostGamma = kGamma / 0.6f;
+constexpr double kBalance = 0.42, kLeastInk = 0.30, kMostInk = 0.62;
+
+struct Levels {
+    float black, white;
+};
+
+std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
+    constexpr float kOneTone = 0.02f, kLeastRange = 0.12f, kReach = 0.35f, kPaperRange = 0.15f;
+    float black = std::min(percentile(histogram, 0.5), percentile(histogram, 0.01) + kReach);
+    float white = std::max(percentile(histogram, 99.5), percentile(histogram, 99.99) - kReach);
+    if (white - black < kOneTone) return std::nullopt;
+    // The far side of the paper's noise, and half as far again.
+    if (invert) {
+        const float paper = percentile(histogram, 70) - black;
+        if (paper < kPaperRange * (white - black)) black += 1.5f * paper;
+    } else {
+        const float paper = white - percentile(histogram, 30);
+        if (paper < kPaperRange * (white - black)) white -= 1.5f * paper;
+    }
+    const float middle = (black + white) / 2;
+    if (white - black < kLeastRange) {
+        black = std::clamp(middle - kLeastRange / 2, 0.0f, 1 - kLeastRange);
+        white = black + kLeastRange;
+    }
+    return Levels{black, white};
+}
+
+// Of a picture that is nearly all black only noise would be lightened.
+float most_gamma(double ink) {
+    constexpr double kDark = 0.85, kNight = 0.97;
+    const auto night = static_cast<float>(std::clamp((ink - kDark) / (kNight - kDark), 0.0, 1.0));
+    return kMostGamma + (kGamma - kMostGamma) * night;
+}
+
+}  // namespace
+
+Tone auto_tone(const Histogram& histogram, const Tone& own) {
+    const Tone neutral;
+    Tone tone = own;
+    tone.black_point = neutral.black_point;
+    tone.white_point = neutral.white_point;
+    tone.gamma = neutral.gamma;
+    const std::optional<Levels> levels = levels_of(histogram, own.invert);
+    if (!levels) return tone;
+    tone.black_point = levels->black;
+    tone.white_point = levels->white;
+
+    Tone plain{.black_point = levels->black, .white_point = levels->white, .invert = own.invert};
+    const auto ink = [&](float gamma) {
+        plain.gamma = gamma;
+        return mean_ink(histogram, plain);
+    };
+    const double even = ink(kGamma);
+    const double target = std::clamp((even + kBalance) / 2, kLeastInk, kMostInk);
+    float low = kLeastGamma, high = own.invert ? kGamma : most_gamma(even);
+    // More gamma is more light: less dark ink, more light ink.
+    for (int i = 0; i < 14; ++i) {
+        const float middle = (low + high) / 2;
+        const bool too_light = own.invert ? ink(middle) > target : ink(middle) < target;
+        (too_light ? high : low) = middle;
+    }
+    tone.gamma = (low + high) / 2;
+    return tone;
+}
+
+}  // namespace dapple

@@ -1,0 +1,37 @@
+#pragma once
+// The tone that a photograph opens with, so that its middle tones can be read.
+//
+// A photograph's light, drawn as it is, puts most dots into its dark half: a mid-grey has 21 % of white's
+// light, so ink covers 79 % of it, where dots merge and detail ends. Therefore the encoded value, along which
+// steps look even, is stretched to black and white and taken for the light, e^m with m about 1, which the
+// tone settings say with a gamma of 2.2 / m.
+
+#include "core/image/histogram.h"
+#include "core/image/tone.h"
+
+namespace dapple {
+
+/// `own` with black_point, white_point and gamma chosen from the histogram of the picture's light. Its other
+/// settings stay, and are not made up for: contrast and brightness say what is wanted otherwise.
+///
+/// Black and white point: the 0.5th and 99.5th percentile of the encoded value; but
+/// - what is further out by more than 0.35 is the subject, however small (stars, thin lines): the point comes
+///   that near to it;
+/// - bare paper stays bare: where 70 % of the pixels lie within 15 % of the range from the end without ink
+/// (the
+///   paper of a scanned page, the sky at night in light ink), the point is on their far side and half as far
+///   again, so that their noise draws no dots;
+/// - they are at least 0.12 apart, so that fog stays fog.
+///
+/// Gamma: dark ink. With c0 the share of paper that ink covers at gamma 2.2, the one that covers
+/// 0.42 + (c0 - 0.42) / 2, kept within 0.30..0.62: half of the way to a well balanced page, so that a dark
+/// portrait stays dark. Gamma is kept within 2.2 / 1.6 .. 2.2 / 0.6; the latter comes down to 2.2 while c0
+/// goes from 0.85 to 0.97, as in a picture that is nearly all black only noise would be lightened.
+///
+/// Gamma: light ink. The same with the ink, which now is the light, but never lighter than gamma 2.2: dark
+/// parts cost no dots and need no help, and night stays night.
+///
+/// A picture of one tone, or nearly, has the neutral points and gamma, 0, 1 and 1.
+Tone auto_tone(const Histogram& histogram, const Tone& own);
+
+}  // namespace dapple

@@ -1,0 +1,29 @@
+#pragma once
+// Local contrast, so that what is faint survives being drawn in dots.
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// The scale at which dots lose detail: two mean spacings of `dots` dots on a picture of that many pixels, as
+/// the standard deviation in pixels that with_detail() takes. Dots draw nothing narrower than their spacing,
+/// and what is wider than about four spacings they draw well as it is.
+double detail_sigma(double pixels, double dots);
+
+/// A picture of linear light (clamped and NaN white as density_of() takes it) whose faint detail, such as
+/// whiskers or a retina's vessels, stands out more.
+///
+/// Works on the sRGB-encoded value v, along which steps look even. With m and s the mean and the standard
+/// deviation of v under a Gaussian of sigma_px (> 0) about the pixel, the result is
+///
+///     v + amount * limited(1.5 * (v - m) * e^2 / (s^2 + e^2)),   e = 0.1
+///
+/// The last factor leaves strong edges alone, about which there would be halos otherwise (the weight of Lee's
+/// 1980 filter and of the guided filter, He et al. 2010). limited(d) = d / (1 + |d| / 0.15), so no value
+/// moves by more than amount * 0.15. Flat parts stay as they are, and so does the mean of v, but for edges
+/// and clamping to 0..1.
+///
+/// amount: 0 returns the very same values; 1 is strong; more is allowed. Time and memory: two blurs.
+Grid<float> with_detail(Grid<float> light, double amount, double sigma_px);
+
+}  // namespace dapple
