@@ -19,10 +19,9 @@ struct ToneFidelity {
     double mean_error = 0;  // mean of drawing - photograph: above 0 the drawing is too light
     double rms_error = 0;   // root of the mean square of the difference
     double psnr_db = 0;     // -20 log10(rms_error), 200 at most: white is the peak, 1
-    /// Structural similarity, the mean over all pixels (Wang, Bovik, Sheikh & Simoncelli 2004, "Image Quality
-    /// Assessment", equation 13, with K1 = 0.01, K2 = 0.03 and a peak of 1): 1 for equal pictures. Its window
-    /// is a Gaussian of 1.5 pixels, as there, and of 1.5 sigma where the blur is over a pixel, since what the
-    /// eye can tell apart then is as far apart as that.
+    /// Structural similarity (core/analysis/ssim.h) of linear light. Its window is a Gaussian of 1.5 pixels,
+    /// and of 1.5 sigma where the blur is over a pixel, since what the eye can tell apart then is as far
+    /// apart as that.
     double ssim = 0;
 };
 

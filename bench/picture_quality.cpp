@@ -1,0 +1,253 @@
+// How good pictures are, beside a peer's: Dapple's dots as placed and after some steps of relaxation, and
+// plain weighted Voronoi stippling (Secord 2002) from random dots. Prints tables in Markdown.
+//
+//      picture_quality PHOTO...                    at 10,000, 40,000 and 200,000 dots; and seams on black
+//      picture_quality                             the same of the built-in still life
+//      picture_quality --dots 40000 --steps 0,3 --peer-steps 50 PHOTO...
+//      picture_quality --only seams --loads 1.35   or --only pictures
+//      picture_quality --side-by-side FILE.png     the first photograph and its drawings, at the first count
+//
+// docs/make_picture_quality makes docs/pictures.md with it, which says what the columns mean.
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/drawing_settings.h"
+#include "app/files/picture.h"
+#include "app/files/sample.h"
+#include "app/files/tile_library.h"
+#include "app/grouped.h"
+#include "bench/local_distances.h"
+#include "bench/picture_marks.h"
+#include "bench/plain_lloyd.h"
+#include "bench/relaxed_dots.h"
+#include "bench/seams.h"
+#include "bench/side_by_side.h"
+#include "core/image/ink.h"
+#include "core/image/tone.h"
+
+namespace {
+
+using namespace dapple;
+
+constexpr int kMarkedSteps = 3;  // of Dapple's: what is to be as good as the peer
+constexpr std::uint64_t kSeed = 1;
+constexpr int kPanelWidth = 600;  // px
+
+enum class Tables { all, pictures, seams };
+
+struct Wanted {
+    std::vector<std::filesystem::path> photos;  // none: the still life
+    std::vector<std::size_t> dots{10'000, 40'000, 200'000};
+    std::vector<int> steps{0, 1, 2, 3, 5, 10};
+    int peer_steps = 100;
+    std::vector<double> loads{1.35, 1.6};
+    Tables tables = Tables::all;
+    std::filesystem::path side_by_side;
+};
+
+// One drawing, judged.
+struct Row {
+    std::string name;
+    double ms = 0;
+    std::vector<glm::dvec2> dots;
+    double radius = 0;  // fitted
+    PictureMarks marks{};
+    LocalDistances distances{};
+    std::optional<PictureMarks> own_radius{};  // with the radius that the program would draw with
+};
+
+class PictureTable {
+ public:
+    PictureTable(const Grid<float>& light, std::size_t count)
+        : density_(density_of(light, Tone{})), count_(count), target_(target_for(light, count)) {}
+
+    Row of_dapple(RankedTile& tile, int steps) const {
+        RelaxedDots drawn = relaxed_dots(tile, density_, count_, steps);
+        Row row = judged(steps == 0 ? "Dapple, as placed" : fmt::format("Dapple, {} steps", steps), drawn.ms,
+                         std::move(drawn.dots), 16 * drawn.scale);
+        row.own_radius = picture_marks(row.dots, radius_for_tone(drawn.scale), target_);
+        return row;
+    }
+
+    Row of_peer(LloydWeight weight, int steps) const {
+        const auto start = std::chrono::steady_clock::now();
+        std::vector<glm::dvec2> dots = random_dots(density_, count_, kSeed);
+        for (int step = 0; step < steps; ++step) lloyd_step(dots, density_, weight);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        const char* what = weight == LloydWeight::density ? "density" : "density squared";
+        return judged(fmt::format("random, {} plain steps, {}", steps, what), took.count(), std::move(dots),
+                      dots_at_full_density(density_, count_));
+    }
+
+ private:
+    Row judged(std::string name, double ms, std::vector<glm::dvec2> dots, double full) const {
+        Row row{.name = std::move(name), .ms = ms, .dots = std::move(dots)};
+        row.radius = fitted_radius(row.dots, target_);
+        row.marks = picture_marks(row.dots, row.radius, target_);
+        row.distances = local_distances(row.dots, density_, full);
+        return row;
+    }
+
+    Density density_;
+    std::size_t count_;
+    Target target_;
+};
+
+std::string seconds(double ms) {
+    return ms < 1000 ? fmt::format("{:.3f} s", ms / 1000) : fmt::format("{:.1f} s", ms / 1000);
+}
+
+void print(const Row& row) {
+    const PictureMarks& m = row.marks;
+    const std::string own = row.own_radius
+                                ? fmt::format("{:.2f} % | {:+.2f} %", 100 * row.own_radius->tone_error,
+                                              100 * row.own_radius->mean_error)
+                                : " | ";
+    fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.2f} % | {:.3f} | {:.3f} | {} |\n", row.name, seconds(row.ms),
+               m.ssim, m.gradients, 100 * m.tone_error, row.distances.p1, row.distances.mean, own);
+    std::fflush(stdout);
+}
+
+void print_mark(const char* mark, double value, const char* relation, double wanted, bool holds) {
+    fmt::print("| {} | {:.3f} | {} {:.3f} | {} |\n", mark, value, relation, wanted, holds ? "yes" : "**no**");
+}
+
+void print_at_least(const char* mark, double value, double wanted) {
+    print_mark(mark, value, "at least", wanted, value >= wanted);
+}
+
+void print_at_most(const char* mark, double value, double wanted) {
+    print_mark(mark, value, "at most", wanted, value <= wanted);
+}
+
+constexpr const char* kMarksHead = "| mark | {} | wanted | reached |\n|---|---|---|---|\n";
+
+void print_marks(const Row& dapple, const Row& peer) {
+    fmt::print("\n");
+    fmt::print(fmt::runtime(kMarksHead), dapple.name);
+    print_at_least("SSIM, the peer's", dapple.marks.ssim, peer.marks.ssim);
+    print_at_least("gradients, the peer's", dapple.marks.gradients, peer.marks.gradients);
+    print_at_most("tone error, %, half the peer's", 100 * dapple.marks.tone_error,
+                  50 * peer.marks.tone_error);
+    print_at_least("nearest, 1st percentile", dapple.distances.p1, 0.62);
+    print_at_least("nearest, mean", dapple.distances.mean, 0.84);
+}
+
+void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, RankedTile& tile,
+             SideBySide* panels) {
+    fmt::print(
+        "| drawing | time | SSIM | gradients | tone error | nearest: 1st percentile | mean | own radius: "
+        "tone "
+        "error | mean error |\n|---|---|---|---|---|---|---|---|---|\n");
+    const PictureTable table(light, count);
+    const auto show = [&](const Row& row) {
+        if (panels) panels->add(row.dots, row.radius);
+    };
+    std::optional<Row> marked;
+    for (const int steps : wanted.steps) {
+        Row row = table.of_dapple(tile, steps);
+        print(row);
+        if (steps == 0 || steps == kMarkedSteps) show(row);
+        if (steps == kMarkedSteps) marked = std::move(row);
+    }
+    const Row peer = table.of_peer(LloydWeight::density, wanted.peer_steps);
+    print(peer);
+    show(peer);
+    print(table.of_peer(LloydWeight::density_squared, wanted.peer_steps));
+    if (marked) print_marks(*marked, peer);
+}
+
+void measure_pictures(const Wanted& wanted, RankedTile& tile) {
+    std::vector<std::filesystem::path> photos = wanted.photos;
+    if (photos.empty()) photos.emplace_back();
+    bool first = true;
+    for (const std::filesystem::path& photo : photos) {
+        const Picture picture = photo.empty() ? sample_picture() : read_picture(photo);
+        for (const std::size_t count : wanted.dots) {
+            fmt::print("\n### {}, {} dots\n", photo.empty() ? "still life" : photo.filename().string(),
+                       grouped(count));
+            if (first && !wanted.side_by_side.empty()) {
+                SideBySide panels(picture.light, kPanelWidth);
+                measure(wanted, picture.light, count, tile, &panels);
+                panels.save(wanted.side_by_side);
+            } else {
+                measure(wanted, picture.light, count, tile, nullptr);
+            }
+            first = false;
+        }
+    }
+}
+
+void measure_seams(const Wanted& wanted, RankedTile& tile) {
+    const Density black(Grid<float>(1, 1, 1.0f));
+    fmt::print(
+        "\n### Seams on black\n| dots | steps | load | bare paper | borders of 1/2 | 1/4 | 1/8 | worst "
+        "|\n|---|---|---|---|---|---|---|---|\n");
+    double worst_marked = 0;
+    for (const std::size_t count : {65'536, 90'000, 140'000, 262'144}) {
+        for (const int steps : wanted.steps) {
+            if (steps == 1 || steps == 2) continue;
+            const RelaxedDots drawn = relaxed_dots(tile, black, count, steps);
+            for (const double load : wanted.loads) {
+                const Seams seen = seams(drawn.dots, load);
+                fmt::print("| {} | {} | {} | {:.2f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n",
+                           grouped(count), steps, load, 100 * seen.bare, seen.of_halves, seen.of_quarters,
+                           seen.of_eighths, seen.worst());
+                std::fflush(stdout);
+                if (steps == kMarkedSteps) worst_marked = std::max(worst_marked, seen.worst());
+            }
+        }
+    }
+    if (worst_marked == 0) return;
+    fmt::print("\n");
+    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kMarkedSteps));
+    print_at_most("worst seam", worst_marked, 2);
+}
+
+Wanted wanted_by(int argc, char** argv) {
+    Wanted wanted;
+    CLI::App app("How good pictures are, beside a peer's.");
+    app.add_option("PHOTO", wanted.photos, "photographs; none: the built-in still life");
+    app.add_option("--dots", wanted.dots, "numbers of dots")->delimiter(',')->expected(1);
+    app.add_option("--steps", wanted.steps, "steps of relaxation; 0: as placed")->delimiter(',')->expected(1);
+    app.add_option("--peer-steps", wanted.peer_steps, "the peer's plain steps");
+    app.add_option("--loads", wanted.loads, "dots' area on black, over the page's")
+        ->delimiter(',')
+        ->expected(1);
+    app.add_option("--only", wanted.tables, "pictures or seams")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Tables>{{"pictures", Tables::pictures}, {"seams", Tables::seams}}));
+    app.add_option("--side-by-side", wanted.side_by_side, "a PNG of the first photograph's drawings");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error));
+    }
+    return wanted;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const Wanted wanted = wanted_by(argc, argv);
+        RankedTile tile = tile_named(kDefaultTile);
+        if (wanted.tables != Tables::seams) measure_pictures(wanted, tile);
+        if (wanted.tables != Tables::pictures) measure_seams(wanted, tile);
+        return 0;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "picture_quality: {}\n", error.what());
+        return 1;
+    }
+}
