@@ -1,7 +1,5 @@
 #include "app/drawing_settings.h"
 
-#include "core/image/ink.h"
-
 namespace dapple {
 
 std::string tile_in_use(const DrawingSettings& settings) {
@@ -9,9 +7,13 @@ std::string tile_in_use(const DrawingSettings& settings) {
     return turns ? "paper16" : settings.tile;
 }
 
-double dot_radius_mm(const DrawingSettings& settings, double scale, const PageSize& page) {
-    if (settings.dot_radius_mm) return *settings.dot_radius_mm;
-    return radius_for_tone(scale) * page.mm_per_page_unit;
+DrawingRequest request_of(const DrawingSettings& settings, double margin_mm) {
+    return {.automatic_tone = settings.automatic_tone,
+            .tone = settings.tone,
+            .stipple = settings.stipple,
+            .relax = settings.relax,
+            .size = settings.dot_size,
+            .width_mm = settings.width_mm - 2 * margin_mm};
 }
 
 }  // namespace dapple

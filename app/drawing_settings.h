@@ -7,27 +7,25 @@
 #include <optional>
 #include <string>
 
-#include "core/image/tone.h"
+#include "core/drawing/request.h"
 #include "core/output/colour.h"
-#include "core/stipple.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {
 
 inline constexpr std::uint64_t kDefaultDots = 40'000;
 
-/// More dots than this lie closer than the float coordinates they are kept in can tell apart.
-inline constexpr std::uint64_t kMostDots = 1'000'000'000;
-
 /// The built-in tile whose pictures look best.
 inline constexpr const char* kDefaultTile = "aperiodic4096";
 
 struct DrawingSettings {
+    bool automatic_tone = true;           // see DrawingRequest
     Tone tone;
     std::string tile = kDefaultTile;      // a name for tile_named()
     std::optional<RankingOrder> ranking;  // none: the tile's own
     StippleRequest stipple{.count = kDefaultDots, .threads = 0};
-    std::optional<double> dot_radius_mm;  // none: the radius that gives the photograph's tone
+    std::optional<int> relax;             // steps; none: the usual ones
+    DotSize dot_size;
     double width_mm = 200;                // of the page; the picture fills it
     glm::vec3 ink = kBlack;               // sRGB-encoded, 0..1
     glm::vec3 paper = kWhite;
@@ -41,7 +39,7 @@ struct DrawingSettings {
 /// that turn their children, meets the default one.
 std::string tile_in_use(const DrawingSettings& settings);
 
-/// The radius dots are drawn with on a page of that size, in millimetres.
-double dot_radius_mm(const DrawingSettings& settings, double scale, const PageSize& page);
+/// What is asked of the pipeline; `margin_mm` of the page's width are left bare on each side.
+DrawingRequest request_of(const DrawingSettings& settings, double margin_mm = 0);
 
 }  // namespace dapple

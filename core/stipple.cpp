@@ -70,12 +70,13 @@ std::uint64_t count_of(const Pieces& pieces) {
     return count;
 }
 
-Pieces cut_to(const PagePart& part, const Pieces& pieces) {
-    return [part, pieces](const TakePiece& take) {
+Pieces finished(const StreamRequest& request, const Pieces& pieces) {
+    return [request, pieces](const TakePiece& take) {
         Dots cut;
         pieces([&](const Dots& piece) {
             cut = piece;
-            dapple::cut_to(part, cut);
+            if (request.finish) request.finish(cut);
+            cut_to(request.part, cut);
             return take(cut);
         });
     };
@@ -83,15 +84,14 @@ Pieces cut_to(const PagePart& part, const Pieces& pieces) {
 
 }  // namespace
 
-DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& request) {
+DotStream stream(Placer& placer, const Density& density, const StreamRequest& request) {
     const StippleRequest& stipple = request.stipple;
     if (stipple.placer != PlacerKind::exact)
         throw std::runtime_error("the figure8 placer cannot place piece by piece");
     DotStream result;
     Pieces pieces;
-    Placer& placer = tile.placer();
     if (stipple.count) {
-        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads};
+        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads, window_around(request.part)};
         const CountCut cut = *placer.find_cut(density, exact);
         result.scale = cut.last_scale();
         pieces = [&placer, &density, exact, cut](const TakePiece& take) {
@@ -109,7 +109,7 @@ DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& 
         };
     }
     const bool whole_page = request.part == PagePart{};
-    result.for_each_piece = whole_page ? pieces : cut_to(request.part, pieces);
+    result.for_each_piece = whole_page && !request.finish ? pieces : finished(request, pieces);
     result.count = stipple.count && whole_page ? *stipple.count : count_of(result.for_each_piece);
     return result;
 }

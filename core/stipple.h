@@ -2,6 +2,7 @@
 // The pipeline, density to dots, as the window, the commands, the tests and the benchmark all call it.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -68,12 +69,14 @@ bool stipple(RankedTile& tile, const Density& density, const StippleRequest& req
 struct StreamRequest {
     StippleRequest stipple;  // the exact placer only
     PagePart part;           // of the page; a count is that of the whole page
+    /// Called with dots in page units from the page's corner before they are cut; may be empty.
+    std::function<void(Dots& piece)> finish = {};
 };
 
 /// The same dots in the same order, without holding them: finds the scale and the number of dots now, and
-/// places anew for every pass over the stream. The tile and the density have to outlive it. Throws as
+/// places anew for every pass over the stream. The placer and the density have to outlive it. Throws as
 /// stipple() does, and if Figure 8 is asked for: its duplicates are counted over all dots.
-DotStream stream(RankedTile& tile, const Density& density, const StreamRequest& request);
+DotStream stream(Placer& placer, const Density& density, const StreamRequest& request);
 
 /// Fills Dots::critical if it isn't there: Figure 8 fills Dots::threshold only. Positions have to be the
 /// page's.

@@ -32,7 +32,7 @@ Tone auto_tone_of(const Grid<float>& light, const Tone& own = {}) {
 double drawn_ink(const Grid<float>& light, const Tone& tone) {
     double sum = 0;
     const Grid<float> density = density_of(light, tone);
-    for (float value : density.values) sum += coverage_of_load(kFullLoad * value);
+    for (float value : density.values) sum += InkCurve().coverage(value);
     return sum / static_cast<double>(density.values.size());
 }
 
@@ -44,7 +44,7 @@ Grid<float> skewed(double power, double black = 0, double white = 1) {
 // The ink that covers the paper for one encoded value.
 float ink_for(float encoded, const Tone& tone) {
     const Grid<float> density = density_of(Grid<float>(1, 1, srgb_to_linear(encoded)), tone);
-    return coverage_of_load(kFullLoad * density.at(0, 0));
+    return InkCurve().coverage(density.at(0, 0));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_CASE("a streamed drawing is the drawing in memory, byte for byte, in every 
         double scale = 0;
         const Dots whole = scene.whole(request, {}, scale);
         const DotStream in_memory = stream_of(whole, scale);
-        const DotStream dots = stream(scene.tile, scene.density, {.stipple = request, .part = {}});
+        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = request, .part = {}});
         CHECK(dots.count == whole.size());
         CHECK(dots.scale == scale);
         CHECK(svg_of(dots, scene.page) == svg_of(in_memory, scene.page));
@@ -106,7 +106,7 @@ TEST_CASE("a sheet or region that is placed for itself is the one cut from the w
             double scale = 0;
             const Dots cut = scene.whole(request, excerpt.part, scale);
             const DotStream dots =
-                stream(scene.tile, scene.density, {.stipple = request, .part = excerpt.part});
+                stream(scene.tile.placer(), scene.density, {.stipple = request, .part = excerpt.part});
             CHECK(dots.count == cut.size());
             CHECK(dots.scale == scale);
             CHECK(csv_of(dots, excerpt.size) == csv_of(stream_of(cut), excerpt.size));
@@ -119,7 +119,7 @@ TEST_CASE("pictures of sheets laid side by side are the picture of the whole, do
     Scene scene;
     const RasterRequest raster{.dot_radius_mm = 2.3, .dpi = 2 * 25.4};  // two pixels a millimetre
     const auto picture_of = [&](const PagePart& part, const PageSize& size) {
-        const DotStream dots = stream(scene.tile, scene.density, {.stipple = {.count = 3000}, .part = part});
+        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = {.count = 3000}, .part = part});
         const RasterSize pixels = raster_size(size, raster.dpi);
         Grid<float> all(pixels.width, pixels.height);
         rasterise(dots, size, raster, [&](int first_row, const Grid<float>& band) {
@@ -160,7 +160,7 @@ TEST_CASE("streamed sheets have every dot of the page once") {
         for (int row = 1; row <= 4; ++row) {
             for (int column = 1; column <= 3; ++column) {
                 const PagePart part = sheet_of(scene.page, {column, row, 3, 4}).part;
-                on_sheets += stream(scene.tile, scene.density, {.stipple = request, .part = part}).count;
+                on_sheets += stream(scene.tile.placer(), scene.density, {.stipple = request, .part = part}).count;
             }
         }
         CHECK(on_sheets == scene.whole(request, {}, scale).size());
@@ -171,7 +171,7 @@ TEST_CASE("however many dots there are, they come in small pieces") {
     Scene scene;
     for (const StippleRequest& request :
          {StippleRequest{.scale = 50'000, .count = {}}, StippleRequest{.count = 400'000}}) {
-        const DotStream dots = stream(scene.tile, scene.density, {.stipple = request, .part = {}});
+        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = request, .part = {}});
         std::size_t largest = 0, all = 0;
         dots.for_each_piece([&](const Dots& piece) {
             largest = std::max(largest, piece.size());
@@ -186,7 +186,7 @@ TEST_CASE("however many dots there are, they come in small pieces") {
 
 TEST_CASE("whoever takes the dots may stop, and begin again") {
     Scene scene;
-    const DotStream dots = stream(scene.tile, scene.density, {.stipple = {.count = 400'000}, .part = {}});
+    const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = {.count = 400'000}, .part = {}});
     int taken = 0;
     dots.for_each_piece([&](const Dots&) { return ++taken < 2; });
     CHECK(taken == 2);
@@ -200,8 +200,8 @@ TEST_CASE("whoever takes the dots may stop, and begin again") {
 
 TEST_CASE("Figure 8 is not streamed, nor is what cannot be placed") {
     Scene scene;
-    CHECK_THROWS(stream(scene.tile, scene.density,
+    CHECK_THROWS(stream(scene.tile.placer(), scene.density,
                         {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}));
-    CHECK_THROWS(stream(scene.tile, scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
-    CHECK_THROWS(stream(scene.tile, Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
+    CHECK_THROWS(stream(scene.tile.placer(), scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
+    CHECK_THROWS(stream(scene.tile.placer(), Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
 }

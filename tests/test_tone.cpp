@@ -23,7 +23,7 @@ Grid<float> greys() {
 // The share of paper that the ink covers.
 Grid<float> ink_of(const Grid<float>& light, const Tone& tone) {
     Grid<float> ink = density_of(light, tone);
-    for (float& value : ink.values) value = coverage_of_load(kFullLoad * value);
+    for (float& value : ink.values) value = InkCurve().coverage(value);
     return ink;
 }
 

@@ -212,15 +212,45 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
     add_ranking(app, settings.ranking);
 
-    add_number(app, "--dot-radius", settings.dot_radius_mm,
-               {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM",
-               "Radius of a dot on paper; without it, the one that gives the picture's tone");
+    const auto read_relax = [&settings](const std::string& text) {
+        if (text == "auto")
+            settings.relax.reset();
+        else
+            settings.relax = whole_number_in("--relax", text, {.least = 0, .most = kMostRelaxingSteps});
+    };
+    add_text(app, "--relax", "N",
+             "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. From 1 on "
+             "the first n dots are no longer the drawing with n dots. auto: 4, or none for millions of dots too fine "
+             "to see",
+             read_relax)
+        ->default_str("auto");
+
+    const auto read_radius = [&settings](const std::string& text) {
+        settings.dot_size = dot_size_in("--dot-radius", text);
+    };
+    add_text(app, "--dot-radius", "MM",
+             "Radius of a dot on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, and "
+             "as many dots as the tone then needs. Without it, one for all that gives the picture's tone",
+             read_radius);
     add_whole_number(app, "--threads", stipple.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the dots are the same with any number");
 }
 
-void add_tone_options(CLI::App& app, Tone& tone) {
+void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Tone");
+    Tone& tone = settings.tone;
+    const auto read_tone = [&settings](const std::string& text) {
+        if (text != "auto" && text != "true") {
+            throw CLI::ValidationError("--tone", fmt::format("{} is not known; there are auto and true", text));
+        }
+        settings.automatic_tone = text == "auto";
+    };
+    add_text(app, "--tone", "NAME",
+             "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just the "
+             "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
+             "--blur and --invert",
+             read_tone)
+        ->default_str("auto");
     add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
                "Grey that is drawn black, with all below it");
     add_number(app, "--white-point", tone.white_point, {.least = 0, .most = 1}, "0..1",
@@ -233,6 +263,8 @@ void add_tone_options(CLI::App& app, Tone& tone) {
                "Over 1: lighter middle tones");
     add_number(app, "--blur", tone.blur, {.least = 0, .most = 100}, "0..100",
                "Softens the picture first, in thousandths of its longer side");
+    add_number(app, "--detail", tone.detail, {.least = 0, .most = 1}, "0..1",
+               "Brings out what is faint and only a few dots wide, such as whiskers");
     app.add_flag("--invert", tone.invert, "Dots where the picture is light, for white ink on black paper");
 }
 
@@ -279,7 +311,26 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         read_with("--region", parse_region, region));
 }
 
-void check_options(const CLI::App& command, const DrawingSettings& settings) {
+void check_options(const CLI::App& command, DrawingSettings& settings) {
+    const auto given = [&](const char* name) {
+        const CLI::Option* const option = command.get_option_no_throw(name);
+        return option && option->count() > 0;
+    };
+    for (const char* name : {"--black-point", "--white-point", "--contrast", "--brightness", "--gamma"}) {
+        if (!given(name)) continue;
+        if (given("--tone") && settings.automatic_tone) {
+            throw CLI::ValidationError("--tone", fmt::format("auto cannot be given together with {}", name));
+        }
+        settings.automatic_tone = false;
+    }
+    const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
+    for (const char* name : {"--dots", "--scale"}) {
+        if (!by_tone || !given(name)) continue;
+        throw CLI::ValidationError(
+            name, "cannot be given together with two radii: how many dots there are follows from their sizes");
+    }
+    if (settings.stipple.placer == PlacerKind::figure8 && settings.relax.value_or(0) > 0)
+        throw CLI::ValidationError("--relax", "the figure8 placer's dots are shown as they are; leave it away");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
     }

@@ -76,7 +76,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     if (order != DotOrder::recursion) sorted = sorted_dots(drawing.dots, order);
     const DotStream dots =
         order != DotOrder::recursion ? stream_of(sorted, drawing.dots.scale) : drawing.dots;
-    const double radius = dot_radius_mm(settings, dots.scale, drawing.page);
+    const double radius = drawing.dot_radius_mm;
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
         if (watch.progress) watch.progress(share);

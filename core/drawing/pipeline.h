@@ -15,6 +15,7 @@
 #include "core/dot_stream.h"
 #include "core/drawing/request.h"
 #include "core/image/density.h"
+#include "core/image/histogram.h"
 #include "core/image/ink.h"
 #include "core/page.h"
 #include "core/relaxing/relax.h"
@@ -24,13 +25,14 @@ namespace dapple {
 
 /// What a request comes to on a picture: all that is known before a dot is placed.
 struct DrawingPlan {
-    Tone tone;                               // as drawn, the automatic one's values included
+    Tone tone;                               // as drawn, with the values that were chosen automatically
     std::shared_ptr<const Density> density;  // shared with streams; never changes
-    StippleRequest stipple;                  // a scale or a count that can be placed
+    StippleRequest stipple;                  // a count or a scale within the limits
+    bool lowered = false;                    // more was asked for
     int steps = 0;                           // of relaxation
     DotSize size;
-    PageSize page;                           // of the picture
-    double full_load = 0;                    // see InkCurve
+    PageSize page;         // of the picture
+    double full_load = 0;  // see InkCurve
 
     /// Of all dots, or of the largest ones, in page units, of a drawing that came to that scale.
     double radius(double scale) const;
@@ -39,60 +41,65 @@ struct DrawingPlan {
 /// The dots of a whole page, kept.
 struct Drawn {
     Stippling stippling;
-    int steps = 0;          // of relaxation done
-    double relax_ms = 0;    // wall time of them
+    int steps = 0;        // of relaxation done
+    double relax_ms = 0;  // wall time of them
 };
 
 /// For someone who watches. Both may be left empty.
 struct DrawingWatch {
     std::stop_token stop;
-    /// Told after placing (0 steps) and after every step but the last, with the dots as they lie then: a copy is
-    /// made on request only.
-    std::function<void(int steps, const std::function<DotPieces()>& dots)> step;
+    /// Told after placing and after every step but the last, with `drawn` as it is without the dots, which are
+    /// copied on request. False ends the drawing there.
+    std::function<bool(const Drawn& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
 class Pipeline {
  public:
     /// Draws another picture from now on, of linear light: see Picture.
     void set_light(Grid<float> light);
-    /// Or a plain density, which no tone changes.
-    void set_density(Density density);
+    /// A density in the picture's place, which no tone changes; none: the picture again.
+    void set_plain(std::optional<Density> density);
     bool has_picture() const { return plain_ || !light_.empty(); }
     const Grid<float>& light() const { return light_; }
+    const Histogram& histogram();
 
     void set_tile(RankedTile tile) { tile_.emplace(std::move(tile)); }
-    const RankedTile& tile() const { return *tile_; }
     RankedTile& tile() { return *tile_; }
-    bool has_tile() const { return tile_.has_value(); }
 
-    /// Needs a picture and a tile. Throws std::runtime_error if the picture has nothing to draw (no message names
-    /// it), as stipple() does, and if a scale or dot sizes ask for more than kMostDots.
+    /// Needs a picture and a tile. Throws what density_of() and Density throw.
     DrawingPlan plan(const DrawingRequest& request);
 
-    /// All dots of the page into `drawn`, using its memory again. False if stopped.
+    /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so many. False
+    /// if stopped. Throws as stipple() does.
     bool draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch = {});
 
-    /// The dots of a part of the page, seen from its corner, without holding them: drawn anew for each pass. The
-    /// stream owns all that it needs. Equal to the whole page's to the bit, and in their order.
+    /// The dots of a part of the page, seen from its corner, handed over in pieces and without holding all of them,
+    /// but for Figure 8's. Equal to the whole page's to the bit, and in their order. The stream owns what it needs.
+    /// Throws as stream() does.
     DotStream stream(const DrawingPlan& plan, const PagePart& part = {});
 
-    /// The tiles that the placer goes through at that scale: Figure 8's visits, or the exact placer's.
+    /// The tiles that the placer goes through at that scale: those that Figure 8 visits, or the exact placer's.
     std::vector<PlacedTile> outlines(const DrawingPlan& plan, double scale);
 
-    /// Wall time that the last plan() took for the tone, 0 if nothing had changed.
+    /// Wall time that the last plan() took for tone and density; 0 if they were still there.
     double tone_ms() const { return tone_ms_; }
 
  private:
+    // What a density is made with.
     struct Toned {
         Tone tone;
         InkedDots ink;
+        double detail_sigma = 0;  // pixels
         bool operator==(const Toned&) const = default;
     };
 
+    std::shared_ptr<const Density> toned_density(const Toned& toned);
+    void tone_for(DrawingPlan& plan, const DrawingRequest& request);
+
     Grid<float> light_;
-    bool plain_ = false;
-    std::optional<Toned> toned_;  // what density_ was made with
-    std::shared_ptr<const Density> density_;
+    std::optional<Histogram> histogram_;  // of the light, once it was asked for
+    std::optional<Toned> toned_;          // what density_ was made with
+    std::shared_ptr<const Density> density_, plain_;
     std::optional<RankedTile> tile_;
     double tone_ms_ = 0;
 };

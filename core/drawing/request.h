@@ -9,6 +9,9 @@
 
 namespace dapple {
 
+/// More dots than this lie closer than the float coordinates they are kept in can tell apart.
+inline constexpr std::uint64_t kMostDots = 1'000'000'000;
+
 enum class DotSizing {
     automatic,  // all alike, with the radius that gives the picture's tone
     fixed,      // all alike, of any radius; the tone is then lighter or darker than the picture's
@@ -32,7 +35,8 @@ struct DrawingRequest {
     StippleRequest stipple;    // where dot sizes go by tone, neither its count nor its scale has a say
     std::optional<int> relax;  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
     DotSize size;
-    double width_mm = 200;  // of the picture on paper
+    double width_mm = 200;                // of the picture on paper
+    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 
     bool operator==(const DrawingRequest&) const = default;
 };

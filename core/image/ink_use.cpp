@@ -29,7 +29,7 @@ double mean_ink(const Histogram& histogram, const Tone& tone) {
     const Grid<float> density = density_of_bins(tone);
     double sum = 0;
     for (int i = 0; i < density.width; ++i)
-        sum += static_cast<double>(histogram.counts[i]) * coverage_of_load(kFullLoad * density.at(i, 0));
+        sum += static_cast<double>(histogram.counts[i]) * InkCurve().coverage(density.at(i, 0));
     return sum / static_cast<double>(histogram.total);
 }
 

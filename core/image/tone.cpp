@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "core/image/blur.h"
-#include "core/image/ink.h"
 
 namespace dapple {
 
@@ -34,10 +33,10 @@ float ink_for(float light, const Tone& tone) {
 // Densities at equal steps of the square root of light, along which tone curves bend least.
 class ToneCurve {
  public:
-    explicit ToneCurve(const Tone& tone) {
+    ToneCurve(const Tone& tone, const InkCurve& ink) {
         for (int i = 0; i <= kSteps; ++i) {
             const float root = static_cast<float>(i) / kSteps;
-            density_[i] = load_of_coverage(ink_for(toned(root * root, tone), tone)) / kFullLoad;
+            density_[i] = ink.density(ink_for(toned(root * root, tone), tone));
         }
         density_[kSteps + 1] = density_[kSteps];
     }
@@ -66,13 +65,13 @@ float linear_to_srgb(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-Grid<float> density_of(Grid<float> light, const Tone& tone) {
+Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink) {
     if (tone.blur > 0) {
         for (float& v : light.values)
             v = v < 1 ? (v > 0 ? v : 0.0f) : 1.0f;  // clamped as below: NaN would spread
         light = blurred(std::move(light), tone.blur / 1000.0 * std::max(light.width, light.height));
     }
-    const ToneCurve curve(tone);
+    const ToneCurve curve(tone, ink);
     tbb::parallel_for(0, light.height, [&](int y) {
         float* const row = light.row(y);
         for (int x = 0; x < light.width; ++x) row[x] = curve(row[x]);

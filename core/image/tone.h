@@ -2,6 +2,7 @@
 // From a photograph's light to the density of dots: the darkroom.
 
 #include "core/image/grid.h"
+#include "core/image/ink.h"
 
 namespace dapple {
 
@@ -29,7 +30,7 @@ float linear_to_srgb(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
-/// with_detail() first. Takes the picture by value so that a large one can be turned in place.
-Grid<float> density_of(Grid<float> light, const Tone& tone);
+/// with_detail() first. `ink` says which density covers how much. Takes the picture by value so that a large one can be turned in place.
+Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 
 }  // namespace dapple

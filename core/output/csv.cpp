@@ -15,9 +15,11 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
         assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
+            const double radius_mm =
+                piece.radius.empty() ? columns.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
             const Birthplace birth = birthplace_of(piece.threshold[i], columns.tile_size);
             text << piece.x[i] * page.mm_per_page_unit << ',' << piece.y[i] * page.mm_per_page_unit << ','
-                 << columns.dot_radius_mm << ',' << std::int64_t{birth.level} << ','
+                 << radius_mm << ',' << std::int64_t{birth.level} << ','
                  << std::int64_t{birth.rank} << ',' << piece.critical[i] << '\n';
         }
         return true;

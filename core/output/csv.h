@@ -10,7 +10,7 @@
 namespace dapple {
 
 struct CsvColumns {
-    double dot_radius_mm = 0;   // the same for every dot
+    double dot_radius_mm = 0;   // where dots have none of their own
     std::size_t tile_size = 0;  // N, which a threshold needs to say level and rank
 };
 

@@ -137,6 +137,7 @@ struct Stretch {
     int first_band = 0;
     std::vector<std::uint64_t> begin{0};
     std::vector<glm::vec2> dots{};
+    std::vector<float> radii{};  // page units; empty: all alike
 
     int bands() const { return static_cast<int>(begin.size()) - 1; }
 };
@@ -153,12 +154,16 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
     stretch.dots.resize(stretch.begin.back());
     std::vector<std::uint64_t> next(stretch.begin.begin(), stretch.begin.end() - 1);
     canvas.dots.for_each_piece([&](const Dots& piece) {
+        if (!piece.radius.empty()) stretch.radii.resize(stretch.dots.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
             const BandRange range = bands_touched(canvas, piece.y[i]);
             const int first = std::max(range.first, first_band),
                       last = std::min(range.last, first_band + stretch.bands() - 1);
-            for (int band = first; band <= last; ++band)
-                stretch.dots[next[band - first_band]++] = {piece.x[i], piece.y[i]};
+            for (int band = first; band <= last; ++band) {
+                const std::uint64_t at = next[band - first_band]++;
+                stretch.dots[at] = {piece.x[i], piece.y[i]};
+                if (!piece.radius.empty()) stretch.radii[at] = piece.radius[i];
+            }
         }
         return true;
     });
@@ -170,8 +175,9 @@ Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i) {
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
     for (std::uint64_t k = stretch.begin[i]; k < stretch.begin[i + 1]; ++k) {
         const glm::vec2 dot = stretch.dots[k];
+        const double radius = stretch.radii.empty() ? canvas.radius : stretch.radii[k] * canvas.px_per_unit;
         samples.add_disc(dot.x * canvas.px_per_unit * kSamples,
-                         (dot.y * canvas.px_per_unit - first_row) * kSamples, canvas.radius * kSamples);
+                         (dot.y * canvas.px_per_unit - first_row) * kSamples, radius * kSamples);
     }
     return samples.coverage(canvas.size.width);
 }

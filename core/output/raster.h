@@ -25,7 +25,7 @@ struct RasterSize {
 RasterSize raster_size(const PageSize& page, double dpi);
 
 struct RasterRequest {
-    double dot_radius_mm = 0;
+    double dot_radius_mm = 0;  // the largest, where dots have radii of their own
     double dpi = 300;
     int threads = 1;  // the result is the same for any number; 0: all cores
     std::uint64_t dots_at_once = std::uint64_t{1}

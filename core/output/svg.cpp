@@ -27,7 +27,8 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
                 const WritingProgress& progress) {
     const int decimals = decimals_for(dots.count, page);
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    const double radius = std::max(style.dot_radius_mm * kPxPerMm, 0.001);
+    const auto in_px = [](double radius_mm) { return std::max(radius_mm * kPxPerMm, 0.001); };
+    const double radius = in_px(style.dot_radius_mm);
     begin_layer(text, 1, pen_name(style.ink));
     text << R"( fill=")" << hex_of(style.ink) << R"(" stroke="none">)" << '\n';
     DotsReport report(dots.count, progress);
@@ -39,7 +40,7 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
             text << R"(" cy=")";
             text.fixed(piece.y[i] * px_per_unit, decimals);
             text << R"(" r=")";
-            text.fixed(radius, 3);
+            text.fixed(piece.radius.empty() ? radius : in_px(piece.radius[i] * page.mm_per_page_unit), 3);
             text << "\"/>\n";
         }
         return true;

@@ -228,7 +228,7 @@ std::optional<double> Placer::place_exactly(const Density& density, const ExactC
         dots = {};
         return 0.0;
     }
-    KeptTrial trial(table_, density, request, *memory_, dots, stop);
+    KeptTrial trial(*table_, density, request, *memory_, dots, stop);
     const std::optional<CountCut> cut = find_end(density, request.count, *memory_, trial);
     if (!cut) return std::nullopt;
     trial.cut(*cut);
@@ -238,7 +238,7 @@ std::optional<double> Placer::place_exactly(const Density& density, const ExactC
 std::optional<CountCut> Placer::find_cut(const Density& density, const ExactCount& request,
                                          std::stop_token stop) {
     if (request.count == 0) return CountCut{};
-    CountedTrial trial(table_, density, request, *memory_, stop);
+    CountedTrial trial(*table_, density, request, *memory_, stop);
     return find_end(density, request.count, *memory_, trial);
 }
 
@@ -258,7 +258,10 @@ bool Placer::place_in_pieces(const Density& density, const ExactCount& request, 
     };
     if (request.count == 0) return true;
     CutStream stream(cut, take);
-    const Traversal traversal(table_, density, request_at(request, cut.scale), cut.early_scale);
+    PlacingRequest placing = request_at(request, cut.scale);
+    placing.window = request.window;
+    placing.origin = PlacingOrigin::page;
+    const Traversal traversal(*table_, density, placing, cut.early_scale);
     return hand_over_dots(traversal, *memory_, stream, stop);
 }
 

@@ -87,20 +87,22 @@ bool hand_over_dots(const Traversal& traversal, PlacerMemory& memory, PieceTaker
                             memory.piece_memories, taker, stop);
 }
 
-Placer::Placer(PlacingTable table) : table_(std::move(table)), memory_(std::make_unique<PlacerMemory>()) {}
+Placer::Placer(PlacingTable table) : Placer(std::make_shared<const PlacingTable>(std::move(table))) {}
+Placer::Placer(std::shared_ptr<const PlacingTable> table)
+    : table_(std::move(table)), memory_(std::make_unique<PlacerMemory>()) {}
 Placer::Placer(Placer&&) noexcept = default;
 Placer& Placer::operator=(Placer&&) noexcept = default;
 Placer::~Placer() = default;
 
 bool Placer::place(const Density& density, const PlacingRequest& request, DotPieces& dots,
                    std::stop_token stop) {
-    return keep_dots(Traversal(table_, density, request), *memory_, dots, stop);
+    return keep_dots(Traversal(*table_, density, request), *memory_, dots, stop);
 }
 
 bool Placer::place_in_pieces(const Density& density, const PlacingRequest& request, const TakePiece& take,
                              std::stop_token stop) {
     Stream stream(take);
-    return hand_over_dots(Traversal(table_, density, request), *memory_, stream, stop);
+    return hand_over_dots(Traversal(*table_, density, request), *memory_, stream, stop);
 }
 
 }  // namespace dapple

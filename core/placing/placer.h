@@ -45,6 +45,7 @@ struct ExactCount {
     std::uint64_t count = 0;
     bool appearance = false;  // as above
     int threads = 1;
+    PageWindow window{};  // which of them are handed over, at the positions that they have on the page
 };
 
 /// Where a drawing of exactly so many dots ends.
@@ -67,11 +68,14 @@ struct PlacerMemory;
 class Placer {
  public:
     explicit Placer(PlacingTable table);
+    /// With a table that others use too.
+    explicit Placer(std::shared_ptr<const PlacingTable> table);
     Placer(Placer&&) noexcept;
     Placer& operator=(Placer&&) noexcept;
     ~Placer();
 
-    const PlacingTable& table() const { return table_; }
+    const PlacingTable& table() const { return *table_; }
+    const std::shared_ptr<const PlacingTable>& shared_table() const { return table_; }
 
     /// Places into `dots`, overwriting it and using its memory again, in the order of the recursion. Returns
     /// false, with `dots` in an unspecified state, if the stop token asked to stop first.
@@ -96,7 +100,7 @@ class Placer {
                          const TakePiece& take, std::stop_token stop = {});
 
  private:
-    PlacingTable table_;
+    std::shared_ptr<const PlacingTable> table_;
     std::unique_ptr<PlacerMemory> memory_;
 };
 

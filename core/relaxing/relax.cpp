@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "core/placing/pieces.h"
@@ -171,6 +172,10 @@ class RowsMover {
 double relaxing_rim(double scale, int steps) {
     // A step looks as far as dots cut cells, and the dots it finds came from a step's length further away.
     return steps * std::ldexp(double{kCellReach} + kFarthestRow + 1, -depth_for(scale));
+}
+
+double relaxing_row(double scale) {
+    return std::ldexp(1.0, -depth_for(scale));
 }
 
 Relaxation::Relaxation(DotPieces dots, const Density& density, const RelaxingRequest& request)

@@ -29,6 +29,10 @@ struct RelaxingRequest {
 /// page units: relaxed with all dots within it, those on the part come out as on the whole page, to the bit.
 double relaxing_rim(double scale, int steps);
 
+/// The height of the rows that relaxed dots come in, in page units: a power of two, about the distance between
+/// dots on black.
+double relaxing_row(double scale);
+
 /// Dots on their way. They keep their other columns.
 class Relaxation {
  public:
@@ -46,7 +50,7 @@ class Relaxation {
  private:
     const Density& density_;
     RelaxingRequest request_;
-    int depth_;  // rows are 2^-depth page units high, about the distance between dots on black
+    int depth_;  // rows are 2^-depth page units high
     DotPieces placed_;
     DotRows rows_;
     DotRows::Positions next_x_, next_y_;

@@ -1,0 +1,243 @@
+#include "core/drawing/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/drawing/relaxed_stream.h"
+#include "core/image/auto_tone.h"
+#include "core/image/detail.h"
+
+namespace dapple {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Figure 8 emits every fourth dot once more, a little more or less.
+constexpr double kWithDuplicates = 1.4;
+// Of a photograph, where nothing better is known yet.
+constexpr double kUsualMeanDensity = 0.3;
+
+// The scale of about so many dots where the density has that mean; not infinite on white.
+double scale_for(double dots, double mean) {
+    return dots / (16 * std::max(mean, 1e-9));
+}
+
+// The scale at which the largest dots make black.
+double scale_of_radius(double radius, double full_load) {
+    return full_load / (std::numbers::pi * 16 * radius * radius);
+}
+
+double smallest_area(const DotSize& size) {
+    if (size.sizing != DotSizing::by_tone) return 1;
+    const double ratio = size.smallest_mm / size.largest_mm;
+    return ratio * ratio;
+}
+
+// Gives each dot the radius that the tone at its place asks for.
+std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
+    if (plan.size.sizing != DotSizing::by_tone) return {};
+    return [density = plan.density, smallest = smallest_area(plan.size),
+            largest = plan.size.largest_mm / plan.page.mm_per_page_unit](Dots& dots) {
+        dots.radius.resize(dots.size());
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const double d = std::min(density->at({dots.x[i], dots.y[i]}), 1.0);
+            dots.radius[i] = static_cast<float>(largest * std::sqrt(smallest + (1 - smallest) * d));
+        }
+    };
+}
+
+void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
+    if (const auto size = sizes_by_tone(plan))
+        for (Dots& piece : dots.pieces) size(piece);
+}
+
+// Figure 8's count for a scale is known once it is placed; a few rounds come within a hundredth.
+bool stipple_about(RankedTile& tile, const Density& density, StippleRequest request, Stippling& result,
+                   const std::stop_token& stop) {
+    constexpr int kRounds = 4;
+    const auto wanted = static_cast<double>(*request.count);
+    request.count.reset();
+    request.scale = scale_for(wanted, density.mean());
+    for (int round = 0; round < kRounds; ++round) {
+        if (!stipple(tile, density, request, result, stop)) return false;
+        const double found = static_cast<double>(result.dots.size() - result.duplicates);
+        if (std::abs(found / wanted - 1) < 0.01) break;
+        request.scale *= std::clamp(wanted / std::max(found, 1.0), 0.25, 4.0);
+    }
+    return true;
+}
+
+}  // namespace
+
+double DrawingPlan::radius(double scale) const {
+    switch (size.sizing) {
+        case DotSizing::automatic:
+            return radius_for_tone(scale, full_load);
+        case DotSizing::fixed:
+            return size.radius_mm / page.mm_per_page_unit;
+        case DotSizing::by_tone:
+            return size.largest_mm / page.mm_per_page_unit;
+    }
+    return 0;
+}
+
+void Pipeline::set_light(Grid<float> light) {
+    light_ = std::move(light);
+    histogram_.reset();
+    toned_.reset();
+    density_.reset();
+}
+
+void Pipeline::set_plain(std::optional<Density> density) {
+    plain_.reset();
+    if (density) plain_ = std::make_shared<const Density>(std::move(*density));
+}
+
+const Histogram& Pipeline::histogram() {
+    if (!histogram_) histogram_ = histogram_of(light_);
+    return *histogram_;
+}
+
+std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
+    if (plain_) return plain_;
+    if (density_ && toned_ == toned) return density_;
+    const auto start = Clock::now();
+    density_.reset();  // its memory may be needed
+    Grid<float> light = light_;
+    if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
+    density_ = std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
+    toned_ = toned;
+    tone_ms_ += milliseconds_since(start);
+    return density_;
+}
+
+// Density, count or scale, for the steps that the plan has.
+void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
+    const int width = plain_ ? plain_->width() : light_.width;
+    const int height = plain_ ? plain_->height() : light_.height;
+    const double longer = std::max(width, height), pixels = double(width) * height;
+    plan.page = {request.width_mm, request.width_mm * height / width, request.width_mm * longer / width};
+
+    Toned toned{plan.tone, {.relaxing_steps = plan.steps, .smallest_area = smallest_area(request.size)}};
+    plan.full_load = InkCurve(toned.ink).full_load();
+    plan.stipple = request.stipple;
+    if (request.size.sizing == DotSizing::by_tone) {
+        plan.stipple.count.reset();
+        plan.stipple.scale = scale_of_radius(plan.radius(0), plan.full_load);
+    }
+    const auto dots = plan.stipple.count
+                          ? static_cast<double>(*plan.stipple.count)
+                          : 16 * plan.stipple.scale * kUsualMeanDensity * pixels / (longer * longer);
+    if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
+
+    // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
+    const bool by_level = depends_on_level(plan.steps) && plan.stipple.placer == PlacerKind::exact;
+    const std::size_t tile_size = tile_->tile().size();
+    if (by_level && !plan.stipple.count) toned.ink.level = level_of(plan.stipple.scale, tile_size);
+    plan.density = toned_density(toned);
+    for (int round = 0; by_level && plan.stipple.count && round < 2 && plan.density->mean() > 0; ++round) {
+        toned.ink.level = level_of(scale_for(dots, plan.density->mean()), tile_size);
+        plan.density = toned_density(toned);
+    }
+}
+
+DrawingPlan Pipeline::plan(const DrawingRequest& request) {
+    tone_ms_ = 0;
+    DrawingPlan plan;
+    plan.tone = request.tone;
+    plan.size = request.size;
+    if (request.automatic_tone && !plain_) plan.tone = auto_tone(histogram(), request.tone);
+
+    const bool moves = request.stipple.placer == PlacerKind::exact;
+    plan.steps = moves ? std::clamp(request.relax.value_or(usual_steps(0, 1)), 0, kMostRelaxingSteps) : 0;
+    tone_for(plan, request);
+    const auto dots = [&] {
+        return plan.stipple.count ? static_cast<double>(*plan.stipple.count)
+                                  : 16 * plan.stipple.scale * plan.density->mean();
+    };
+    if (moves && !request.relax) {
+        const int steps = usual_steps(dots(), plan.page.width_mm * plan.page.height_mm);
+        if (std::exchange(plan.steps, steps) != steps) tone_for(plan, request);
+    }
+
+    const double most = static_cast<double>(request.most_dots) / (moves ? 1 : kWithDuplicates);
+    plan.lowered = dots() > most;
+    if (plan.lowered && plan.stipple.count) plan.stipple.count = static_cast<std::uint64_t>(most);
+    if (plan.lowered && !plan.stipple.count) plan.stipple.scale = scale_for(most, plan.density->mean());
+    return plan;
+}
+
+bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch) {
+    const Density& density = *plan.density;
+    const bool about = plan.stipple.placer == PlacerKind::figure8 && plan.stipple.count;
+    if (!(about ? stipple_about(*tile_, density, plan.stipple, drawn.stippling, watch.stop)
+                : stipple(*tile_, density, plan.stipple, drawn.stippling, watch.stop)))
+        return false;
+    if (plan.stipple.appearance) fill_critical_scales(drawn.stippling.dots, density);
+    drawn.steps = 0;
+    drawn.relax_ms = 0;
+    if (plan.steps > 0 && drawn.stippling.dots.size() > 0) {
+        const auto copy = [&](const DotPieces& dots) {
+            return [&] {
+                DotPieces sized = dots;
+                give_sizes(plan, sized);
+                return sized;
+            };
+        };
+        if (watch.step && !watch.step(drawn, copy(drawn.stippling.dots))) return true;
+        auto start = Clock::now();
+        Relaxation relaxation(std::exchange(drawn.stippling.dots, {}), density,
+                              {.scale = drawn.stippling.scale, .threads = plan.stipple.threads});
+        while (drawn.steps < plan.steps) {
+            if (!relaxation.step(watch.stop)) return false;
+            drawn.relax_ms += milliseconds_since(start);
+            ++drawn.steps;
+            if (drawn.steps < plan.steps && watch.step &&
+                !watch.step(drawn, [&] { return copy(relaxation.dots())(); }))
+                break;
+            start = Clock::now();
+        }
+        drawn.stippling.dots = relaxation.dots();
+    }
+    give_sizes(plan, drawn.stippling.dots);
+    return true;
+}
+
+DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
+    if (plan.stipple.placer == PlacerKind::figure8) {
+        // It needs all dots at once: it counts the duplicates among them.
+        const auto drawn = std::make_shared<Drawn>();
+        draw(plan, *drawn);
+        for (Dots& piece : drawn->stippling.dots.pieces) cut_to(part, piece);
+        DotStream whole = stream_of(drawn->stippling.dots, drawn->stippling.scale);
+        whole.duplicates = drawn->stippling.duplicates;
+        whole.for_each_piece = [drawn, each = whole.for_each_piece](const TakePiece& take) { each(take); };
+        return whole;
+    }
+    struct Owned {
+        Placer placer;
+        std::shared_ptr<const Density> density;
+    };
+    const auto owned = std::make_shared<Owned>(Placer(tile_->placer().shared_table()), plan.density);
+    const StreamRequest request{.stipple = plan.stipple, .part = part, .finish = sizes_by_tone(plan)};
+    DotStream dots = plan.steps > 0 ? relaxed_stream(owned->placer, *owned->density, request, plan.steps)
+                                    : dapple::stream(owned->placer, *owned->density, request);
+    dots.for_each_piece = [owned, each = std::move(dots.for_each_piece)](const TakePiece& take) { each(take); };
+    return dots;
+}
+
+std::vector<PlacedTile> Pipeline::outlines(const DrawingPlan& plan, double scale) {
+    if (plan.stipple.placer == PlacerKind::figure8)
+        return place_figure8(*plan.density, tile_->tile(), tile_->own_ranks(), scale).tiles;
+    return placed_tiles(tile_->placer().table(), *plan.density, {.scale = scale});
+}
+
+}  // namespace dapple

@@ -1,0 +1,125 @@
+#include "core/drawing/relaxed_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "core/relaxing/relax.h"
+
+namespace dapple {
+
+namespace {
+
+// What all bands have in common.
+class Bands {
+ public:
+    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps)
+        : placer_(placer), density_(density), request_(request), steps_(steps) {
+        const StippleRequest& stipple = request.stipple;
+        if (stipple.count) cut_ = placer.find_cut(density, {*stipple.count, false, stipple.threads});
+        scale_ = cut_ ? cut_->last_scale() : stipple.scale;
+    }
+
+    double scale() const { return scale_; }
+
+    // The bands' edges, whole rows of the relaxation: the order is then that of the page.
+    std::vector<double> edges(std::uint64_t dots_at_once) const {
+        const double longer = density_.longer_side();
+        const double width = density_.width() / longer, height = density_.height() / longer;
+        const auto on_page = [](const PageSpan& span, double length) {
+            return std::pair(std::clamp(double{span.first}, 0.0, length), std::clamp(double{span.end}, 0.0, length));
+        };
+        const auto [left, right] = on_page(request_.part.across, width);
+        const auto [top, bottom] = on_page(request_.part.down, height);
+        const double dots = 16 * scale_ * density_.mean() * (right - left) / width / height;  // a page unit
+        const double row = relaxing_row(scale_);
+        const double rows = std::max(1.0, std::floor(static_cast<double>(dots_at_once) / std::max(dots * row, 1e-9)));
+        std::vector<double> edges;
+        for (double edge = std::floor(top / row) + rows; edge * row < bottom; edge += rows) edges.push_back(edge * row);
+        return edges;
+    }
+
+    // The dots of the part between two edges; without one, up to the part's own.
+    Dots band(std::optional<double> top, std::optional<double> bottom) {
+        PagePart part = request_.part;
+        if (top) part.down.first = std::max(part.down.first, static_cast<float>(*top));
+        if (bottom) part.down.end = std::min(part.down.end, static_cast<float>(*bottom));
+        const PageWindow window = window_around(widened(part, relaxing_rim(scale_, steps_)));
+        const StippleRequest& stipple = request_.stipple;
+        DotPieces dots;
+        if (cut_) {
+            const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads, window};
+            Dots all;
+            placer_.place_in_pieces(density_, exact, *cut_, [&](const Dots& piece) {
+                append(all, piece);
+                return true;
+            });
+            dots = in_one_piece(std::move(all));
+        } else {
+            placer_.place(density_,
+                          {.scale = scale_,
+                           .window = window,
+                           .appearance = stipple.appearance,
+                           .threads = stipple.threads,
+                           .origin = PlacingOrigin::page},
+                          dots);
+        }
+        relax(dots, density_, steps_, {.scale = scale_, .threads = stipple.threads});
+        Dots result;
+        for (Dots& piece : dots.pieces) {
+            if (request_.finish) request_.finish(piece);
+            cut_to(part, piece);
+            append(result, piece);
+        }
+        return result;
+    }
+
+ private:
+    Placer& placer_;
+    const Density& density_;
+    StreamRequest request_;
+    int steps_;
+    std::optional<CountCut> cut_;
+    double scale_ = 0;
+};
+
+}  // namespace
+
+DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
+                         std::uint64_t dots_at_once) {
+    if (request.stipple.placer != PlacerKind::exact)
+        throw std::runtime_error("the figure8 placer's dots are not relaxed");
+    Bands bands(placer, density, request, steps);
+    DotStream result;
+    result.scale = bands.scale();
+    const std::vector<double> edges = bands.edges(dots_at_once);
+    if (edges.empty()) {
+        const auto kept = std::make_shared<const Dots>(bands.band({}, {}));
+        result.count = kept->size();
+        result.for_each_piece = [kept](const TakePiece& take) {
+            if (kept->size() > 0) take(*kept);
+        };
+        return result;
+    }
+    result.for_each_piece = [bands, edges](const TakePiece& take) mutable {
+        for (std::size_t i = 0; i <= edges.size(); ++i) {
+            const Dots band = bands.band(i == 0 ? std::nullopt : std::optional(edges[i - 1]),
+                                         i == edges.size() ? std::nullopt : std::optional(edges[i]));
+            if (band.size() > 0 && !take(band)) return;
+        }
+    };
+    // No dot leaves the page or comes to it.
+    if (request.part == PagePart{}) {
+        result.count = stream(placer, density, request).count;
+        return result;
+    }
+    result.for_each_piece([&](const Dots& band) {
+        result.count += band.size();
+        return true;
+    });
+    return result;
+}
+
+}  // namespace dapple

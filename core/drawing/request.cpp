@@ -1,0 +1,20 @@
+#include "core/drawing/request.h"
+
+#include <cmath>
+
+namespace dapple {
+
+namespace {
+
+constexpr int kUsualSteps = 4;
+constexpr double kSeenMm = 0.1;       // between dots, at reading distance
+constexpr double kNoWait = 2'000'000;  // dots
+
+}  // namespace
+
+int usual_steps(double dots, double picture_area_mm2) {
+    const bool unseen = std::sqrt(picture_area_mm2 / std::max(dots, 1.0)) < kSeenMm;
+    return unseen && dots > kNoWait ? 0 : kUsualSteps;
+}
+
+}  // namespace dapple
