@@ -10,6 +10,11 @@ namespace dapple {
 /// and what is wider than about four spacings they draw well as it is.
 double detail_sigma(double pixels, double dots);
 
+/// The amount that automatic tone is best used with: on photographs drawn with 40,000 dots, gradients follow
+/// the photograph's better by 0.01 to 0.04 of correlation and tone is as true as before; beyond, grain grows
+/// faster than that gain.
+inline constexpr float kAutoDetail = 0.5f;
+
 /// A picture of linear light (clamped and NaN white as density_of() takes it) whose faint detail, such as
 /// whiskers or a retina's vessels, stands out more.
 ///
