@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/drawing/request.h"
+#include "core/image/detail.h"
 #include "core/output/colour.h"
 #include "core/tile/ranking.h"
 
@@ -20,7 +21,7 @@ inline constexpr const char* kDefaultTile = "aperiodic4096";
 
 struct DrawingSettings {
     bool automatic_tone = true;           // see DrawingRequest
-    Tone tone;
+    Tone tone{.detail = kAutoDetail};
     std::string tile = kDefaultTile;      // a name for tile_named()
     std::optional<RankingOrder> ranking;  // none: the tile's own
     StippleRequest stipple{.count = kDefaultDots, .threads = 0};

@@ -13,6 +13,7 @@
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "core/analysis/point_table.h"
+#include "core/drawing/pipeline.h"
 #include "core/output/raster.h"
 
 namespace dapple {
@@ -21,24 +22,21 @@ namespace {
 constexpr std::array kBlursInSpacings{0.5, 1.0, 2.0, 4.0};
 
 struct Placed {
+    DrawingPlan plan;
     Stippling stippling;
-    std::size_t tile_size = 0;
 };
 
-Placed place(const Density& density, const DrawingSettings& settings) {
-    RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
-    StippleRequest request = settings.stipple;
-    if (request.placer == PlacerKind::figure8 && request.count) {
-        // It cannot count, but it can come near.
-        request.scale = double(*request.count) / (16 * density.mean());
-        request.count.reset();
-    }
-    if (!request.count && 16 * request.scale * density.mean() > double(kMostDots)) {
+Placed place(Pipeline& pipeline, const DrawingSettings& settings) {
+    pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
+    const DrawingRequest request = request_of(settings);
+    Placed placed{.plan = pipeline.plan(request), .stippling = {}};
+    if (placed.plan.lowered) {
         throw std::runtime_error(
-            fmt::format("--scale: {:g} would make more than {} dots", request.scale, kMostDots));
+            fmt::format("--scale: {:g} would make more than {} dots", request.stipple.scale, kMostDots));
     }
-    Placed placed{{}, tile.tile().size()};
-    stipple(tile, density, request, placed.stippling);
+    Drawn drawn;
+    pipeline.draw(placed.plan, drawn);
+    placed.stippling = std::move(drawn.stippling);
     return placed;
 }
 
@@ -78,11 +76,13 @@ std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& doma
     return points;
 }
 
-std::vector<ToneFromAfar> tone_from_afar(const Stippling& stippling, const Grid<float>& light,
-                                         const DrawingSettings& settings, const PageSize& page) {
+std::vector<ToneFromAfar> tone_from_afar(const Placed& placed, const Grid<float>& light,
+                                         const DrawingSettings& settings) {
+    const Stippling& stippling = placed.stippling;
+    const PageSize& page = placed.plan.page;
     const double mm_per_px = page.width_mm / light.width;
     Grid<float> drawing = coverage_of(stream_of(stippling.dots), page,
-                                      {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page),
+                                      {.dot_radius_mm = placed.plan.radius(stippling.scale) * page.mm_per_page_unit,
                                        .dpi = 25.4 / mm_per_px,
                                        .threads = settings.stipple.threads});
     // Light ink on dark paper is the light itself.
@@ -115,15 +115,18 @@ Subject points_of_table(const std::filesystem::path& file, const TableDomain& do
     return subject;
 }
 
-Subject dots_of_grey(double value, const DrawingSettings& settings, Topology topology) {
-    const Density density(Grid<float>(1, 1, static_cast<float>(value)));
-    const Placed placed = place(density, settings);
+Subject dots_of_grey(double value, const DrawingSettings& wanted, Topology topology) {
+    DrawingSettings settings = wanted;
+    if (!settings.relax) settings.relax = 0;  // what is asked for is the tile
+    Pipeline pipeline;
+    pipeline.set_plain(Density(Grid<float>(1, 1, static_cast<float>(value))));
+    const Placed placed = place(pipeline, settings);
     Subject subject{.name = fmt::format("a constant grey of density {:g}", value),
                     .domain = {1, 1, topology}};
     subject.points = points_of(placed.stippling, subject.domain);
     subject.placed = described(placed.stippling, settings);
-    subject.placed->mean_density = density.mean();
-    const double tiles = double(subject.points.size()) / double(placed.tile_size);
+    subject.placed->mean_density = placed.plan.density->mean();
+    const double tiles = double(subject.points.size()) / double(pipeline.tile().tile().size());
     const int level = tiles >= 1 ? static_cast<int>(std::log2(tiles) / 2 + 1e-9) : 0;
     subject.period = glm::dvec2(std::exp2(-level));
     return subject;
@@ -132,21 +135,19 @@ Subject dots_of_grey(double value, const DrawingSettings& settings, Topology top
 Subject dots_of_picture(const std::optional<std::filesystem::path>& image, const DrawingSettings& settings,
                         Topology topology, PictureLimit limit) {
     Subject subject{.name = image ? image->string() : "the sample", .domain = {}};
-    const Picture picture = image ? read_picture(*image, limit) : sample_picture();
-    const Density density(density_of(picture.light, settings.tone));
+    Pipeline pipeline;
+    pipeline.set_light((image ? read_picture(*image, limit) : sample_picture()).light);
+    const Placed placed = place(pipeline, settings);
+    const Density& density = *placed.plan.density;
     if (density.mean() == 0) {
         throw std::runtime_error(subject.name + ": nothing to draw, all of it is as light as the paper");
     }
-    const Placed placed = place(density, settings);
     subject.domain = {double(density.width()) / density.longer_side(),
                       double(density.height()) / density.longer_side(), topology};
     subject.points = points_of(placed.stippling, subject.domain);
     subject.placed = described(placed.stippling, settings);
     subject.placed->mean_density = density.mean() / subject.domain.area();
-    if (!subject.points.empty()) {
-        subject.tone =
-            tone_from_afar(placed.stippling, picture.light, settings, page_size(density, settings.width_mm));
-    }
+    if (!subject.points.empty()) subject.tone = tone_from_afar(placed, pipeline.light(), settings);
     return subject;
 }
 

@@ -110,6 +110,7 @@ void analyse(const AnalyseOptions& options) {
 }
 
 AnalyseCommand::AnalyseCommand(CLI::App& program) {
+    options_.drawing.automatic_tone = false;  // tone is measured against the picture's own light
     CLI::App* const command = program.add_subcommand(
         "analyse", "Measure how even points are and whether they repeat, into a JSON, HTML or PNG file");
     command

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "app/grouped.h"
+#include "core/image/detail.h"
+#include "core/relaxing/relax.h"
 
 namespace dapple {
 namespace {
@@ -81,6 +83,27 @@ double number_in(const std::string& name, const std::string& text, const NumberR
     return *value;
 }
 
+int whole_number_in(const std::string& name, const std::string& text, const NumberRange& range) {
+    const double value = number_in(name, text, range);
+    if (!whole_text_as<int>(text)) {
+        throw CLI::ValidationError(name, fmt::format("{} is not a whole number", text));
+    }
+    return static_cast<int>(value);
+}
+
+// "0.2"; or "0.1..0.4", from the smallest to the largest.
+DotSize dot_size_in(const std::string& name, const std::string& text) {
+    const NumberRange range{.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded};
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) return {.sizing = DotSizing::fixed, .radius_mm = number_in(name, text, range)};
+    const double smallest = number_in(name, text.substr(0, dots), range);
+    const double largest = number_in(name, text.substr(dots + 2), range);
+    if (smallest > largest) {
+        throw CLI::ValidationError(name, fmt::format("{}: the smaller radius comes first, as in 0.1..0.4", text));
+    }
+    return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
+}
+
 template <class Value>
 Value one_of(const std::string& name, const std::string& text, std::initializer_list<Value> values) {
     std::string names;
@@ -143,11 +166,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help) {
     const auto read = [=, &target](const std::string& text) {
-        const double value = number_in(name, text, range);
-        if (!whole_text_as<int>(text)) {
-            throw CLI::ValidationError(name, fmt::format("{} is not a whole number", text));
-        }
-        target = static_cast<int>(value);
+        target = whole_number_in(name, text, range);
     };
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
 }
@@ -323,6 +342,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
         }
         settings.automatic_tone = false;
     }
+    // True light is left as it is.
+    if (!settings.automatic_tone && !given("--detail")) settings.tone.detail = 0;
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     for (const char* name : {"--dots", "--scale"}) {
         if (!by_tone || !given(name)) continue;

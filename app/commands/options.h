@@ -67,11 +67,11 @@ CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking);
 /// --tile, a name for tile_named().
 CLI::Option* add_tile(CLI::App& app, std::string& tile);
 
-/// --dots, --scale, --placer, --tile, --ranking, --dot-radius, --threads.
+/// --dots, --scale, --placer, --tile, --ranking, --relax, --dot-radius, --threads.
 void add_dot_options(CLI::App& app, DrawingSettings& settings);
 
-/// --black-point, --white-point, --contrast, --brightness, --gamma, --blur, --invert.
-void add_tone_options(CLI::App& app, Tone& tone);
+/// --tone, --black-point, --white-point, --contrast, --brightness, --gamma, --blur, --detail, --invert.
+void add_tone_options(CLI::App& app, DrawingSettings& settings);
 
 /// --width, --ink, --paper.
 void add_page_options(CLI::App& app, DrawingSettings& settings);
@@ -80,8 +80,8 @@ void add_page_options(CLI::App& app, DrawingSettings& settings);
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Region>& region);
 
-/// What no single option can see: throws CLI::ValidationError if those of the command contradict each other.
-/// To be called after parsing.
-void check_options(const CLI::App& command, const DrawingSettings& settings);
+/// What no single option can see: a tone that is set is not automatic. Throws CLI::ValidationError if options of
+/// the command contradict each other. To be called after parsing.
+void check_options(const CLI::App& command, DrawingSettings& settings);
 
 }  // namespace dapple

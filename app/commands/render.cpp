@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -14,13 +15,13 @@
 #include <vector>
 
 #include "app/commands/options.h"
-#include "app/drawing_steps.h"
 #include "app/files/atomic_file.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/grouped.h"
 #include "app/progress_line.h"
+#include "core/drawing/pipeline.h"
 #include "core/output/preflight.h"
 #include "core/output/raster.h"
 #include "core/tile/tile_file.h"
@@ -53,43 +54,44 @@ void check_files(const RenderOptions& options) {
     check_can_save(*options.stats);
 }
 
-// The count or scale that is asked for, made sure to be possible.
-StippleRequest request_for(const RenderOptions& options, const Density& density) {
-    StippleRequest request = options.drawing.stipple;
-    request.appearance =
+// What the command draws, made sure to be possible.
+DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
+    DrawingRequest request = request_of(options.drawing, options.margin_mm);
+    request.stipple.appearance =
         drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
-    if (request.count && density.mean() == 0) {
+    DrawingPlan plan = pipeline.plan(request);
+    if (plan.density->mean() == 0) {
         throw std::runtime_error(
             fmt::format("{}: nothing to draw, all of it is as light as the paper", name_of_image(options)));
     }
-    if (request.count && request.placer == PlacerKind::figure8) {
-        // It cannot count, but it can come near.
-        request.scale = static_cast<double>(*request.count) / (16 * density.mean());
-        request.count.reset();
-    }
-    const double expected = 16 * request.scale * density.mean();
-    if (!request.count && expected > static_cast<double>(kMostDots)) {
+    if (plan.lowered) {
+        const bool by_size = request.size.sizing == DotSizing::by_tone;
         throw std::runtime_error(
-            fmt::format("--scale: {:g} would make about {:.3g} dots of {}, and {} are the most",
-                        request.scale, expected, name_of_image(options), grouped(kMostDots)));
+            fmt::format("{} would make more than {} dots of {}; choose {}",
+                        by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.stipple.scale),
+                        grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
     }
-    return request;
+    return plan;
 }
 
-// The page, its margin included.
-PageSize page_of(const Density& density, const RenderOptions& options) {
+void check_margin(const RenderOptions& options) {
     const double width = options.drawing.width_mm;
-    if (2 * options.margin_mm >= width) {
-        throw std::runtime_error(
-            fmt::format("--margin: {:g} mm on either side leave no room on a page {:g} mm wide",
-                        options.margin_mm, width));
-    }
-    const PageSize page = with_margin(page_size(density, width - 2 * options.margin_mm), options.margin_mm);
+    if (2 * options.margin_mm < width) return;
+    throw std::runtime_error(fmt::format("--margin: {:g} mm on either side leave no room on a page {:g} mm wide",
+                                         options.margin_mm, width));
+}
+
+// The page, its margin included, of a picture of so many pixels.
+PageSize page_of(const Grid<float>& light, const RenderOptions& options) {
+    const double width = options.drawing.width_mm, mm_per_pixel = (width - 2 * options.margin_mm) / light.width;
+    const double longer = std::max(light.width, light.height);
+    const PageSize page = with_margin(
+        {light.width * mm_per_pixel, light.height * mm_per_pixel, longer * mm_per_pixel}, options.margin_mm);
     if (page.height_mm > kLongestSideMm) {
         throw std::runtime_error(fmt::format(
             "{}: {} x {} pixels would make a page {:g} mm wide and {:.4g} m high, and {:g} m is the most; "
             "choose a --width of {:.2g} or less",
-            name_of_image(options), density.width(), density.height(), width, page.height_mm / 1000,
+            name_of_image(options), light.width, light.height, width, page.height_mm / 1000,
             kLongestSideMm / 1000, width * kLongestSideMm / page.height_mm * 0.95));
     }
     return page;
@@ -105,27 +107,15 @@ Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
     }
 }
 
-// Figure 8 needs all dots at once: it counts the duplicates among them. They are in `whole`, which has to
-// outlive the stream of those on the part.
-DotStream place_at_once(RankedTile& tile, const Density& density, const StreamRequest& request,
-                        Stippling& whole) {
-    stipple(tile, density, request.stipple, whole);
-    if (request.stipple.appearance) fill_critical_scales(whole.dots, density);
-    for (Dots& piece : whole.dots.pieces) cut_to(request.part, piece);
-    return stream_of(whole.dots, whole.scale);
-}
-
 struct Times {
     double tile = 0, read = 0, tone = 0, place = 0, write = 0;  // milliseconds
 };
 
-struct PictureFacts {
-    int width = 0, height = 0;
+struct Rendered {
+    int width = 0, height = 0;  // of the picture
     double mean_density = 0;
-};
-
-struct Drawn {
-    PictureFacts picture;
+    Tone tone;  // as drawn
+    int steps = 0;
     std::uint64_t dots = 0;
     double scale = 0;
     std::optional<std::uint64_t> duplicates;  // among them; none if that is not known
@@ -137,7 +127,7 @@ struct Drawn {
 };
 
 // What someone who is about to plot it should know, in a line or two.
-void tell(const RenderOptions& options, const Drawn& drawn) {
+void tell(const RenderOptions& options, const Rendered& drawn) {
     std::error_code error;
     const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
     const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
@@ -158,7 +148,7 @@ void tell(const RenderOptions& options, const Drawn& drawn) {
     }
 }
 
-void write_stats(std::ostream& out, const RenderOptions& options, const Drawn& drawn) {
+void write_stats(std::ostream& out, const RenderOptions& options, const Rendered& drawn) {
     const DrawingSettings& settings = options.drawing;
     const int threads = settings.stipple.threads;
     nlohmann::ordered_json distinct, duplicates;
@@ -175,18 +165,29 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Drawn& d
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
                      {"over_the_edge", found.over_edge}};
     }
+    const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
+                                      {"black_point", drawn.tone.black_point},
+                                      {"white_point", drawn.tone.white_point},
+                                      {"contrast", drawn.tone.contrast},
+                                      {"brightness", drawn.tone.brightness},
+                                      {"gamma", drawn.tone.gamma},
+                                      {"blur", drawn.tone.blur},
+                                      {"detail", drawn.tone.detail},
+                                      {"invert", drawn.tone.invert}};
     std::error_code error;
     const auto bytes = std::filesystem::file_size(options.output, error);
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
-        {"image_width", drawn.picture.width},
-        {"image_height", drawn.picture.height},
+        {"image_width", drawn.width},
+        {"image_height", drawn.height},
         {"output", options.output.string()},
         {"dots", distinct},
         {"emitted", drawn.dots},
         {"duplicates", duplicates},
         {"scale", drawn.scale},
-        {"mean_density", drawn.picture.mean_density},
+        {"mean_density", drawn.mean_density},
+        {"tone", tone},
+        {"relaxing_steps", drawn.steps},
         {"placer", name_of(settings.stipple.placer)},
         {"tile", tile_in_use(settings)},
         {"ranking", name_of(settings.ranking)},
@@ -214,54 +215,57 @@ void render(const RenderOptions& options) {
     const DrawingSettings& settings = options.drawing;
     const DrawingFormat format = drawing_format(options.output);
     check_files(options);
+    check_margin(options);
 
     Times times;
     Stopwatch watch;
-    RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
+    Pipeline pipeline;
+    pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
     times.tile = watch.lap();
     std::optional<ProgressLine> line(std::in_place);
     line->show(0, "reading the picture");
-    Picture picture = options.image ? read_picture(*options.image, options.limit) : sample_picture();
+    pipeline.set_light((options.image ? read_picture(*options.image, options.limit) : sample_picture()).light);
+    const int width = pipeline.light().width, height = pipeline.light().height;
     times.read = watch.lap();
-    std::optional<Density> held(density_of(std::move(picture.light), settings.tone));
-    const Density& density = *held;
-    times.tone = watch.lap();
-    const PictureFacts facts{density.width(), density.height(), density.mean()};
 
-    const Excerpt excerpt = excerpt_of(page_of(density, options), options);
+    const Excerpt excerpt = excerpt_of(page_of(pipeline.light(), options), options);
     // Better now than after the placing.
     if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
-    const StreamRequest request{.stipple = request_for(options, density), .part = excerpt.part};
+    DrawingPlan plan = plan_for(pipeline, options);
+    times.tone = watch.lap();
 
     line->restart(0);
-    line->show(0, "placing the dots");
-    const auto place = [&](const StreamRequest& part, Stippling& whole) {
-        return settings.stipple.placer == PlacerKind::exact ? stream(tile, density, part)
-                                                            : place_at_once(tile, density, part, whole);
-    };
-    Stippling whole, whole_again;
-    const DotStream dots = place(request, whole);
-    const double radius_mm = dot_radius_mm(settings, dots.scale, excerpt.size);
+    line->show(0, plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots");
+    const DotStream dots = pipeline.stream(plan, excerpt.part);
+    const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
     DotStream drawn_dots = dots;
-    if (format == DrawingFormat::png && request.part != PagePart{}) {
+    if (format == DrawingFormat::png && excerpt.part != PagePart{}) {
         // Pixels show the part of a dot that reaches over from the next sheet.
-        StreamRequest wider = request;
-        wider.part = widened(request.part, radius_mm / excerpt.size.mm_per_page_unit);
-        drawn_dots = place(wider, whole_again);
+        drawn_dots = pipeline.stream(plan, widened(excerpt.part, radius_mm / excerpt.size.mm_per_page_unit));
     }
     std::vector<PlacedTile> tiles;
-    if (settings.show_tiles) tiles = tiles_of(tile, density, settings.stipple.placer, dots.scale);
+    if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
     move_to(excerpt.part, tiles);
     const double left = -excerpt.part.across.offset, top = -excerpt.part.down.offset;
-    const auto longer = static_cast<double>(density.longer_side());
-    const PageBox picture_box{left, top, left + density.width() / longer, top + density.height() / longer};
+    const double longer = std::max(width, height);
+    const PageBox picture_box{left, top, left + width / longer, top + height / longer};
     const DotOrder order = options.order.value_or(usual_order(format, dots.count));
+    Rendered rendered{.width = width,
+                      .height = height,
+                      .mean_density = plan.density->mean(),
+                      .tone = plan.tone,
+                      .steps = plan.steps,
+                      .dots = dots.count,
+                      .scale = dots.scale,
+                      .duplicates = dots.duplicates,
+                      .page = excerpt.size,
+                      .radius_mm = radius_mm,
+                      .order = order};
     Dots sorted;
     const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
         sorted = sorted_dots(dots, order);
         drawn_dots = stream_of(sorted, dots.scale);
-        held.reset();  // nothing is placed any more: room for the preflight
     }
     times.place = watch.lap();
 
@@ -270,29 +274,23 @@ void render(const RenderOptions& options) {
     save_drawing(options.output, settings,
                  {.dots = drawn_dots,
                   .page = excerpt.size,
+                  .dot_radius_mm = radius_mm,
                   .tiles = tiles,
                   .picture = picture_box,
-                  .tile_size = tile.tile().size(),
+                  .tile_size = pipeline.tile().tile().size(),
                   .dpi = options.dpi,
                   .order = DotOrder::recursion},
                  {.stop = {}, .progress = [&](double share) { line->show(share, what); }});
     times.write = watch.lap();
     line.reset();
 
-    Drawn drawn{.picture = facts,
-                .dots = dots.count,
-                .scale = dots.scale,
-                .duplicates = whole.duplicates,
-                .page = excerpt.size,
-                .radius_mm = radius_mm,
-                .order = order,
-                .times = times};
-    if (is_plot) drawn.preflight = preflight(sorted, excerpt.size, radius_mm);
-    if (is_plot && on_terminal()) tell(options, drawn);
+    rendered.times = times;
+    if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
+    if (is_plot && on_terminal()) tell(options, rendered);
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
-    if (whole.duplicates > 0 && (options.region || options.sheet != Sheet{})) drawn.duplicates.reset();
-    save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, drawn); });
+    if (dots.duplicates > 0 && (options.region || options.sheet != Sheet{})) rendered.duplicates.reset();
+    save_atomically(*options.stats, [&](std::ostream& out) { write_stats(out, options, rendered); });
 }
 
 RenderCommand::RenderCommand(CLI::App& program) {
@@ -309,7 +307,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
     add_dot_options(*command, options_.drawing);
-    add_tone_options(*command, options_.drawing.tone);
+    add_tone_options(*command, options_.drawing);
     add_page_options(*command, options_.drawing);
     add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N", "PNG: pixels to the inch")
         ->group("Page");

@@ -3,10 +3,11 @@
 #include <array>
 
 #include "app/analysis/report_page.h"
-#include "app/drawing_settings.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "app/reproduce/figures.h"
+#include "core/image/ink.h"
+#include "core/image/tone.h"
 #include "core/output/raster.h"
 
 namespace dapple {
@@ -17,10 +18,10 @@ constexpr int kSide = 900;  // pixels
 HtmlPage::Picture drawing_of(const Density& density, const Stippling& drawn, const std::string& how) {
     // A page on which a millimetre is a pixel.
     const PageSize page = page_size(density, kSide);
-    DrawingSettings settings;
+    const double radius = radius_for_tone(drawn.scale, InkCurve().full_load());
     const Grid<float> coverage =
         coverage_of(stream_of(drawn.dots), page,
-                    {.dot_radius_mm = dot_radius_mm(settings, drawn.scale, page), .dpi = 25.4, .threads = 0});
+                    {.dot_radius_mm = radius * page.mm_per_page_unit, .dpi = 25.4, .threads = 0});
     return {.bytes = png_of(ink_on_paper(coverage, kBlack, kWhite)),
             .alt = "a still life of shaded solids, drawn with dots",
             .caption = fmt::format(

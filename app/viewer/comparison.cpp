@@ -18,20 +18,20 @@ Comparison toggled(Comparison comparison, const DrawingSettings& left) {
 
 PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stippling& placed) {
     PlaceOrder right = std::move(left);
-    right.stipple.placer = comparison.placer;
+    right.drawing.stipple.placer = comparison.placer;
     right.tile = comparison.tile;
     right.ranking = comparison.ranking;
     right.close.reset();
-    right.stipple.count.reset();
+    right.drawing.stipple.count.reset();
     if (comparison.by == CompareBy::count)
-        right.stipple.count = std::max<std::uint64_t>(placed.dots.size() - placed.duplicates, 1);
+        right.drawing.stipple.count = std::max<std::uint64_t>(placed.dots.size() - placed.duplicates, 1);
     // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
-    right.stipple.scale = std::nextafter(static_cast<float>(placed.scale), INFINITY);
+    right.drawing.stipple.scale = std::nextafter(static_cast<float>(placed.scale), INFINITY);
     return right;
 }
 
 std::string drawn_with(const PlaceOrder& order) {
-    return short_tile_name(order.tile) + (order.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
+    return short_tile_name(order.tile) + (order.drawing.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
 }
 
 }  // namespace dapple

@@ -134,7 +134,7 @@ double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawin
 
 double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
                        const EstimatedDrawing& drawing) {
-    const double radius = dot_radius_mm(settings, drawing.scale, drawing.page);
+    const double radius = drawing.dot_radius_mm;
     if (format == DrawingFormat::png) return png_bytes(settings, drawing, radius);
     if (format == DrawingFormat::csv)
         return text_bytes(drawing, [&](std::ostream& out, const DotStream& dots) {
@@ -161,6 +161,7 @@ ExportFacts ExportEstimate::facts(const Pane& pane, const ViewerSettings& settin
                                        {.dots = stippling.dots,
                                         .scale = stippling.scale,
                                         .page = {size.x * mm_per_unit, size.y * mm_per_unit, mm_per_unit},
+                                        .dot_radius_mm = drawing.dot_radius * mm_per_unit,
                                         .tiles = drawing.outlines,
                                         .tile_size = pane.tile_size(),
                                         .dpi = settings.saving.dpi});

@@ -16,6 +16,7 @@ struct EstimatedDrawing {
     const DotPieces& dots;
     double scale = 0;
     PageSize page;
+    double dot_radius_mm = 0;
     std::span<const PlacedTile> tiles = {};
     std::size_t tile_size = 16;
     double dpi = 300;

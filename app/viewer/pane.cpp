@@ -14,11 +14,13 @@ constexpr double kFadeHeadStart = 1.07;
 
 }  // namespace
 
-std::optional<CloseView> Pane::close_view(PlacerKind placer, const Zoom& zoom) const {
+std::optional<CloseView> Pane::close_view(const PlaceOrder& page, const Zoom& zoom) const {
     const bool constant_density = zoom.mode == ZoomMode::constant_density;
     // Figure 8 places whole drawings only.
-    if (placer != PlacerKind::exact) return {};
-    if (!constant_density && zoom.camera.pixels_per_unit < kCloseZoom) return {};
+    if (page.drawing.stipple.placer != PlacerKind::exact) return {};
+    // Relaxed dots are those of the page at any zoom.
+    const bool moved = page_.all_steps > 0;
+    if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};
     // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
     double scale = std::nextafter(static_cast<float>(page_.stippling.scale), INFINITY);
     if (constant_density) scale *= kFadeHeadStart * zoom.enlargement * zoom.enlargement;
@@ -31,7 +33,7 @@ double Pane::fade_scale(const Zoom& zoom) const {
 }
 
 bool Pane::order(PlaceOrder page, const Zoom& zoom, Reorder reorder) {
-    const auto close = close_view(page.stipple.placer, zoom);
+    const auto close = close_view(page, zoom);
     if (!close && close_ordered_) {
         close_ordered_.reset();
         shows_close_ = false;

@@ -66,7 +66,7 @@ class Pane {
     double fade_scale(const Zoom& zoom) const;
 
  private:
-    std::optional<CloseView> close_view(PlacerKind placer, const Zoom& zoom) const;
+    std::optional<CloseView> close_view(const PlaceOrder& page, const Zoom& zoom) const;
 
     Worker worker_;
     std::optional<PlaceOrder> page_ordered_, page_placed_;

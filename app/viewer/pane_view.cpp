@@ -13,7 +13,7 @@ CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, f
     look.desk = rgb_of(ThemeColour::surround);
     look.paper = settings.drawing.paper;
     look.ink = settings.drawing.ink;
-    look.dot_radius = session.drawn(pane).dot_radius_mm / settings.drawing.width_mm * pane.page().page_size.x;
+    look.dot_radius = pane.page().dot_radius;
     if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
     look.tiles = settings.drawing.show_tiles;
     look.fade_scale = pane.fade_scale(zoom);

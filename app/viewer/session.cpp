@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/drawing_steps.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
@@ -29,7 +28,7 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
 
 PlaceOrder Session::page_order() const {
     PlaceOrder order = order_of(settings);
-    order.most_dots = most_dots_;
+    order.drawing.most_dots = most_dots_;
     return order;
 }
 
@@ -67,14 +66,12 @@ void Session::save(const fs::path& path) {
         const DrawingFormat format = drawing_format(path);
         PlacedDrawing drawing;
         PlaceOrder order = order_of(drawn, choice);
-        order.most_dots = most;
-        order.stipple.appearance = format == DrawingFormat::csv ||
+        order.drawing.most_dots = most;
+        order.drawing.stipple.appearance = format == DrawingFormat::csv ||
                                    (format == DrawingFormat::svg && saving.order == DotOrder::priority);
         if (!bench.place(order, drawing, stop)) return {};
-        const Density& density = bench.density(drawn.tone, choice);
-        if (order.stipple.appearance) fill_critical_scales(drawing.stippling.dots, density);
-        const PageSize page = page_size(density, drawn.width_mm);
-        const std::size_t tile_size = bench.tile(drawn.tile, drawn.ranking).tile().size();
+        const PageSize page = bench.plan(order).page;
+        const std::size_t tile_size = bench.pipeline().tile().tile().size();
         const double dpi = saving.dpi;
         const auto order_wanted =
             format == DrawingFormat::png ? std::optional(DotOrder::recursion) : saving.order;
@@ -82,6 +79,7 @@ void Session::save(const fs::path& path) {
             return save_drawing(path, drawn,
                                 {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
                                  .page = page,
+                                 .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size,
                                  .dpi = dpi,
@@ -166,11 +164,12 @@ void Session::take(CancelledNews& news) {
 
 DrawnFacts Session::drawn(const Pane& pane) const {
     const PlacedDrawing& drawing = pane.page();
-    PageSize page;
-    page.mm_per_page_unit = settings.drawing.width_mm / drawing.page_size.x;
-    const double scale = drawing.stippling.scale;
-    return {drawing.stippling.dots.size() - drawing.stippling.duplicates, scale,
-            dot_radius_mm(settings.drawing, scale, page), most_dots_};
+    return {.dots = drawing.stippling.dots.size() - drawing.stippling.duplicates,
+            .scale = drawing.stippling.scale,
+            .dot_radius_mm = drawing.dot_radius * settings.drawing.width_mm / drawing.page_size.x,
+            .most_dots = most_dots_,
+            .tone = drawing.tone,
+            .steps = drawing.all_steps};
 }
 
 }  // namespace dapple

@@ -233,7 +233,7 @@ SideCaption Viewer::caption(const Pane& pane, const RepetitionMeter& meter) cons
     if (&pane == &session_.pane()) caption.title += " - this side is saved";
     caption.facts = {dots_in_words({.dots = stippling.dots.size(),
                                     .duplicates = stippling.duplicates,
-                                    .figure8 = order.stipple.placer == PlacerKind::figure8})};
+                                    .figure8 = order.drawing.stipple.placer == PlacerKind::figure8})};
     if (const auto value = meter.value())
         caption.facts.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
                                             std::clamp(*value, 0.0, 1.0)));

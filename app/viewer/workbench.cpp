@@ -1,76 +1,45 @@
 #include "app/viewer/workbench.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
-#include "app/drawing_steps.h"
 #include "app/files/tile_library.h"
-#include "core/image/tone.h"
 
 namespace dapple {
 
 PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& density) {
-    return {settings.tone,
-            tile_in_use(settings),
-            settings.ranking,
-            settings.stipple,
-            settings.show_tiles,
-            {},
-            density,
-            {}};
+    return {.drawing = request_of(settings),
+            .tile = tile_in_use(settings),
+            .ranking = settings.ranking,
+            .outlines = settings.show_tiles,
+            .density = density};
 }
 
 void Workbench::set_picture(Grid<float> light) {
-    light_ = std::move(light);
-    tone_.reset();
+    pipeline_.set_light(std::move(light));
 }
 
-const Density& Workbench::density(const Tone& tone, const DensityChoice& choice) {
-    assert(has_picture());
-    if (tone_ != tone || choice_ != choice) {
-        tone_.reset();
-        if (choice.source == DensitySource::photograph)
-            density_.emplace(density_of(light_, tone));
+DrawingPlan Workbench::plan(const PlaceOrder& order) {
+    if (std::exchange(choice_, order.density) != order.density) {
+        if (choice_.source == DensitySource::photograph)
+            pipeline_.set_plain({});
         else
-            density_.emplace(plain_density(choice));
-        tone_ = tone;
-        choice_ = choice;
+            pipeline_.set_plain(plain_density(choice_));
     }
-    return *density_;
-}
-
-RankedTile& Workbench::tile(const std::string& name, std::optional<RankingOrder> ranking) {
-    TileKey key{name, ranking};
+    TileKey key{order.tile, order.ranking};
     if (tile_key_ != key) {
         tile_key_.reset();
-        tile_.emplace(tile_named(name, ranking));
+        pipeline_.set_tile(tile_named(order.tile, order.ranking));
         tile_key_ = std::move(key);
     }
-    return *tile_;
+    DrawingRequest request = order.drawing;
+    if (tells_birthplaces(order.colours)) request.stipple.appearance = true;
+    return pipeline_.plan(request);
 }
 
 namespace {
-
-// Figure 8 emits every fourth dot once more, a little more or less.
-constexpr double kWithDuplicates = 1.4;
-
-// The scale of about so many dots where the density over an area has that mean.
-double scale_for(std::uint64_t dots, double mean_times_area) {
-    // A window may be as small as 2^-41 of the page.
-    return static_cast<double>(dots) / (16 * std::max(mean_times_area, 1e-200));
-}
-
-StippleRequest within_limit(StippleRequest request, const Density& page, std::uint64_t most) {
-    if (request.placer == PlacerKind::figure8)
-        most = static_cast<std::uint64_t>(static_cast<double>(most) / kWithDuplicates);
-    if (request.count)
-        request.count = std::min(*request.count, most);
-    else
-        request.scale = std::min(request.scale, scale_for(most, page.mean()));
-    return request;
-}
 
 // Mean over a window by so many samples along each side, times the window's area.
 double density_in(const Density& page, const PageWindow& window) {
@@ -83,73 +52,81 @@ double density_in(const Density& page, const PageWindow& window) {
     return sum / (kSamples * kSamples) * window.width * window.height;
 }
 
-// Figure 8's count for a scale is known once it is placed; a few rounds come within a hundredth.
-bool stipple_about(RankedTile& tile, const Density& page, StippleRequest request, Stippling& result,
-                   const std::stop_token& stop) {
-    constexpr int kRounds = 4;
-    const auto wanted = static_cast<double>(*request.count);
-    request.count.reset();
-    request.scale = wanted / (16 * std::max(page.mean(), 1e-9));
-    for (int round = 0; round < kRounds; ++round) {
-        if (!stipple(tile, page, request, result, stop)) return false;
-        const double found = static_cast<double>(result.dots.size() - result.duplicates);
-        if (std::abs(found / wanted - 1) < 0.01) break;
-        request.scale *= std::clamp(wanted / std::max(found, 1.0), 0.25, 4.0);
-    }
-    return true;
-}
-
-bool place_page(RankedTile& ranked, const Density& page, const PlaceOrder& order, PlacedDrawing& drawing,
-                const std::stop_token& stop) {
-    StippleRequest request = within_limit(order.stipple, page, order.most_dots);
-    if (tells_birthplaces(order.colours)) request.appearance = true;
-    const bool about = request.placer == PlacerKind::figure8 && request.count;
-    if (!(about ? stipple_about(ranked, page, request, drawing.stippling, stop)
-                : stipple(ranked, page, request, drawing.stippling, stop)))
-        return false;
-    drawing.outlines.clear();
-    if (order.outlines)
-        drawing.outlines = tiles_of(ranked, page, order.stipple.placer, drawing.stippling.scale);
-    return true;
-}
-
-bool place_close(RankedTile& ranked, const Density& page, const PlaceOrder& order, PlacedDrawing& drawing,
+bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
                  const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
-    const double limit = scale_for(order.most_dots, density_in(page, order.close->window));
+    // A window may be as small as 2^-41 of the page.
+    const double most = static_cast<double>(order.drawing.most_dots);
+    const double limit = most / (16 * std::max(density_in(*plan.density, order.close->window), 1e-200));
     const PlacingRequest request{.scale = std::min(order.close->scale, limit),
                                  .window = order.close->window,
                                  .appearance = true,
-                                 .threads = order.stipple.threads};
+                                 .threads = order.drawing.stipple.threads};
+    Placer& placer = pipeline.tile().placer();
     drawing.stippling.scale = request.scale;
     drawing.stippling.duplicates = 0;
-    if (!ranked.placer().place(page, request, drawing.stippling.dots, stop)) return false;
+    if (!placer.place(*plan.density, request, drawing.stippling.dots, stop)) return false;
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
     drawing.stippling.place_ms = passed.count();
+    drawing.steps = drawing.all_steps = 0;
+    drawing.relax_ms = 0;
     drawing.outlines.clear();
-    if (order.outlines) drawing.outlines = placed_tiles(ranked.placer().table(), page, request);
+    if (order.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, request);
+    return true;
+}
+
+bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
+                const std::stop_token& stop, const auto& finish, const Unsettled& unsettled) {
+    DrawingWatch watch{.stop = stop, .step = {}};
+    if (unsettled) {
+        watch.step = [&](const Drawn& drawn, const std::function<DotPieces()>& dots) {
+            return unsettled([&] {
+                PlacedDrawing now;
+                now.stippling.dots = dots();
+                now.stippling.scale = drawn.stippling.scale;
+                now.stippling.place_ms = drawn.stippling.place_ms;
+                now.steps = drawn.steps;
+                now.all_steps = plan.steps;
+                now.relax_ms = drawn.relax_ms;
+                if (order.outlines) now.outlines = pipeline.outlines(plan, drawn.stippling.scale);
+                finish(now);
+                return now;
+            });
+        };
+    }
+    Drawn drawn{.stippling = std::move(drawing.stippling)};
+    if (!pipeline.draw(plan, drawn, watch)) return false;
+    drawing.stippling = std::move(drawn.stippling);
+    drawing.steps = drawn.steps;
+    drawing.all_steps = plan.steps;
+    drawing.relax_ms = drawn.relax_ms;
+    drawing.outlines.clear();
+    if (order.outlines) drawing.outlines = pipeline.outlines(plan, drawing.stippling.scale);
     return true;
 }
 
 }  // namespace
 
-bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop) {
-    auto begin = std::chrono::steady_clock::now();
-    bool toned = tone_ == order.tone && choice_ == order.density;
-    const Density& page = density(order.tone, order.density);
-    std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-    drawing.tone_ms = toned ? 0 : passed.count();
-    drawing.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
-    RankedTile& ranked = tile(order.tile, order.ranking);
-    drawing.window = {};
-    if (order.close) drawing.window = order.close->window;
-    const auto place_dots = order.close ? place_close : place_page;
-    if (!place_dots(ranked, page, order, drawing, stop)) return false;
+bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop,
+                      const Unsettled& unsettled) {
+    const DrawingPlan made = plan(order);
+    const Density& page = *made.density;
     // Figure 8 turns no tile.
-    const bool turns = order.stipple.placer == PlacerKind::exact;
-    drawing.colours = chosen_colours(
-        drawing.stippling.dots, {ranked.tile().size(), turns ? ranked.tile().rule : Rule{}, drawing.window},
-        order.colours);
+    const bool turns = order.drawing.stipple.placer == PlacerKind::exact;
+    const Tile& tile = pipeline_.tile().tile();
+    const auto finish = [&](PlacedDrawing& placed) {
+        placed.tone = made.tone;
+        placed.tone_ms = pipeline_.tone_ms();
+        placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
+        placed.window = order.close ? order.close->window : PageWindow{};
+        placed.dot_radius = made.radius(placed.stippling.scale);
+        placed.colours = chosen_colours(placed.stippling.dots,
+                                        {tile.size(), turns ? tile.rule : Rule{}, placed.window}, order.colours);
+    };
+    if (!(order.close ? place_close(pipeline_, made, order, drawing, stop)
+                      : place_page(pipeline_, made, order, drawing, stop, finish, unsettled)))
+        return false;
+    finish(drawing);
     return true;
 }
 

@@ -1,21 +1,16 @@
 #pragma once
-// Picture to dots, step by step, doing again only the steps whose settings changed.
-//
-//     picture, tone ──► density ──┐
-//     tile, ranking ──► tile ─────┴──► dots, outlines
+// The pipeline as the window uses it: with tiles by name, plain densities, parts of the page, outlines and colours.
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/drawing_settings.h"
-#include "app/files/picture.h"
 #include "app/viewer/density_choice.h"
 #include "app/viewer/dot_colours.h"
-#include "core/image/density.h"
-#include "core/stipple.h"
+#include "core/drawing/pipeline.h"
 
 namespace dapple {
 
@@ -29,15 +24,13 @@ struct CloseView {
 
 /// Those of the settings that dots depend on.
 struct PlaceOrder {
-    Tone tone;
+    DrawingRequest drawing;
     std::string tile;
     std::optional<RankingOrder> ranking;
-    StippleRequest stipple;               // Figure 8 with a count: about so many different dots
     bool outlines = false;                // the tiles too
-    std::optional<CloseView> close = {};  // instead of the whole page; the exact placer only
+    std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
-    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 
     bool operator==(const PlaceOrder&) const = default;
 };
@@ -45,26 +38,37 @@ PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& densit
 
 struct PlacedDrawing {
     Stippling stippling;
+    Tone tone;                         // as drawn, with the values that were chosen automatically
+    int steps = 0, all_steps = 0;      // of relaxation: done, and to be done
+    double dot_radius = 0;             // page units: of all, or of the largest ones
     std::vector<PlacedTile> outlines;
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
     glm::dvec2 page_size{1, 1};        // page units
     PageWindow window;                 // dots and outlines are relative to its corner
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
+    double relax_ms = 0;
+
+    bool settled() const { return steps == all_steps; }
 };
+
+/// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then, which
+/// is made on request. False ends it there.
+using Unsettled = std::function<bool(const std::function<PlacedDrawing()>& drawing)>;
 
 class Workbench {
  public:
     /// Shows another picture from now on.
     void set_picture(Grid<float> light);
-    bool has_picture() const { return !light_.empty(); }
+    bool has_picture() const { return pipeline_.has_picture(); }
 
-    /// Places into `drawing`, using its memory again. False if stopped. Throws std::runtime_error as
-    /// stipple(), density_of() and tile_named() do. Needs a picture.
-    bool place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop = {});
+    /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws std::runtime_error as
+    /// Pipeline::draw() and tile_named() do. Needs a picture.
+    bool place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop = {},
+               const Unsettled& unsettled = {});
 
-    /// What the dots of that order are placed on.
-    const Density& density(const Tone& tone, const DensityChoice& choice = {});
-    RankedTile& tile(const std::string& name, std::optional<RankingOrder> ranking);
+    /// What that order comes to: the pipeline is then ready for it.
+    DrawingPlan plan(const PlaceOrder& order);
+    Pipeline& pipeline() { return pipeline_; }
 
  private:
     struct TileKey {
@@ -73,12 +77,9 @@ class Workbench {
         bool operator==(const TileKey&) const = default;
     };
 
-    Grid<float> light_;
-    std::optional<Tone> tone_;
-    DensityChoice choice_;  // of use with a tone
-    std::optional<Density> density_;
+    Pipeline pipeline_;
+    DensityChoice choice_;
     std::optional<TileKey> tile_key_;
-    std::optional<RankedTile> tile_;
 };
 
 }  // namespace dapple

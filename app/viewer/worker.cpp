@@ -9,6 +9,9 @@ namespace {
 // A placing that has run for so long is stopped when another is ordered.
 constexpr std::chrono::milliseconds kLong(250);
 constexpr std::size_t kMostSpare = 2;
+// A drawing that takes longer to settle is shown on its way.
+constexpr std::chrono::milliseconds kFrame(16);
+constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
 
 std::string words_of_exception() {
     try {
@@ -21,7 +24,7 @@ std::string words_of_exception() {
 }
 
 bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
-    return a.tile == b.tile && a.ranking == b.ranking && a.stipple.placer == b.stipple.placer;
+    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.stipple.placer == b.drawing.stipple.placer;
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ void Worker::place(PlaceOrder order) {
     last_order_ = order;
     last_order_->close.reset();
     next_order_ = std::move(order);
-    if (placing_since_ && std::chrono::steady_clock::now() - *placing_since_ > kLong)
+    if (placing_since_ && (placing_shown_ || std::chrono::steady_clock::now() - *placing_since_ > kLong))
         placing_stop_.request_stop();
     changed_.notify_all();
 }
@@ -127,6 +130,7 @@ void Worker::run(std::stop_token stop) {
                 order = *std::exchange(next_order_, std::nullopt);
                 placing_stop_ = {};
                 placing_since_ = std::chrono::steady_clock::now();
+                placing_shown_ = false;
             }
         }
         if (task)
@@ -236,20 +240,49 @@ void Worker::run_order(const PlaceOrder& order) {
             spare_.pop_back();
         }
     }
+    // Steps that fit into a frame are not shown one by one.
+    auto shown = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> step(
+        static_cast<double>(order.drawing.stipple.count.value_or(0)) * kSecondsADotAndStep);
+    const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
+        if (stop.stop_requested()) return false;
+        if (std::chrono::steady_clock::now() + step - shown < kFrame) return true;
+        const bool goes_on = publish_unsettled(order, drawing());
+        shown = std::chrono::steady_clock::now();
+        return goes_on;
+    };
     try {
-        if (!workbench_.place(order, placed.drawing, stop)) return recycle(std::move(placed.drawing));
+        if (!workbench_.place(order, placed.drawing, stop, unsettled) || stop.stop_requested())
+            return recycle(std::move(placed.drawing));
     } catch (...) {
         placed.error = words_of_exception();
-        placed.drawing.stippling = {};
-        placed.drawing.outlines.clear();
-        placed.drawing.colours.clear();
+        placed.drawing = {};
     }
-    if (placed.error.empty() && !(tile_told_ && same_tile(*tile_told_, order))) {
-        placed.tile = view_of(order.tile, workbench_.tile(order.tile, order.ranking), order.stipple.placer);
-        tile_told_ = order;
-    }
+    if (placed.error.empty()) tell_tile(placed);
     placed.picture = std::exchange(arrived_, std::nullopt);
     publish(std::move(placed));
+}
+
+bool Worker::publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing) {
+    PlacedNews placed;
+    placed.order = order;
+    placed.drawing = std::move(drawing);
+    tell_tile(placed);
+    placed.picture = std::exchange(arrived_, std::nullopt);
+    {
+        std::scoped_lock lock(mutex_);
+        placing_shown_ = true;
+    }
+    publish(std::move(placed));
+    std::scoped_lock lock(mutex_);
+    return !next_order_;
+}
+
+void Worker::tell_tile(PlacedNews& news) {
+    const PlaceOrder& order = news.order;
+    if (tile_told_ && same_tile(*tile_told_, order)) return;
+    news.tile = view_of(order.tile, workbench_.pipeline().tile(), order.drawing.stipple.placer);
+    tile_told_ = order;
 }
 
 }  // namespace dapple

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/files/picture.h"
 #include "app/files/save_drawing.h"
 #include "app/viewer/tile_view.h"
 #include "app/viewer/workbench.h"
@@ -29,7 +30,8 @@ struct OpenedPicture {
     std::function<Picture()> read;  // reads it again
 };
 
-/// What the worker has to tell. A new picture comes together with its first dots.
+/// What the worker has to tell. A new picture comes together with its first dots. A drawing whose dots are still
+/// to be relaxed comes as it lies, and again when it has settled further.
 struct PlacedNews {
     PlaceOrder order;
     PlacedDrawing drawing;
@@ -69,8 +71,8 @@ class Worker {
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
     void open(std::string name, Open open);
 
-    /// Places as ordered. An order that has not begun is replaced; one that has run for long is stopped, a
-    /// short one may finish so that something moves under a slider that never rests.
+    /// Places as ordered. An order that has not begun is replaced; one that has run for long, or that was shown
+    /// already, is stopped; a short one may finish so that something moves under a slider that never rests.
     void place(PlaceOrder order);
 
     /// Forgets picture, dots and orders and gives their memory back, after what is under way. Only news that
@@ -115,6 +117,8 @@ class Worker {
     void run_task(ClearTask& task);
     void run_write(const WriteTask& task);
     void run_order(const PlaceOrder& order);
+    bool publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing);
+    void tell_tile(PlacedNews& news);
     void publish(WorkerNews news);
 
     std::function<void()> wake_;
@@ -131,6 +135,7 @@ class Worker {
     std::vector<PlacedDrawing> spare_;
     std::stop_source placing_stop_, saving_stop_;
     std::optional<std::chrono::steady_clock::time_point> placing_since_;
+    bool placing_shown_ = false;  // of what is under way something was told
     int saves_ = 0;
     SavingFacts saving_;  // of use while saves_ > 0
 

@@ -14,6 +14,8 @@ struct DrawnFacts {
     double scale = 0;
     double dot_radius_mm = 0;
     std::uint64_t most_dots = kMostDots;  // that the window takes on
+    Tone tone{};                          // with the values that were chosen automatically
+    int steps = 0;                        // of relaxation
 };
 
 /// The order of a tile's dots. True when another was chosen.
