@@ -11,6 +11,7 @@ uniform sampler2D picture;
 uniform sampler2D dots;    // linear light times alpha, alpha
 uniform int samples;       // of a pixel's side
 uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; y up; empty: there are no dots
+uniform ivec4 page_samples; // those on the page: low x, y, end x, y
 uniform vec3 ink;          // linear light, to multiply the dots with
 
 out vec4 colour;
@@ -25,11 +26,14 @@ vec3 to_encoded(vec3 c) {
 
 vec4 dots_at(ivec2 pixel) {
     if (any(lessThan(pixel, dots_box.xy)) || any(greaterThanEqual(pixel, dots_box.zw))) return vec4(0.0);
-    ivec2 first = (pixel - dots_box.xy) * samples;
+    // On the page's edges only what lies on the page counts, at least one sample.
+    ivec2 corner = (pixel - dots_box.xy) * samples;
+    ivec2 first = clamp(page_samples.xy, corner, corner + samples - 1);
+    ivec2 end = clamp(page_samples.zw, first + 1, corner + samples);
     vec4 sum = vec4(0.0);
-    for (int y = 0; y < samples; ++y)
-        for (int x = 0; x < samples; ++x) sum += texelFetch(dots, first + ivec2(x, y), 0);
-    return sum / float(samples * samples);
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) sum += texelFetch(dots, ivec2(x, y), 0);
+    return sum / float((end.x - first.x) * (end.y - first.y));
 }
 
 void main() {

@@ -325,6 +325,27 @@ TEST_CASE("dots end at the page's edges, wherever these lie between pixels") {
     }
 }
 
+TEST_CASE("dots are as dense along the page's edges as within") {
+    Picture200 picture;
+    picture.look.page_size = {1.2, 1};
+    picture.look.desk = {0.5f, 0.5f, 0.5f};
+    picture.look.pixel_scale = 0.01f;  // without a shadow
+    picture.camera = dragged(picture.camera, {20, 20.7});
+    picture.radius(0.3);
+    for (int row = 0; row < 200; ++row)
+        for (int i = 0; i < 240; ++i) picture.add(i * 0.5 + 0.25, row * 0.5 + 0.25);
+    const auto pixels = picture.draw();
+    const auto light_of_row = [&](int y) {
+        double sum = 0;
+        for (int x = 30; x < 130; ++x) sum += srgb_to_linear(static_cast<float>(pixels.at(x, y).r) / 255);
+        return sum / 100;
+    };
+    const double within = light_of_row(70), desk = srgb_to_linear(0.5f);
+    CHECK(within < 0.15);
+    CHECK(light_of_row(19) == doctest::Approx(desk).epsilon(0.01));
+    CHECK(std::abs(light_of_row(20) - (0.3 * within + 0.7 * desk)) < 0.05);
+}
+
 TEST_CASE("only the columns asked for are drawn") {
     Picture200 picture;
     picture.radius(30);

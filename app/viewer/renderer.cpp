@@ -269,6 +269,14 @@ void Renderer::draw_page(const Camera& camera, const CanvasLook& look, const Dot
     const int height = static_cast<int>(camera.canvas.y);
     glUniform4i(page_.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
                 height - grid.low.y);
+    const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
+    const auto sample = [&](PagePoint point) {
+        const glm::dvec2 at = (to_canvas(camera, point) - glm::dvec2(grid.low)) * double(grid.samples);
+        return glm::ivec2(glm::round(glm::clamp(at, glm::dvec2(0), samples)));
+    };
+    const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));
+    const int rows = static_cast<int>(samples.y);
+    glUniform4i(page_.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
     set_colour(page_, "desk", look.desk);
     set_colour(page_, "paper", look.paper);
     set_colour(page_, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
