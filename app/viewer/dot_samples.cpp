@@ -9,7 +9,7 @@ namespace {
 
 // Of a dot, in samples. From the first on its edge is a sample wide and looks smooth by itself, below it the
 // edge is harder (dot.vert), and so many samples a side make it smooth; the second shows the shape.
-constexpr double kSmoothRadius = 6, kSmoothSamples = 4;
+constexpr double kSmoothRadius = 6, kSmoothSamples = 3;
 constexpr double kSmallestRadius = 1.5;
 // A page of few pixels has dots far below a sample's size, of which some meet one and others none. They are
 // right on average, and this is enough of an average. Some drivers also end loops after 65,535 rounds.
