@@ -35,7 +35,7 @@ void main() {
     // however small it is.
     softness = clamp(true_radius / 6.0, 0.001, 1.0);
     // A disc with an edge of width w covers pi (r^2 + w^2 / 12).
-    radius = sqrt(true_radius * true_radius - softness * softness / 12.0);
+    radius = sqrt(max(true_radius * true_radius - softness * softness / 12.0, 0.0));
     float reach = radius + 0.5 * softness;
 
     vec2 place = vec2(dot_x, dot_y) * page_scale + page_offset;

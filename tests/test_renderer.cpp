@@ -278,6 +278,14 @@ TEST_CASE("dots have a radius each, until there are dots without") {
     }
 }
 
+TEST_CASE("a dot of radius 0 is not seen, nor in the way of others") {
+    Picture200 picture;
+    picture.add(50, 80);
+    picture.add(120, 80);
+    picture.dots.radius = {0, static_cast<float>(5 / kPixelsPerUnit)};
+    CHECK(ink_area(picture.draw()) == doctest::Approx(25 * std::numbers::pi).epsilon(0.03));
+}
+
 TEST_CASE("dots that lie on each other cover no more than one, and halves of them what they cover together") {
     // Two unit discs whose centres are 1 apart have 2 pi / 3 - sqrt(3) / 2 in common.
     constexpr double lens = 2 * std::numbers::pi / 3 - std::numbers::sqrt3 / 2;

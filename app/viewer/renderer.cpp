@@ -271,7 +271,8 @@ void Renderer::draw_page(const Camera& camera, const CanvasLook& look, const Dot
                 height - grid.low.y);
     const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
     const auto sample = [&](PagePoint point) {
-        const glm::dvec2 at = (to_canvas(camera, point) - glm::dvec2(grid.low)) * double(grid.samples);
+        const glm::dvec2 at =
+            (to_canvas(camera, point) - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
         return glm::ivec2(glm::round(glm::clamp(at, glm::dvec2(0), samples)));
     };
     const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));

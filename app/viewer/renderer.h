@@ -40,8 +40,8 @@ class Renderer {
  public:
     Renderer();
 
-    /// Positions are relative to the window's corner. Dots::critical is needed for fading in only; what all
-    /// pieces must have or none, as Dots::radius.
+    /// Positions are relative to the window's corner. Dots::critical is needed for fading in only. All pieces
+    /// have it or none, and so it is with Dots::radius.
     void set_dots(const DotPieces& dots, const PageWindow& window = {});
     /// One colour a dot, or none for the ink; until the next set_dots().
     void set_dot_colours(std::span<const glm::u8vec4> colours);
