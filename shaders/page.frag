@@ -1,15 +1,40 @@
 #version 330 core
-// The desk, the sheet's shadow, the sheet and the picture faintly on it.
+// The desk, the sheet's shadow, the sheet, the picture faintly on it and the dots.
 uniform vec2 page_min;  // pixels, y down
 uniform vec2 page_max;
 uniform float canvas_height;
 uniform float shadow;  // width in pixels
-uniform vec3 desk;
+uniform vec3 desk;     // these two sRGB-encoded
 uniform vec3 paper;
 uniform float picture_opacity;
 uniform sampler2D picture;
+uniform sampler2D dots;    // linear light times alpha, alpha
+uniform int samples;       // of a pixel's side
+uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; y up; empty: there are no dots
+uniform ivec4 page_samples; // those on the page: low x, y, end x, y
+uniform vec3 ink;          // linear light, to multiply the dots with
 
 out vec4 colour;
+
+vec3 to_light(vec3 c) {
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
+vec3 to_encoded(vec3 c) {
+    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+vec4 dots_at(ivec2 pixel) {
+    if (any(lessThan(pixel, dots_box.xy)) || any(greaterThanEqual(pixel, dots_box.zw))) return vec4(0.0);
+    // On the page's edges only what lies on the page counts, at least one sample.
+    ivec2 corner = (pixel - dots_box.xy) * samples;
+    ivec2 first = clamp(page_samples.xy, corner, corner + samples - 1);
+    ivec2 end = clamp(page_samples.zw, first + 1, corner + samples);
+    vec4 sum = vec4(0.0);
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) sum += texelFetch(dots, ivec2(x, y), 0);
+    return sum / float((end.x - first.x) * (end.y - first.y));
+}
 
 void main() {
     vec2 pixel = vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y);
@@ -23,5 +48,7 @@ void main() {
         vec4 texel = texture(picture, (pixel - page_min) / (page_max - page_min));
         sheet = mix(paper, texel.rgb, picture_opacity * texel.a);
     }
-    colour = vec4(mix(desk * (1.0 - shade), sheet, edge.x * edge.y), 1.0);
+    vec4 cover = dots_at(ivec2(gl_FragCoord.xy));
+    vec3 light = to_light(sheet) * (1.0 - cover.a) + ink * cover.rgb;
+    colour = vec4(to_encoded(mix(to_light(desk * (1.0 - shade)), light, edge.x * edge.y)), 1.0);
 }

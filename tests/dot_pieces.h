@@ -9,7 +9,7 @@ namespace dapple {
 inline DotPieces split(const Dots& dots) {
     DotPieces result;
     result.pieces.resize(5);
-    for (FloatBuffer Dots::*column : {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical}) {
+    for (FloatBuffer Dots::*column : {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical, &Dots::radius}) {
         const FloatBuffer& whole = dots.*column;
         const auto third = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 3);
         (result.pieces[1].*column).assign(whole.begin(), third);

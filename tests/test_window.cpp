@@ -8,30 +8,15 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
-#include "tests/child_process.h"
-#include "tests/temporary_folder.h"
+#include "tests/file_text.h"
+#include "tests/running_viewer.h"
 
 namespace dapple {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void run(std::vector<std::string> command) {
-    CAPTURE(command.front());
-    REQUIRE(ChildProcess(std::move(command)).wait() == 0);
-}
 
 /// An environment map of one colour, in Radiance's format.
 void write_even_map(const fs::path& file) {
@@ -52,98 +37,6 @@ std::array<int, 16> circles_by_part(const std::string& svg, double page) {
     }
     return counts;
 }
-
-/// A display with nothing on it.
-class Display {
- public:
-    Display() : number_file_(folder_ / "number"), server_(start()) {
-        REQUIRE(server_.brings([&] { return text_of(number_file_).find('\n') != std::string::npos; }));
-        std::string name = ":" + text_of(number_file_);
-        name.pop_back();
-        setenv("DISPLAY", name.c_str(), 1);
-        unsetenv("WAYLAND_DISPLAY");
-    }
-
- private:
-    ChildProcess start() const {
-        // Xvfb finds a free number itself and writes it to its standard output.
-        return ChildProcess(
-            {"Xvfb", "-displayfd", "1", "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp"},
-            {.output = number_file_});
-    }
-
-    TemporaryFolder folder_;
-    fs::path number_file_;
-    ChildProcess server_;
-};
-
-/// The program on it.
-class RunningViewer {
- public:
-    explicit RunningViewer(const fs::path& working_folder = {}, std::vector<std::string> arguments = {})
-        : log_(folder_ / "log"),
-          program_(command(std::move(arguments)), {.folder = working_folder, .output = log_}) {
-        REQUIRE(shows([&] { return text_of(log_).starts_with("ready\n") && !status().is_null(); }));
-    }
-
-    /// Waits until what it says is as looked for.
-    bool shows(const std::function<bool()>& wanted) { return program_.brings(wanted); }
-
-    /// What it said last.
-    json status() const {
-        const std::string log = text_of(log_);
-        const auto end = log.rfind("}\n");
-        if (end == std::string::npos) return nullptr;
-        const auto before = log.rfind('\n', end);
-        return json::parse(log.substr(before + 1, end - before));
-    }
-    std::uint64_t dots() const { return status()["dots"]; }
-    bool has(const std::string& widget) const { return status()["widgets"].contains(widget); }
-
-    /// Moves the mouse to a place along a widget, 0 its left end and 1 its right one.
-    void point_at(const std::string& widget, double along = 0.5) {
-        CAPTURE(widget);
-        json place;
-        do {  // once more if the widget moved meanwhile
-            REQUIRE(shows([&] { return has(widget); }));
-            place = status()["widgets"][widget];
-            const double x0 = place[0], y0 = place[1], x1 = place[2], y1 = place[3];
-            move(x0 + 1 + (x1 - x0 - 2) * along, (y0 + y1) / 2);
-        } while (status()["widgets"][widget] != place);
-    }
-    void move(double x, double y) {
-        const long column = std::lround(x), row = std::lround(y);
-        run({"xdotool", "mousemove", std::to_string(column), std::to_string(row)});
-        REQUIRE(shows([&] { return status()["mouse"] == json{column, row}; }));
-    }
-    void click(const std::string& widget) {
-        point_at(widget);
-        press();
-        release();
-    }
-    void press() {
-        run({"xdotool", "mousedown", "1"});
-        REQUIRE(shows([&] { return status()["mouse_down"] == true; }));
-    }
-    void release() {
-        run({"xdotool", "mouseup", "1"});
-        REQUIRE(shows([&] { return status()["mouse_down"] == false; }));
-    }
-    // The effect of these two is for the test to wait for.
-    void wheel_up() const { run({"xdotool", "click", "4"}); }
-    void key(const std::string& keys) const { run({"xdotool", "key", keys}); }
-    int wait_for_end() { return program_.wait(); }
-
- private:
-    static std::vector<std::string> command(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {DAPPLE_PROGRAM, "--log-status"});
-        return arguments;
-    }
-
-    TemporaryFolder folder_;
-    fs::path log_;
-    ChildProcess program_;
-};
 
 }  // namespace
 

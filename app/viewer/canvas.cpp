@@ -2,10 +2,17 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace dapple {
+namespace {
+
+// Between two turns of a wheel, or two moves of a slider, there is less.
+constexpr double kRestSeconds = 0.15;
+
+}  // namespace
 
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
@@ -42,13 +49,26 @@ void Canvas::handle_mouse(const CanvasPlace& place) {
     if (mouse_.move(camera_, place)) fitted_ = false;
 }
 
-void Canvas::draw_side(Side side, int from, int to) const {
-    if (from >= to) return;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(from, 0, to - from, static_cast<GLsizei>(camera_.canvas.y));
-    const int index = static_cast<int>(side);
-    renderers_[index].draw(camera_, drawn_look_.sides[index]);
-    glDisable(GL_SCISSOR_TEST);
+std::optional<double> Canvas::rest() const {
+    if (drawn_ == Fineness::full) return std::nullopt;
+    const std::chrono::duration<double> rested = Clock::now() - changed_;
+    return std::max(kRestSeconds - rested.count(), 0.0);
+}
+
+void Canvas::draw(const glm::ivec2& pixels, Fineness fineness) {
+    picture_.resize(pixels);
+    timer_.begin();
+    const int middle = static_cast<int>(std::lround(drawn_look_.divider * static_cast<float>(pixels.x)));
+    drawn_ = Fineness::full;
+    for (const Side side : kSides) {
+        const auto index = static_cast<std::size_t>(side);
+        const Columns columns = side == Side::left ? Columns{0, middle} : Columns{middle, pixels.x};
+        const Fineness drawn =
+            renderers_[index].draw(picture_, camera_, drawn_look_.sides[index], fineness, columns);
+        if (drawn == Fineness::quick) drawn_ = drawn;
+    }
+    timer_.end();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
@@ -59,14 +79,10 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         drawn_camera_ = camera_;
         drawn_look_ = look;
-        picture_.resize(pixels);
-        picture_.bind();
-        timer_.begin();
-        const int middle = static_cast<int>(std::lround(look.divider * static_cast<float>(pixels.x)));
-        draw_side(Side::left, 0, middle);
-        draw_side(Side::right, middle, pixels.x);
-        timer_.end();
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        draw(pixels, Fineness::quick);
+        changed_ = Clock::now();
+    } else if (rest() == 0.0) {
+        draw(pixels, Fineness::full);
     }
     auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.texture()));
     glm::vec2 far = place.corner + place.size;

@@ -1,8 +1,10 @@
 #pragma once
 // The part of the window that shows the page: keeps what was drawn as a picture and draws it again only when
-// something in it changed, so that moving over the panels costs nothing.
+// something in it changed, so that moving over the panels costs nothing. While it goes on changing, it is
+// drawn quickly; once it rests, fully.
 
 #include <array>
+#include <chrono>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -54,9 +56,13 @@ class Canvas {
     double draw_ms() const { return draw_ms_; }
     /// A measurement is under way: another frame will bring it.
     bool measuring() const { return timer_.waiting(); }
+    /// Seconds after which another frame will draw it fully; none if it is.
+    std::optional<double> rest() const;
 
  private:
-    void draw_side(Side side, int from, int to) const;
+    using Clock = std::chrono::steady_clock;
+
+    void draw(const glm::ivec2& pixels, Fineness fineness);
 
     std::array<Renderer, 2> renderers_;
     GlFramebuffer picture_;
@@ -67,6 +73,8 @@ class Canvas {
     CameraMouse mouse_;
     std::optional<Camera> drawn_camera_;  // none: the drawing changed
     SplitLook drawn_look_;
+    Fineness drawn_ = Fineness::full;
+    Clock::time_point changed_;  // when it was drawn quickly last
     double draw_ms_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "app/viewer/gl_objects.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -106,11 +107,19 @@ void GlTexture::write(const Grid<glm::u8vec4>& pixels) {
 
 GlFramebuffer::GlFramebuffer() : name_(generated([](GLsizei n, GLuint* p) { glGenFramebuffers(n, p); })) {}
 
-void GlFramebuffer::resize(glm::ivec2 size) {
-    if (size == size_) return;
+void GlFramebuffer::resize(glm::ivec2 size, Texels texels) {
+    if (size == size_ && texels == texels_) return;
     size_ = size;
+    texels_ = texels;
     colour_.bind();
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    const GLint format = texels == Texels::as_given ? GL_RGBA8
+                         : texels == Texels::light  ? GL_SRGB8_ALPHA8
+                                                    : GL_R8;
+    const std::array<GLint, 4> as_it_is{GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+    const std::array<GLint, 4> all_red{GL_RED, GL_RED, GL_RED, GL_RED};
+    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA,
+                     (texels == Texels::cover ? all_red : as_it_is).data());
+    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     bind();
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.get(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)

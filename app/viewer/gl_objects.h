@@ -90,19 +90,29 @@ class GlTexture {
     GlName<delete_texture> name_;
 };
 
+/// What a picture that is drawn into keeps of what a fragment shader says.
+enum class Texels {
+    as_given,  // four bytes
+    light,     // linear light and alpha: four bytes that are sRGB-encoded, and mixed in linear light
+    cover,     // red alone, in one byte; read, it stands in all four components
+};
+
 /// A picture to draw into, without depth.
 class GlFramebuffer {
  public:
     GlFramebuffer();
-    void resize(glm::ivec2 size);
+    /// Leaves what is in it unset, unless it is as it was.
+    void resize(glm::ivec2 size, Texels texels = Texels::as_given);
     glm::ivec2 size() const { return size_; }
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, name_.get()); }
+    void bind_texture() const { colour_.bind(); }
     GLuint texture() const { return colour_.get(); }
 
  private:
     GlName<delete_framebuffer> name_;
     GlTexture colour_;
     glm::ivec2 size_{0, 0};
+    Texels texels_ = Texels::as_given;
 };
 
 /// Measures how long the graphics processor works; the answer comes a little later.

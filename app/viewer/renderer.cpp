@@ -6,36 +6,34 @@
 #include <glm/common.hpp>
 #include <vector>
 
+#include "core/image/tone.h"
 #include "core/output/colour.h"
 #include "dapple_viewer_embedded/shaders.h"
 
 namespace dapple {
 namespace {
 
-constexpr int kLevelColours = 12;  // as in tile.vert
-constexpr GLuint kDotColour = 3;   // the attribute's location, as in dot.vert
+constexpr int kLevelColours = 12;                 // as in tile.vert
+constexpr GLuint kDotColour = 3, kDotRadius = 4;  // the attributes' locations, as in dot.vert
+constexpr double kLargestSprite = 256;            // samples: a guard band as wide never is too much
 
-/// Page to pixels of a canvas with a guard band around it: dots are clipped by their centres, and those just
-/// outside must still show their rims.
+/// Page to pixels, or samples, of a canvas.
 struct PageToPixels {
     glm::dvec2 offset;
     double scale;
     glm::dvec2 canvas;
-    double guard;
+    // Around the canvas: points are clipped by their centres, and those just outside must still show their
+    // rims.
+    double guard = 0;
 };
-
-PageToPixels page_to_pixels(const Camera& camera, PagePoint origin, double guard) {
-    return {to_canvas(camera, origin) + guard, camera.pixels_per_unit, camera.canvas + 2 * guard, guard};
-}
 
 void set_transform(const GlProgram& program, const PageToPixels& map) {
     glUniform2f(program.uniform("page_scale"), static_cast<float>(map.scale), static_cast<float>(map.scale));
-    glUniform2f(program.uniform("page_offset"), static_cast<float>(map.offset.x),
-                static_cast<float>(map.offset.y));
-    glUniform2f(program.uniform("canvas"), static_cast<float>(map.canvas.x),
-                static_cast<float>(map.canvas.y));
+    const glm::vec2 offset(map.offset + map.guard), canvas(map.canvas + 2 * map.guard);
+    glUniform2f(program.uniform("page_offset"), offset.x, offset.y);
+    glUniform2f(program.uniform("canvas"), canvas.x, canvas.y);
     auto low = -static_cast<GLint>(map.guard);
-    glViewport(low, low, static_cast<GLsizei>(map.canvas.x), static_cast<GLsizei>(map.canvas.y));
+    glViewport(low, low, static_cast<GLsizei>(canvas.x), static_cast<GLsizei>(canvas.y));
 }
 
 // Where the page lies, for a fragment shader.
@@ -49,6 +47,10 @@ void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& 
 
 void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
     glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
+}
+
+glm::vec3 light_of(glm::vec3 encoded) {
+    return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
 }
 
 void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor) {
@@ -70,7 +72,6 @@ void write_column(GlStreamBuffer& buffer, const DotPieces& dots, FloatBuffer Dot
 Renderer::Renderer()
     : page_(shaders::page_vert(), shaders::page_frag()),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
-      dot_quad_(shaders::dot_quad_vert(), shaders::dot_frag()),
       tile_(shaders::tile_vert(), shaders::tile_frag()) {
     dot_array_.bind();
     column(0, dot_x_, 1, 0);
@@ -83,9 +84,18 @@ Renderer::Renderer()
     tile_array_.bind();
     column(0, tiles_, 4, 1);
     column(1, tile_facts_, 2, 1);
-    float sizes[2] = {1, 1};
-    glGetFloatv(GL_POINT_SIZE_RANGE, sizes);
-    largest_point_ = sizes[1];
+    std::array<float, 2> sizes{1, 1};
+    float step = 1;
+    glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
+    glGetFloatv(GL_POINT_SIZE_GRANULARITY, &step);
+    largest_point_ = std::min<double>(sizes[1], kLargestSprite);
+    point_step_ = step;
+    std::array<GLint, 2> viewport{};
+    GLint texture = 0;
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    limits_.largest_side =
+        std::min({viewport[0], viewport[1], texture}) - 2 * static_cast<GLint>(kLargestSprite);
 }
 
 void Renderer::set_dots(const DotPieces& dots, const PageWindow& window) {
@@ -95,9 +105,37 @@ void Renderer::set_dots(const DotPieces& dots, const PageWindow& window) {
         dots.pieces, [](const Dots& piece) { return piece.critical.size() == piece.size(); });
     // Not looked at if it isn't there, but the column must be as long as the others.
     write_column(dot_critical_, dots, has_critical_ ? &Dots::critical : &Dots::x);
+    set_radii(dots);
     dot_origin_ = {window.x, window.y};
     dot_count_ = dots.size();
     if (has_colours_) set_dot_colours({});
+}
+
+void Renderer::set_radii(const DotPieces& dots) {
+    const bool had = has_radii_;
+    has_radii_ = std::ranges::all_of(dots.pieces,
+                                     [](const Dots& piece) { return piece.radius.size() == piece.size(); });
+    has_radii_ &= dots.size() > 0;
+    if (has_radii_) {
+        write_column(dot_radius_, dots, &Dots::radius);
+        double sum = 0, largest = 0;
+        for (const Dots& piece : dots.pieces) {
+            for (const float radius : piece.radius) {
+                sum += radius;
+                largest = std::max<double>(largest, radius);
+            }
+        }
+        mean_radius_ = sum / static_cast<double>(dots.size());
+        largest_radius_ = largest;
+    }
+    if (has_radii_ == had) return;
+    for (const auto& [array, divisor] : {std::pair(&dot_array_, 0u), {&dot_quad_array_, 1u}}) {
+        array->bind();
+        if (has_radii_)
+            column(kDotRadius, dot_radius_, 1, divisor);
+        else
+            glDisableVertexAttribArray(kDotRadius);
+    }
 }
 
 void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
@@ -141,54 +179,73 @@ void Renderer::set_picture(const Grid<glm::u8vec4>& picture) {
     if (has_picture_) picture_.write(picture);
 }
 
-void Renderer::draw(const Camera& camera, const CanvasLook& look) const {
+Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
+                        Fineness fineness, Columns columns) {
+    const int first = std::max(columns.first, 0), end = std::min(columns.end, picture.size().x);
+    if (first >= end) return Fineness::full;
+    const DotGrid grid = dot_grid(camera, look, fineness, {first, end});
+    const DotGrid finest = dot_grid(camera, look, Fineness::full, {first, end});
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    draw_page(camera, look);
+    glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
+    if (grid.samples > 0) draw_dots(camera, look, grid);
+    picture.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(first, 0, end - first, picture.size().y);
+    glDisable(GL_BLEND);
+    draw_page(camera, look, grid);
+    glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_dots(camera, look);
     if (look.tiles) draw_tiles(camera, look);
     glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
     glBindVertexArray(0);
     glUseProgram(0);
+    return grid.samples == finest.samples ? Fineness::full : fineness;
 }
 
-void Renderer::draw_page(const Camera& camera, const CanvasLook& look) const {
-    glViewport(0, 0, static_cast<GLsizei>(camera.canvas.x), static_cast<GLsizei>(camera.canvas.y));
-    page_.use();
-    set_page(page_, camera, look);
-    glUniform1f(page_.uniform("shadow"), 14 * look.pixel_scale);
-    glUniform1f(page_.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
-    glUniform1i(page_.uniform("picture"), 0);
-    set_colour(page_, "desk", look.desk);
-    set_colour(page_, "paper", look.paper);
-    glActiveTexture(GL_TEXTURE0);
-    picture_.bind();
-    empty_.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
+                                     Columns columns) const {
+    const double radius = (has_radii_ ? mean_radius_ : look.dot_radius) * camera.pixels_per_unit;
+    const glm::dvec2 canvas_low(columns.first, 0), canvas_high(columns.end, camera.canvas.y);
+    const glm::dvec2 low = glm::floor(to_canvas(camera, PagePoint(0))),
+                     high = glm::ceil(to_canvas(camera, page_point(look.page_size)));
+    DotGrid grid{glm::clamp(low, canvas_low, canvas_high), glm::clamp(high, canvas_low, canvas_high), 0};
+    const glm::ivec2 size = grid.high - grid.low;
+    if (dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0) return {grid.low, grid.low, 0};
+    grid.samples = samples_per_side(radius, size, fineness, limits_);
+    return grid;
 }
 
-void Renderer::draw_dots(const Camera& camera, const CanvasLook& look) const {
-    if (dot_count_ == 0 || look.dot_radius <= 0) return;
-    double radius = look.dot_radius * camera.pixels_per_unit;
-    // An edge one pixel wide makes a disc of radius r cover pi (r^2 + 1/12); below half a pixel the disc
-    // stays and pales.
-    double drawn = std::max(radius, 0.5);
-    double strength = radius * radius / (drawn * drawn + 1.0 / 12);
-    bool sprites = 2 * drawn + 2 <= static_cast<double>(largest_point_);
-    const GlProgram& program = sprites ? dot_ : dot_quad_;
-    program.use();
-    set_transform(program, page_to_pixels(camera, dot_origin_, sprites ? std::ceil(drawn) + 1 : 0));
-    glUniform1f(program.uniform("radius"), static_cast<float>(drawn));
-    glUniform1f(program.uniform("strength"), static_cast<float>(strength));
-    glUniform1i(program.uniform("sprite"), sprites);
-    glUniform1f(program.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
+void Renderer::draw_dots(const Camera& camera, const CanvasLook& look, const DotGrid& grid) {
+    const double scale = camera.pixels_per_unit * grid.samples;
+    const double largest = (has_radii_ ? largest_radius_ : look.dot_radius) * scale;
+    const double guard = std::ceil(largest) + 1;
+    const bool sprites = 2 * guard <= largest_point_;
+    const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
+    dots_.resize(size, has_colours_ ? Texels::light : Texels::cover);
+    dots_.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    dot_.use();
+    set_transform(dot_, {.offset = (to_canvas(camera, dot_origin_) - glm::dvec2(grid.low)) *
+                                   static_cast<double>(grid.samples),
+                         .scale = scale,
+                         .canvas = glm::dvec2(size),
+                         .guard = sprites ? guard : 0});
+    glUniform1f(dot_.uniform("guard"), sprites ? static_cast<float>(guard) : 0);
+    glUniform1i(dot_.uniform("sprite"), sprites);
+    glUniform1f(dot_.uniform("point_step"), static_cast<float>(point_step_));
+    glUniform1i(dot_.uniform("coloured"), has_colours_);
+    glUniform1f(dot_.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
     // What the shader reads where no column is attached.
-    glVertexAttrib4f(kDotColour, look.ink.r, look.ink.g, look.ink.b, 1);
-    auto count = static_cast<GLsizei>(dot_count_);
+    glVertexAttrib4f(kDotColour, 1, 1, 1, 1);
+    glVertexAttrib1f(kDotRadius, static_cast<float>(look.dot_radius));
+    const auto count = static_cast<GLsizei>(dot_count_);
     if (sprites) {
         glEnable(GL_PROGRAM_POINT_SIZE);
         dot_array_.bind();
@@ -197,12 +254,47 @@ void Renderer::draw_dots(const Camera& camera, const CanvasLook& look) const {
         dot_quad_array_.bind();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     }
+    glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void Renderer::draw_page(const Camera& camera, const CanvasLook& look, const DotGrid& grid) const {
+    glViewport(0, 0, static_cast<GLsizei>(camera.canvas.x), static_cast<GLsizei>(camera.canvas.y));
+    page_.use();
+    set_page(page_, camera, look);
+    glUniform1f(page_.uniform("shadow"), 14 * look.pixel_scale);
+    glUniform1f(page_.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
+    glUniform1i(page_.uniform("picture"), 0);
+    glUniform1i(page_.uniform("dots"), 1);
+    glUniform1i(page_.uniform("samples"), grid.samples);
+    const int height = static_cast<int>(camera.canvas.y);
+    glUniform4i(page_.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
+                height - grid.low.y);
+    const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
+    const auto sample = [&](PagePoint point) {
+        const glm::dvec2 at =
+            (to_canvas(camera, point) - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
+        return glm::ivec2(glm::round(glm::clamp(at, glm::dvec2(0), samples)));
+    };
+    const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));
+    const int rows = static_cast<int>(samples.y);
+    glUniform4i(page_.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
+    set_colour(page_, "desk", look.desk);
+    set_colour(page_, "paper", look.paper);
+    set_colour(page_, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
+    glActiveTexture(GL_TEXTURE1);
+    dots_.bind_texture();
+    glActiveTexture(GL_TEXTURE0);
+    picture_.bind();
+    empty_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw_tiles(const Camera& camera, const CanvasLook& look) const {
     if (tile_count_ == 0) return;
     tile_.use();
-    set_transform(tile_, page_to_pixels(camera, tile_origin_, 0));
+    set_transform(tile_, {.offset = to_canvas(camera, tile_origin_),
+                          .scale = camera.pixels_per_unit,
+                          .canvas = camera.canvas});
     set_page(tile_, camera, look);
     glUniform1f(tile_.uniform("line_width"), look.pixel_scale);
     std::array<glm::vec3, kLevelColours> colours;

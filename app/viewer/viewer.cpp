@@ -335,7 +335,7 @@ double Viewer::longest_rest() const {
     constexpr double kCursorBlinks = 0.3, kLookForPlacing = 0.25;
     if (ImGui::GetIO().WantTextInput) return kCursorBlinks;
     const double longest = placing_seconds() > 0 ? kLookForPlacing : 60;
-    return std::min(longest, rest_of(session_.banner));
+    return std::min({longest, rest_of(session_.banner), canvas_.rest().value_or(longest)});
 }
 
 int Viewer::run() {
