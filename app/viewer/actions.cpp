@@ -78,6 +78,7 @@ void act(Action action, const Stage& stage) {
         }
         case Action::loupe:
             return toggle(session.settings.loupe.on);
+        case Action::photograph:  // while the key is held
         case Action::lighter:
         case Action::darker:
             return;  // of environment maps

@@ -24,6 +24,7 @@ struct CanvasLook {
     glm::dvec2 page_size{1, 1};  // page units
     double dot_radius = 0.002;   // page units; of dots that have none of their own
     float picture_opacity = 0;   // 0: bare paper
+    bool dots = true;            // shown
     bool tiles = false;          // outlines shown
     double fade_scale = 0;       // dots fade in below this scale; 0: none does
     float pixel_scale = 1;       // pixels of a line meant to be one pixel wide at 96 dpi

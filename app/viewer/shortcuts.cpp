@@ -20,6 +20,7 @@ constexpr Shortcut kShortcuts[] = {
     {Action::toggle_tiles, "T", "Tile boundaries"},
     {Action::compare, "C", "Split view: beside another tile or placer"},
     {Action::loupe, "L", "Loupe: tiles laid on one another"},
+    {Action::photograph, "P, held", "The photograph instead of its dots"},
     {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
     {Action::help, "?, F1", "These keys"},
@@ -61,6 +62,11 @@ std::span<const Shortcut> shortcuts() {
 
 std::span<const Shortcut> light_shortcuts() {
     return kLightShortcuts;
+}
+
+bool photograph_key_down() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && ImGui::IsKeyDown(GLFW_KEY_P);
 }
 
 bool escape_pressed() {

@@ -20,6 +20,7 @@ enum class Action {
     toggle_tiles,
     compare,
     loupe,
+    photograph,  // while the key is held: see photograph_key_down()
     toggle_panels,
     full_screen,
     lighter,
@@ -40,6 +41,9 @@ std::span<const Shortcut> light_shortcuts();
 /// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. Reads
 /// ImGui's input, in which keys are GLFW's codes.
 std::vector<Action> pressed_actions();
+
+/// Whether the key is held that shows the photograph in the drawing's place.
+bool photograph_key_down();
 
 bool escape_pressed();
 

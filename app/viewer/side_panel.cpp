@@ -9,6 +9,7 @@
 #include "app/viewer/panels/view_panel.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
+#include "core/image/ink_use.h"
 
 namespace dapple {
 
@@ -28,7 +29,10 @@ void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::functi
     draw_action_buttons(act);
 
     ViewerSettings& settings = session.settings;
-    draw_tone_panel(settings.drawing.tone);
+    const Tone& drawn = session.pane().page().tone;
+    const Histogram& histogram = session.picture().histogram;
+    draw_tone_panel(settings.drawing,
+                    {.histogram = histogram, .drawn = drawn, .mostly_black = mostly_black(histogram, drawn)});
     const auto open_tile = [&act] { act(Action::open_tile); };
     draw_dots_panel(settings.drawing, session.drawn(session.pane()), {session.tiles(), open_tile});
     draw_view_panel(settings);

@@ -20,7 +20,8 @@ std::string status_json(const StatusFacts& facts, std::uint64_t placings, const 
     nlohmann::ordered_json line{{"dots", facts.dots},      {"duplicates", facts.duplicates},
                                 {"scale", facts.scale},    {"zoom", facts.zoom},
                                 {"placings", placings},    {"place_ms", facts.place_ms},
-                                {"draw_ms", facts.draw_ms}};
+                                {"draw_ms", facts.draw_ms},
+                                {"steps", facts.steps},    {"all_steps", facts.all_steps}};
     if (facts.right) {
         const auto number = [](const std::optional<double>& value) {
             return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();

@@ -222,6 +222,12 @@ SplitLook Viewer::look(const CanvasPlace& place) const {
     look.sides[0] = look.sides[1] = look_of(session_, session_.pane(), zoom(), pixel_scale);
     if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
     if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
+    if (photograph_key_down()) {
+        for (CanvasLook& side : look.sides) {
+            side.picture_opacity = 1;
+            side.dots = false;
+        }
+    }
     return look;
 }
 
@@ -278,6 +284,9 @@ StatusFacts Viewer::status() const {
             .scale = stippling.scale,
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
             .place_ms = stippling.place_ms,
+            .relax_ms = pane.shown().relax_ms,
+            .steps = pane.shown().steps,
+            .all_steps = pane.shown().all_steps,
             .draw_ms = canvas_.draw_ms(),
             .placing_seconds = placing_seconds(),
             .frames_per_second = frame_rate_.per_second(),

@@ -149,7 +149,8 @@ void Worker::run_task(OpenTask& task) {
         int longer = std::max(picture.light.width, picture.light.height);
         workbench_.set_picture(std::move(picture.light));
         arrived_ =
-            OpenedPicture{task.name, picture.description, longer, std::move(picture.preview), task.open};
+            OpenedPicture{task.name, picture.description, longer, std::move(picture.preview),
+                          workbench_.pipeline().histogram(), task.open};
         std::scoped_lock lock(mutex_);
         if (!next_order_ || next_order_->close) next_order_ = last_order_;
     } catch (...) {

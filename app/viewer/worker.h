@@ -27,6 +27,7 @@ struct OpenedPicture {
     std::string description;  // "512 x 512 pixels, ..."
     int longer_side = 1;      // pixels
     Grid<glm::u8vec4> preview;
+    Histogram histogram;
     std::function<Picture()> read;  // reads it again
 };
 

@@ -27,9 +27,10 @@ bool is_nearly_black(int bin, const Tone& tone) {
 double mean_ink(const Histogram& histogram, const Tone& tone) {
     if (histogram.total == 0) return 0;
     const Grid<float> density = density_of_bins(tone);
+    const InkCurve ink;
     double sum = 0;
     for (int i = 0; i < density.width; ++i)
-        sum += static_cast<double>(histogram.counts[i]) * InkCurve().coverage(density.at(i, 0));
+        sum += static_cast<double>(histogram.counts[i]) * ink.coverage(density.at(i, 0));
     return sum / static_cast<double>(histogram.total);
 }
 

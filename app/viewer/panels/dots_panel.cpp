@@ -9,6 +9,7 @@
 
 #include "app/grouped.h"
 #include "app/viewer/widgets.h"
+#include "core/relaxing/relax.h"
 
 namespace dapple {
 namespace {
@@ -93,16 +94,45 @@ bool draw_amount(StippleRequest& request, const DrawnFacts& drawn) {
     return changed;
 }
 
-bool draw_radius(DrawingSettings& settings, const DrawnFacts& drawn) {
+bool draw_size(DotSize& size, const DrawnFacts& drawn) {
     bool changed = false;
-    int chosen = settings.dot_radius_mm ? 1 : 0;
-    if (segmented_row("Dot size", chosen, std::array{"by tone", "fixed"})) {
-        settings.dot_radius_mm.reset();
-        if (chosen == 1) settings.dot_radius_mm = std::max(drawn.dot_radius_mm, kRadius.hard_min);
+    int chosen = static_cast<int>(size.sizing);
+    if (segmented_row("Dot size", chosen, std::array{"auto", "fixed", "by tone"},
+                      "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
+                      "small dots in light areas, large ones in dark areas.")) {
+        const double radius = std::max(drawn.dot_radius_mm, kRadius.hard_min);
+        size = {.sizing = static_cast<DotSizing>(chosen),
+                .radius_mm = radius,
+                .smallest_mm = std::max(0.5 * radius, kRadius.hard_min),
+                .largest_mm = 1.2 * radius};
         changed = true;
     }
-    if (settings.dot_radius_mm) changed |= slider_row("Radius, mm", *settings.dot_radius_mm, kRadius);
+    if (size.sizing == DotSizing::fixed) changed |= slider_row("Radius, mm", size.radius_mm, kRadius);
+    if (size.sizing != DotSizing::by_tone) return changed;
+    if (slider_row("Smallest, mm", size.smallest_mm, kRadius)) {
+        size.largest_mm = std::max(size.largest_mm, size.smallest_mm);
+        changed = true;
+    }
+    if (slider_row("Largest, mm", size.largest_mm, kRadius)) {
+        size.smallest_mm = std::min(size.smallest_mm, size.largest_mm);
+        changed = true;
+    }
     return changed;
+}
+
+bool draw_relax(std::optional<int>& relax, const DrawnFacts& drawn) {
+    double steps = relax.value_or(drawn.steps);
+    if (!slider_row("Relax", steps,
+                    {.min = 0,
+                     .max = 20,
+                     .neutral = static_cast<double>(usual_steps(0, 1)),
+                     .format = "%.0f",
+                     .hard_max = kMostRelaxingSteps,
+                     .tip = "Steps that move each dot to the middle of the ink around it: more even. From 1 on the "
+                            "first dots of the drawing are no longer a lighter drawing by themselves."}))
+        return false;
+    relax = static_cast<int>(std::lround(steps));
+    return true;
 }
 
 }  // namespace
@@ -120,8 +150,13 @@ bool ranking_row(const char* label, std::optional<RankingOrder>& ranking) {
 
 bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles) {
     if (!section("Dots")) return false;
-    bool changed = draw_amount(settings.stipple, drawn);
-    changed |= draw_radius(settings, drawn);
+    bool changed = false;
+    if (settings.dot_size.sizing == DotSizing::by_tone)
+        hint("As many dots as their sizes and the tone ask for.");
+    else
+        changed |= draw_amount(settings.stipple, drawn);
+    changed |= draw_size(settings.dot_size, drawn);
+    if (settings.stipple.placer == PlacerKind::exact) changed |= draw_relax(settings.relax, drawn);
     changed |= slider_row("Page, mm", settings.width_mm, kWidth);
 
     int placer = settings.stipple.placer == PlacerKind::figure8 ? 1 : 0;

@@ -48,6 +48,10 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
         items.push_back({"placing ...", 7});
     else
         items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
+    if (facts.steps < facts.all_steps)
+        items.push_back({fmt::format("settling, step {} of {}", facts.steps, facts.all_steps), 7});
+    else if (facts.steps > 0)
+        items.push_back({fmt::format("{} steps {:.0f} ms", facts.steps, facts.relax_ms), 3});
     items.push_back({fmt::format("drawing {:.1f} ms", facts.draw_ms), 2});
     if (facts.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", facts.frames_per_second), 1});
     items.push_back({facts.zoom < 1000 ? fmt::format("{:.0f} %", facts.zoom * 100)

@@ -13,7 +13,9 @@ struct StatusFacts {
     std::uint64_t duplicates = 0;  // among them
     bool figure8 = false;          // duplicates are worth a word
     double scale = 0;
-    double tone_ms = 0, place_ms = 0, draw_ms = 0;
+    double tone_ms = 0, place_ms = 0, relax_ms = 0;
+    int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
+    double draw_ms = 0;
     double placing_seconds = 0;  // that a placing under way has taken so far
     double frames_per_second = 0;
     double zoom = 1;  // screen pixels a picture pixel

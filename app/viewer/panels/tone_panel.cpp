@@ -1,13 +1,45 @@
 #include "app/viewer/panels/tone_panel.h"
 
-#include <algorithm>
+#include <imgui.h>
 
+#include <algorithm>
+#include <array>
+
+#include "app/viewer/panels/histogram.h"
 #include "app/viewer/widgets.h"
+#include "core/image/detail.h"
 
 namespace dapple {
+namespace {
 
-bool draw_tone_panel(Tone& tone) {
-    if (!section("Tone")) return false;
+enum class Source { automatic, true_light, own };
+
+// A tone without black and white point and the curve between them.
+Tone without_curve(const Tone& tone) {
+    return {.blur = tone.blur, .detail = tone.detail, .invert = tone.invert};
+}
+
+Source source_of(const DrawingSettings& settings) {
+    if (settings.automatic_tone) return Source::automatic;
+    const bool neutral = settings.tone == without_curve(settings.tone) && settings.tone.detail == 0;
+    return neutral ? Source::true_light : Source::own;
+}
+
+bool draw_source(DrawingSettings& settings, const Tone& drawn) {
+    int chosen = static_cast<int>(source_of(settings));
+    if (!segmented_row("Tone from", chosen, std::array{"auto", "true", "own"},
+                       "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
+                       "just the light that the picture lacks. own: as the handles and sliders say."))
+        return false;
+    const auto source = static_cast<Source>(chosen);
+    settings.automatic_tone = source == Source::automatic;
+    settings.tone = source == Source::own ? drawn : without_curve(settings.tone);
+    if (source == Source::automatic) settings.tone.detail = kAutoDetail;
+    if (source == Source::true_light) settings.tone.detail = 0;
+    return true;
+}
+
+bool draw_levels(Tone& tone) {
     constexpr float kGap = 0.01f;  // black stays below white
     bool changed = false;
     if (slider_row("Black point", tone.black_point, {.min = 0, .max = 1, .neutral = 0})) {
@@ -29,10 +61,46 @@ bool draw_tone_panel(Tone& tone) {
                            .curve = SliderCurve::logarithmic,
                            .hard_min = 0.1,
                            .hard_max = 10});
+    return changed;
+}
+
+// One quiet line where dots would go into a black ground.
+bool offer_light_ink(DrawingSettings& settings) {
+    hint("Nearly all dots go into black.");
+    if (!ImGui::Button("White ink on black paper")) {
+        note_place("White ink on black paper");
+        return false;
+    }
+    settings.tone.invert = true;
+    settings.ink = kWhite;
+    settings.paper = kBlack;
+    return true;
+}
+
+}  // namespace
+
+bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts) {
+    if (!section("Tone")) return false;
+    bool changed = draw_source(settings, facts.drawn);
+    Tone shown = settings.automatic_tone ? facts.drawn : settings.tone;
+    bool own = facts.histogram.total > 0 && draw_histogram(facts.histogram, shown);
+    own |= draw_levels(shown);
+    if (own) {
+        settings.automatic_tone = false;
+        settings.tone = shown;
+    }
+    changed |= own;
+    Tone& tone = settings.tone;
+    changed |= slider_row("Detail", tone.detail,
+                          {.min = 0,
+                           .max = 1,
+                           .neutral = 0,
+                           .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
     changed |=
         slider_row("Blur", tone.blur,
                    {.min = 0, .max = 20, .neutral = 0, .format = "%.1f", .hard_min = 0, .hard_max = 100});
     changed |= switch_row("Invert", tone.invert);
+    if (facts.mostly_black) changed |= offer_light_ink(settings);
     return changed;
 }
 
