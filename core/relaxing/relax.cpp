@@ -22,6 +22,8 @@ constexpr float kCellReach = 8;
 constexpr int kFarthestRow = 23;
 static_assert(kFarthestRow > 2 * std::numbers::sqrt2 * kCellReach);
 
+constexpr int kMostNearRows = 8;
+
 constexpr float kOvershoot = 1.8f;
 // Beyond the page's edges, in distances between dots: cells that ended on the edges would draw the dots half a
 // distance inwards, and leave bare paper between the discs along the edges of black areas.
@@ -96,11 +98,12 @@ class RowsMover {
         }
     }
 
-    // Other dots come in an order that follows from positions alone: first the nearest on either side in its own
-    // row and the two beside it, which make most cells small; then all that reach the cell.
+    // Other dots come in an order that follows from positions alone: first the nearest on either side in each of the
+    // rows around, as many as dots of this density are apart, which make most cells small; then all that reach it.
     VoronoiCell cell_of(std::int64_t row, std::size_t dot, float density) {
         const float x = rows_.x[dot], y = rows_.y[dot];
-        const float beyond = std::min(kBeyondEdge * spacing_ / std::sqrt(std::max(density, 1e-6f)), kCellReach);
+        const float apart_here = spacing_ / std::sqrt(std::max(density, 1e-6f));
+        const float beyond = std::min(kBeyondEdge * apart_here, kCellReach);
         VoronoiCell cell(-std::min(x + beyond, kCellReach), -std::min(y + beyond, kCellReach),
                          std::min(width_ - x + beyond, kCellReach), std::min(height_ - y + beyond, kCellReach));
         const float* const xs = rows_.x.data();
@@ -110,8 +113,9 @@ class RowsMover {
             const float distance2 = dx * dx + dy * dy;
             if (distance2 < cell.reach2() && distance2 > 0) cell.cut(dx, dy);
         };
-        Stretch near[3];
-        for (int i = 0; i < 3; ++i) {
+        const int near_rows = std::min(static_cast<int>(apart_here) + 1, kMostNearRows);
+        Stretch near[2 * kMostNearRows + 1];
+        for (int i = 0; i <= 2 * near_rows; ++i) {
             const std::int64_t at = row + kOutwards[i];
             if (at < 0 || at >= rows_.rows()) continue;
             near[i] = stretch_around(at, x);
@@ -133,7 +137,7 @@ class RowsMover {
                 continue;
             }
             if (at < 0 || at >= rows_.rows()) continue;
-            Stretch stretch = i < 3 ? near[i] : stretch_around(at, x);
+            Stretch stretch = i <= 2 * near_rows ? near[i] : stretch_around(at, x);
             for (; stretch.right < stretch.end; ++stretch.right) {
                 const float dx = xs[stretch.right] - x;
                 if (dx * dx + apart2 >= cell.reach2()) break;

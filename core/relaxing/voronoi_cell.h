@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
 namespace dapple {
 
@@ -11,107 +10,85 @@ namespace dapple {
 /// which dots cut it, and in which order, decides about its last bits.
 class VoronoiCell {
  public:
+    struct Corner {
+        float x, y;
+        float distance2;  // from the dot, squared
+    };
+
     /// A rectangle with the dot in it.
-    VoronoiCell(float left, float top, float right, float bottom) {
-        for (int i = 4; i < 8; ++i) set(i, 0, 0);
-        set(0, left, top);
-        set(1, right, top);
-        set(2, right, bottom);
-        set(3, left, bottom);
+    VoronoiCell(float left, float top, float right, float bottom)
+        : corners_{at(left, top), at(right, top), at(right, bottom), at(left, bottom)} {
         find_reach();
     }
 
     int size() const { return size_; }
-    float x(int corner) const { return x_[corner]; }
-    float y(int corner) const { return y_[corner]; }
+    const Corner& operator[](int i) const { return corners_[i]; }
 
     /// The square of the distance from which on other dots leave the cell as it is: twice the farthest
     /// corner's.
     float reach2() const { return reach2_; }
 
-    /// Cuts off what is nearer to another dot; not the same place.
+    /// Cuts off what is nearer to another dot; not the same place. One by one in plain numbers: vectors would wait
+    /// for the corners that the last cut has just written.
     [[gnu::always_inline]] inline void cut(float other_x, float other_y) {
         // Beyond the bisector: x * other_x + y * other_y > half the square of the distance.
         const float half = 0.5f * (other_x * other_x + other_y * other_y);
-        float beyond[kRoom];
+        float beyond[kMost];
         std::uint32_t outside = 0;
-        for (int first = 0; first < size_; first += 8) {
-            int bits[8];
-            for (int i = 0; i < 8; ++i) {
-                beyond[first + i] = x_[first + i] * other_x + y_[first + i] * other_y - half;
-                bits[i] = beyond[first + i] > 0 ? 1 << i : 0;
-            }
-            int all = 0;
-            for (const int bit : bits) all |= bit;
-            outside |= static_cast<std::uint32_t>(all) << first;
+        for (int i = 0; i < size_; ++i) {
+            beyond[i] = corners_[i].x * other_x + corners_[i].y * other_y - half;
+            outside |= std::uint32_t{beyond[i] > 0} << i;
         }
-        outside &= (1u << size_) - 1;
         if (outside != 0) cut_off(outside, beyond);
     }
 
  private:
-    static constexpr int kMost = 24;         // corners
-    static constexpr int kRoom = kMost + 8;  // so that eight can be read or moved at once
+    static constexpr int kMost = 24;  // corners
 
-    void set(int corner, float x, float y) {
-        x_[corner] = x;
-        y_[corner] = y;
-        distance2_[corner] = x * x + y * y;
+    static Corner at(float x, float y) { return {x, y, x * x + y * y}; }
+
+    // Where the edge between a corner inside and one outside is cut.
+    Corner between(int in, int out, const float* beyond) const {
+        const float share = beyond[in] / (beyond[in] - beyond[out]);
+        const Corner &a = corners_[in], &b = corners_[out];
+        return at(a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share);
     }
 
-    // Moves corners from one place on to another.
-    void move(int from, int to) {
-        for (float* numbers : {x_, y_, distance2_}) {
-            if (size_ <= 8) {
-                float eight[8];
-                std::memcpy(eight, numbers + from, sizeof eight);
-                std::memcpy(numbers + to, eight, sizeof eight);
-            } else {
-                std::memmove(numbers + to, numbers + from, sizeof(float) * static_cast<unsigned>(size_ - from));
-            }
-        }
-    }
-
-    // The corners outside follow each other; the edges at both ends are cut.
+    // The corners outside follow each other: two new ones come in their place.
     [[gnu::always_inline]] inline void cut_off(std::uint32_t outside, const float* beyond) {
         const std::uint32_t all = (1u << size_) - 1;
         if (outside == all) return;  // which rounding alone can bring about
+        // The run outside: from `first` to before `end`, past the last corner where it wraps.
         const bool wraps = (outside & 1) != 0 && (outside >> (size_ - 1) & 1) != 0;
-        // The run of corners outside: from `first` to before `end`, past the last corner where it wraps.
         const int first = wraps ? std::bit_width(~outside & all) : std::countr_zero(outside);
         const int end = wraps ? std::countr_zero(~outside) : std::bit_width(outside);
-        const int from = first == 0 ? size_ - 1 : first - 1;
-        const int last = end == 0 ? size_ - 1 : end - 1, to = end == size_ ? 0 : end;
-        const float leaving = beyond[from] / (beyond[from] - beyond[first]);
-        const float leaving_x = x_[from] + (x_[first] - x_[from]) * leaving;
-        const float leaving_y = y_[from] + (y_[first] - y_[from]) * leaving;
-        const float entering = beyond[to] / (beyond[to] - beyond[last]);
-        const float entering_x = x_[to] + (x_[last] - x_[to]) * entering;
-        const float entering_y = y_[to] + (y_[last] - y_[to]) * entering;
-        int at;  // of the two new corners
+        const int run = wraps ? size_ - first + end : end - first;
+        if (size_ - run + 2 > kMost) return;  // no dot has so many neighbours
+        const Corner leaving = between(first == 0 ? size_ - 1 : first - 1, first, beyond);
+        const Corner entering = between(end == size_ ? 0 : end, end == 0 ? size_ - 1 : end - 1, beyond);
+        int place = first;
         if (wraps) {
-            at = first - end;
-            move(end, 0);
-            size_ = at + 2;
+            place = first - end;
+            for (int i = 0; i < place; ++i) corners_[i] = corners_[i + end];
+        } else if (run == 1) {
+            for (int i = size_; i > end; --i) corners_[i] = corners_[i - 1];
         } else {
-            at = first;
-            const int size = size_ - (end - first) + 2;
-            if (size > kMost) return;  // no dot has so many neighbours
-            if (end < size_) move(end, first + 2);
-            size_ = size;
+            for (int i = end; i < size_; ++i) corners_[i - run + 2] = corners_[i];
         }
-        set(at, leaving_x, leaving_y);
-        set(at + 1, entering_x, entering_y);
+        corners_[place] = leaving;
+        corners_[place + 1] = entering;
+        size_ += 2 - run;
         find_reach();
     }
 
     void find_reach() {
-        float farthest2 = distance2_[0];
-        for (int i = 1; i < size_; ++i) farthest2 = distance2_[i] > farthest2 ? distance2_[i] : farthest2;
+        float farthest2 = corners_[0].distance2;
+        for (int i = 1; i < size_; ++i)
+            farthest2 = corners_[i].distance2 > farthest2 ? corners_[i].distance2 : farthest2;
         reach2_ = 4 * farthest2;
     }
 
-    float x_[kRoom], y_[kRoom], distance2_[kRoom];  // of corners; what lies behind the last one is not looked at
+    Corner corners_[kMost];
     int size_ = 4;
     float reach2_ = 0;
 };

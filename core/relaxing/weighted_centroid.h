@@ -33,8 +33,9 @@ class WeightedCentroid {
     /// The density at an offset from there.
     float density_at(const PixelAnchor& anchor, float x, float y) const;
 
-    /// By lines and points of them a pixel apart or, where cells are small, a fifth of the cell, which divide
-    /// the cell evenly, so that the centroid moves smoothly with the cell.
+    /// A small cell, of a few pixels, by three points in each triangle between the dot and an edge (exact for
+    /// quadratic functions); a larger one by lines a pixel apart and as many points along them. Both move with the
+    /// cell, so that the centroid moves smoothly.
     Centroid of(const VoronoiCell& cell, const PixelAnchor& anchor);
 
  private:
@@ -44,7 +45,9 @@ class WeightedCentroid {
         float share;
     };
     PixelLine line_at(const PixelAnchor& anchor, float y) const;
-    int find_lines(const VoronoiCell& cell, float top, float height);
+    Centroid by_triangles(const VoronoiCell& cell, const PixelAnchor& anchor, bool inside) const;
+    Centroid by_lines(const VoronoiCell& cell, const PixelAnchor& anchor, float top, float bottom);
+    void find_lines(const VoronoiCell& cell, float top, float bottom, int lines);
 
     const Grid<float>& values_;
     const double pixels_per_unit_;
