@@ -41,6 +41,7 @@ namespace {
 using namespace dapple;
 
 constexpr int kMarkedSteps = 3;  // of Dapple's: what is to be as good as the peer
+constexpr int kPeerEvenness = 50;  // steps after which Dapple's dots are about as even as the peer's
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPanelWidth = 600;  // px
 
@@ -49,7 +50,7 @@ enum class Tables { all, pictures, seams };
 struct Wanted {
     std::vector<std::filesystem::path> photos;  // none: the still life
     std::vector<std::size_t> dots{10'000, 40'000, 200'000};
-    std::vector<int> steps{0, 1, 2, 3, 5, 10};
+    std::vector<int> steps{0, 1, 2, 3, 4, 5, 10};
     int peer_steps = 100;
     std::vector<double> loads{1.35, 1.6};
     Tables tables = Tables::all;
@@ -70,36 +71,39 @@ struct Row {
 class PictureTable {
  public:
     PictureTable(const Grid<float>& light, std::size_t count)
-        : density_(density_of(light, Tone{})), count_(count), target_(target_for(light, count)) {}
+        : peer_density_(density_of(light, Tone{}, InkCurve({.relaxing_steps = kPeerEvenness}))),
+          count_(count),
+          target_(target_for(light, count)) {}
 
-    Row of_dapple(RankedTile& tile, int steps) const {
-        RelaxedDots drawn = relaxed_dots(tile, density_, count_, steps);
+    Row of_dapple(Pipeline& pipeline, int steps) const {
+        RelaxedDots drawn = relaxed_dots(pipeline, count_, steps);
         Row row = judged(steps == 0 ? "Dapple, as placed" : fmt::format("Dapple, {} steps", steps), drawn.ms,
-                         std::move(drawn.dots), 16 * drawn.scale);
-        row.own_radius = picture_marks(row.dots, radius_for_tone(drawn.scale), target_);
+                         std::move(drawn.dots), *drawn.density, 16 * drawn.scale);
+        row.own_radius = picture_marks(row.dots, drawn.radius, target_);
         return row;
     }
 
     Row of_peer(LloydWeight weight, int steps) const {
         const auto start = std::chrono::steady_clock::now();
-        std::vector<glm::dvec2> dots = random_dots(density_, count_, kSeed);
-        for (int step = 0; step < steps; ++step) lloyd_step(dots, density_, weight);
+        std::vector<glm::dvec2> dots = random_dots(peer_density_, count_, kSeed);
+        for (int step = 0; step < steps; ++step) lloyd_step(dots, peer_density_, weight);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         const char* what = weight == LloydWeight::density ? "density" : "density squared";
         return judged(fmt::format("random, {} plain steps, {}", steps, what), took.count(), std::move(dots),
-                      dots_at_full_density(density_, count_));
+                      peer_density_, dots_at_full_density(peer_density_, count_));
     }
 
  private:
-    Row judged(std::string name, double ms, std::vector<glm::dvec2> dots, double full) const {
+    Row judged(std::string name, double ms, std::vector<glm::dvec2> dots, const Density& density,
+               double full) const {
         Row row{.name = std::move(name), .ms = ms, .dots = std::move(dots)};
         row.radius = fitted_radius(row.dots, target_);
         row.marks = picture_marks(row.dots, row.radius, target_);
-        row.distances = local_distances(row.dots, density_, full);
+        row.distances = local_distances(row.dots, density, full);
         return row;
     }
 
-    Density density_;
+    Density peer_density_;
     std::size_t count_;
     Target target_;
 };
@@ -144,7 +148,7 @@ void print_marks(const Row& dapple, const Row& peer) {
     print_at_least("nearest, mean", dapple.distances.mean, 0.84);
 }
 
-void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, RankedTile& tile,
+void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, Pipeline& pipeline,
              SideBySide* panels) {
     fmt::print(
         "| drawing | time | SSIM | gradients | tone error | nearest: 1st percentile | mean | own radius: "
@@ -156,7 +160,7 @@ void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, 
     };
     std::optional<Row> marked;
     for (const int steps : wanted.steps) {
-        Row row = table.of_dapple(tile, steps);
+        Row row = table.of_dapple(pipeline, steps);
         print(row);
         if (steps == 0 || steps == kMarkedSteps) show(row);
         if (steps == kMarkedSteps) marked = std::move(row);
@@ -168,29 +172,30 @@ void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, 
     if (marked) print_marks(*marked, peer);
 }
 
-void measure_pictures(const Wanted& wanted, RankedTile& tile) {
+void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
     std::vector<std::filesystem::path> photos = wanted.photos;
     if (photos.empty()) photos.emplace_back();
     bool first = true;
     for (const std::filesystem::path& photo : photos) {
         const Picture picture = photo.empty() ? sample_picture() : read_picture(photo);
+        pipeline.set_light(picture.light);
         for (const std::size_t count : wanted.dots) {
             fmt::print("\n### {}, {} dots\n", photo.empty() ? "still life" : photo.filename().string(),
                        grouped(count));
             if (first && !wanted.side_by_side.empty()) {
                 SideBySide panels(picture.light, kPanelWidth);
-                measure(wanted, picture.light, count, tile, &panels);
+                measure(wanted, picture.light, count, pipeline, &panels);
                 panels.save(wanted.side_by_side);
             } else {
-                measure(wanted, picture.light, count, tile, nullptr);
+                measure(wanted, picture.light, count, pipeline, nullptr);
             }
             first = false;
         }
     }
 }
 
-void measure_seams(const Wanted& wanted, RankedTile& tile) {
-    const Density black(Grid<float>(1, 1, 1.0f));
+void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
+    pipeline.set_plain(Density(Grid<float>(1, 1, 1.0f)));
     fmt::print(
         "\n### Seams on black\n| dots | steps | load | bare paper | borders of 1/2 | 1/4 | 1/8 | worst "
         "|\n|---|---|---|---|---|---|---|---|\n");
@@ -198,20 +203,20 @@ void measure_seams(const Wanted& wanted, RankedTile& tile) {
     for (const std::size_t count : {65'536, 90'000, 140'000, 262'144}) {
         for (const int steps : wanted.steps) {
             if (steps == 1 || steps == 2) continue;
-            const RelaxedDots drawn = relaxed_dots(tile, black, count, steps);
+            const RelaxedDots drawn = relaxed_dots(pipeline, count, steps);
             for (const double load : wanted.loads) {
                 const Seams seen = seams(drawn.dots, load);
                 fmt::print("| {} | {} | {} | {:.2f} % | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n",
                            grouped(count), steps, load, 100 * seen.bare, seen.of_halves, seen.of_quarters,
                            seen.of_eighths, seen.worst());
                 std::fflush(stdout);
-                if (steps == kMarkedSteps) worst_marked = std::max(worst_marked, seen.worst());
+                if (steps == kUsualSteps) worst_marked = std::max(worst_marked, seen.worst());
             }
         }
     }
     if (worst_marked == 0) return;
     fmt::print("\n");
-    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kMarkedSteps));
+    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kUsualSteps));
     print_at_most("worst seam", worst_marked, 2);
 }
 
@@ -242,9 +247,10 @@ Wanted wanted_by(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         const Wanted wanted = wanted_by(argc, argv);
-        RankedTile tile = tile_named(kDefaultTile);
-        if (wanted.tables != Tables::seams) measure_pictures(wanted, tile);
-        if (wanted.tables != Tables::pictures) measure_seams(wanted, tile);
+        Pipeline pipeline;
+        pipeline.set_tile(tile_named(kDefaultTile));
+        if (wanted.tables != Tables::seams) measure_pictures(wanted, pipeline);
+        if (wanted.tables != Tables::pictures) measure_seams(wanted, pipeline);
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "picture_quality: {}\n", error.what());
