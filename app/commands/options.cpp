@@ -305,8 +305,8 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     add_text(
         app, "--order", "NAME",
         "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
-        "before, for short pen moves; recursion, as they are placed; priority, the first n being the "
-        "drawing with n dots. Without it, space for an SVG of up to 5 million dots, else recursion. "
+        "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the first n being the "
+        "drawing with n dots, unless they are relaxed. Without it, space for an SVG of up to 5 million dots, else recursion. "
         "space, priority and --placer figure8 hold all dots in memory",
         read_order);
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
