@@ -224,12 +224,14 @@ Wanted wanted_by(int argc, char** argv) {
     Wanted wanted;
     CLI::App app("How good pictures are, beside a peer's.");
     app.add_option("PHOTO", wanted.photos, "photographs; none: the built-in still life");
-    app.add_option("--dots", wanted.dots, "numbers of dots")->delimiter(',')->expected(1);
-    app.add_option("--steps", wanted.steps, "steps of relaxation; 0: as placed")->delimiter(',')->expected(1);
+    app.add_option("--dots", wanted.dots, "numbers of dots")->delimiter(',')->allow_extra_args(false);
+    app.add_option("--steps", wanted.steps, "steps of relaxation; 0: as placed")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app.add_option("--peer-steps", wanted.peer_steps, "the peer's plain steps");
     app.add_option("--loads", wanted.loads, "dots' area on black, over the page's")
         ->delimiter(',')
-        ->expected(1);
+        ->allow_extra_args(false);
     app.add_option("--only", wanted.tables, "pictures or seams")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, Tables>{{"pictures", Tables::pictures}, {"seams", Tables::seams}}));
