@@ -239,7 +239,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     };
     add_text(app, "--relax", "N",
              "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. From 1 on "
-             "the first n dots are no longer the drawing with n dots. auto: 4, or none for millions of dots too fine "
+             "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots too fine "
              "to see",
              read_relax)
         ->default_str("auto");

@@ -41,7 +41,7 @@ struct DrawingRequest {
     bool operator==(const DrawingRequest&) const = default;
 };
 
-inline constexpr int kUsualSteps = 4;
+inline constexpr int kUsualSteps = 5;
 
 /// The steps after which a drawing looks as good as it needs to: kUsualSteps; none where dots lie closer than the eye
 /// can tell apart on paper and are so many that they would be waited for.
