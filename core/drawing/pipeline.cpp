@@ -184,15 +184,12 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
     if (plan.stipple.appearance) fill_critical_scales(drawn.stippling.dots, density);
     drawn.steps = 0;
     drawn.relax_ms = 0;
-    if (plan.steps > 0 && drawn.stippling.dots.size() > 0) {
-        const auto copy = [&](const DotPieces& dots) {
-            return [&] {
-                DotPieces sized = dots;
-                give_sizes(plan, sized);
-                return sized;
-            };
-        };
-        if (watch.step && !watch.step(drawn, copy(drawn.stippling.dots))) return true;
+    const auto sized = [&](DotPieces dots) {
+        give_sizes(plan, dots);
+        return dots;
+    };
+    const bool relaxes = plan.steps > 0 && drawn.stippling.dots.size() > 0;
+    if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.stippling.dots); }))) {
         auto start = Clock::now();
         Relaxation relaxation(std::exchange(drawn.stippling.dots, {}), density,
                               {.scale = drawn.stippling.scale, .threads = plan.stipple.threads});
@@ -201,7 +198,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
             drawn.relax_ms += milliseconds_since(start);
             ++drawn.steps;
             if (drawn.steps < plan.steps && watch.step &&
-                !watch.step(drawn, [&] { return copy(relaxation.dots())(); }))
+                !watch.step(drawn, [&] { return sized(relaxation.dots()); }))
                 break;
             start = Clock::now();
         }

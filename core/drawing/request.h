@@ -31,10 +31,10 @@ struct DrawingRequest {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
-    Tone tone;
-    StippleRequest stipple;    // where dot sizes go by tone, neither its count nor its scale has a say
-    std::optional<int> relax;  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
-    DotSize size;
+    Tone tone = {};
+    StippleRequest stipple = {};    // where dot sizes go by tone, neither its count nor its scale has a say
+    std::optional<int> relax = {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
+    DotSize size = {};
     double width_mm = 200;                // of the picture on paper
     std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 

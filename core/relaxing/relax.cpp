@@ -89,8 +89,8 @@ class RowsMover {
         }
         for (int i = 0; i < kShorterTries; ++i) {
             if (centroid_.density_at(anchor, step_x, step_y) > kLeastShare * density) {
-                to_x = std::clamp(x + step_x, 0.0f, width_);
-                to_y = std::clamp(y + step_y, 0.0f, height_);
+                to_x = std::clamp(x + step_x, 0.0f, last_x_);
+                to_y = std::clamp(y + step_y, 0.0f, last_y_);
                 return;
             }
             step_x *= 0.5f;
@@ -165,6 +165,8 @@ class RowsMover {
 
     const DotRows& rows_;
     const float width_, height_;  // of the page
+    // The last places on it: on its right and lower edges there is no density any more.
+    const float last_x_ = std::nextafter(width_, 0.0f), last_y_ = std::nextafter(height_, 0.0f);
     const float spacing_;         // of dots on black
     WeightedCentroid centroid_;
     std::int64_t first_near_ = 0;

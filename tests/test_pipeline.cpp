@@ -1,0 +1,375 @@
+// From a request to a drawing: what is chosen for the picture, what is made again, and what a stream gives.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/drawing/pipeline.h"
+#include "core/image/auto_tone.h"
+#include "core/image/tone.h"
+#include "core/relaxing/relax.h"
+#include "core/stipple.h"
+#include "tests/dot_pieces.h"
+
+using namespace dapple;
+
+namespace {
+
+// Light of a dull photograph: neither black nor white in it.
+Grid<float> dull() {
+    Grid<float> light(90, 60);
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x)
+            light.at(x, y) = srgb_to_linear(
+                static_cast<float>(0.45 + 0.2 * std::sin(0.08 * x) * std::cos(0.1 * y) + 0.1 * x / 90));
+    return light;
+}
+
+Grid<float> ramp() {
+    Grid<float> light(80, 40);
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x) light.at(x, y) = static_cast<float>(x) / 79;
+    return light;
+}
+
+RankedTile paper_tile() {
+    return RankedTile(make_tile(14217, 2895, 16), RankingOrder::energy);
+}
+
+Pipeline pipeline_of(Grid<float> light) {
+    Pipeline pipeline;
+    pipeline.set_tile(paper_tile());
+    pipeline.set_light(std::move(light));
+    return pipeline;
+}
+
+Dots all_of(const DotStream& stream) {
+    Dots result;
+    stream.for_each_piece([&](const Dots& piece) {
+        append(result, piece);
+        return true;
+    });
+    return result;
+}
+
+Dots drawn_by(Pipeline& pipeline, const DrawingPlan& plan) {
+    Drawn drawn;
+    REQUIRE(pipeline.draw(plan, drawn));
+    CHECK(drawn.steps == plan.steps);
+    return joined(drawn.stippling.dots);
+}
+
+bool same(const Dots& a, const Dots& b) {
+    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical && a.radius == b.radius;
+}
+
+const DotSize kByTone{.sizing = DotSizing::by_tone, .smallest_mm = 0.4, .largest_mm = 1.0};
+
+}  // namespace
+
+TEST_CASE("automatic tone is the one for the picture, and an explicit one is taken as it is") {
+    Pipeline pipeline = pipeline_of(dull());
+    const Tone own{.black_point = 0.2f, .contrast = 0.1f, .gamma = 3, .blur = 2, .detail = 0.3f};
+    const Tone chosen = auto_tone(histogram_of(dull()), own);
+    CHECK(chosen.black_point > 0.25f);
+    CHECK(chosen != own);
+    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .stipple = {.count = 1000}}).tone == chosen);
+    CHECK(pipeline.plan({.automatic_tone = false, .tone = own, .stipple = {.count = 1000}}).tone == own);
+    // On another picture it is another.
+    pipeline.set_light(ramp());
+    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .stipple = {.count = 1000}}).tone ==
+          auto_tone(histogram_of(ramp()), own));
+}
+
+TEST_CASE("true light is covered by as much ink as the picture lacks light") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const DrawingPlan plan = pipeline.plan({.automatic_tone = false, .stipple = {.count = 20'000}, .relax = 4});
+    const InkCurve ink({.relaxing_steps = 4});
+    for (int x = 0; x < 80; ++x)
+        CHECK(std::abs(ink.coverage(plan.density->values().at(x, 20)) - (1 - ramp().at(x, 20))) < 0.005);
+    CHECK(plan.full_load == ink.full_load());
+}
+
+TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots stay as placed") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const auto steps = [&](std::uint64_t count, std::optional<int> relax, PlacerKind placer = PlacerKind::exact) {
+        return pipeline.plan({.stipple = {.placer = placer, .count = count}, .relax = relax}).steps;
+    };
+    for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
+    CHECK(steps(5000, {}) == 4);
+    CHECK(steps(1'900'000, {}) == 4);
+    CHECK(steps(50'000'000, {}) == 0);
+    CHECK(steps(50'000'000, 2) == 2);
+    CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
+    CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
+    // On a wall so many can be seen: 10 m wide, 1 mm apart.
+    CHECK(pipeline.plan({.stipple = {.count = 50'000'000}, .width_mm = 10'000}).steps == 4);
+    // By a scale as by the count that it comes to.
+    CHECK(pipeline.plan({.stipple = {.scale = 1000, .count = {}}}).steps == 4);
+    CHECK(pipeline.plan({.stipple = {.scale = 50'000'000, .count = {}}}).steps == 0);
+    CHECK(usual_steps(3e6, 3e6) == 4);
+    CHECK(usual_steps(3e6, 2e4) == 0);
+}
+
+TEST_CASE("a stream gives the drawing dot for dot, by count, by scale, relaxed or not, with sizes or without") {
+    Pipeline pipeline = pipeline_of(ramp());
+    std::vector<DrawingRequest> requests;
+    for (const int relax : {0, 2}) {
+        requests.push_back({.stipple = {.count = 4000, .appearance = true}, .relax = relax});
+        requests.push_back({.stipple = {.scale = 500, .count = {}, .threads = 2}, .relax = relax});
+        requests.push_back({.relax = relax, .size = kByTone});
+    }
+    requests.push_back({.stipple = {.placer = PlacerKind::figure8, .scale = 300, .count = {}}});
+    requests.push_back({.stipple = {.placer = PlacerKind::figure8, .count = {}}, .size = kByTone});
+    for (const DrawingRequest& request : requests) {
+        const DrawingPlan plan = pipeline.plan(request);
+        Drawn drawn;
+        REQUIRE(pipeline.draw(plan, drawn));
+        const Dots dots = joined(drawn.stippling.dots);
+        const DotStream stream = pipeline.stream(plan);
+        CHECK(dots.size() > 600);
+        CHECK(same(all_of(stream), dots));
+        CHECK(stream.count == dots.size());
+        CHECK(stream.scale == drawn.stippling.scale);
+        CHECK(stream.duplicates == drawn.stippling.duplicates);
+        CHECK(drawn.steps == plan.steps);
+    }
+}
+
+TEST_CASE("a drawing is the placed dots, relaxed") {
+    Pipeline pipeline = pipeline_of(dull());
+    const DrawingPlan plan = pipeline.plan({.stipple = {.count = 2500, .appearance = true}, .relax = 3});
+    RankedTile tile = paper_tile();
+    Stippling placed;
+    REQUIRE(stipple(tile, *plan.density, {.count = 2500, .appearance = true}, placed));
+    REQUIRE(relax(placed.dots, *plan.density, 3, {.scale = placed.scale}));
+    CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
+}
+
+TEST_CASE("what a change has no say in is not made again") {
+    Pipeline pipeline = pipeline_of(dull());
+    DrawingRequest request{.stipple = {.count = 4000}, .relax = 4};
+    const auto density = [&] { return pipeline.plan(request).density; };
+    auto last = density();
+    const auto stays = [&] { return density() == last; };
+    CHECK(pipeline.tone_ms() > 0);
+    CHECK(stays());
+    CHECK(pipeline.tone_ms() == 0);
+    request.stipple.count = 30'000;
+    CHECK(stays());
+    request.stipple.threads = 2;
+    CHECK(stays());
+    request.width_mm = 90;
+    CHECK(stays());
+    request.size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
+    CHECK(stays());
+    pipeline.set_tile(paper_tile());
+    CHECK(stays());
+
+    const auto changes = [&] {
+        const auto now = density();
+        const bool changed = now != last && now->values().values != last->values().values;
+        last = now;
+        return changed;
+    };
+    request.tone.contrast = 0.3f;
+    CHECK(changes());
+    request.automatic_tone = false;
+    CHECK(changes());
+    request.relax = 10;  // evener dots cover more
+    CHECK(changes());
+    request.size = kByTone;
+    CHECK(changes());
+    request.size = {};
+    request.relax = 1;
+    CHECK(changes());
+    request.stipple.count = 41'000;  // hardly relaxed dots cover by their count
+    CHECK(changes());
+    request.tone.detail = 0.5f;
+    CHECK(changes());
+    request.relax = 4;
+    CHECK(changes());
+    request.stipple.count = 10'000;  // detail has the dots' scale
+    CHECK(changes());
+    pipeline.set_light(ramp());
+    CHECK(changes());
+}
+
+TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
+    Pipeline pipeline = pipeline_of(dull());
+    const auto picture = pipeline.plan({.stipple = {.count = 1000}}).density;
+    Grid<float> grey(30, 60, 0.25f);
+    pipeline.set_plain(Density(grey));
+    const DrawingPlan plan = pipeline.plan({.tone = {.contrast = 0.5f}, .stipple = {.count = 1000}, .width_mm = 100});
+    CHECK(plan.density->values().values == grey.values);
+    CHECK(plan.tone == Tone{.contrast = 0.5f});
+    CHECK(plan.page.height_mm == doctest::Approx(200));
+    CHECK(plan.page.mm_per_page_unit == doctest::Approx(200));
+    pipeline.set_plain({});
+    CHECK(pipeline.plan({.stipple = {.count = 1000}}).density->values().values == picture->values().values);
+}
+
+TEST_CASE("sizes by tone lie between the smallest and the largest, and grow with the density") {
+    Pipeline pipeline = pipeline_of(ramp());
+    for (const int steps : {0, 4}) {
+        const DrawingPlan plan = pipeline.plan({.automatic_tone = false, .relax = steps, .size = kByTone});
+        const Dots dots = drawn_by(pipeline, plan);
+        REQUIRE(dots.radius.size() == dots.size());
+        const double mm = plan.page.mm_per_page_unit;
+        // By density, radii rise.
+        std::vector<std::pair<double, double>> sizes;
+        for (std::size_t i = 0; i < dots.size(); ++i)
+            sizes.emplace_back(plan.density->at({dots.x[i], dots.y[i]}), dots.radius[i] * mm);
+        std::ranges::sort(sizes);
+        CHECK(sizes.front().second >= 0.4 * (1 - 1e-6));
+        CHECK(sizes.front().second < 0.5);
+        CHECK(sizes.back().second <= 1.0 * (1 + 1e-6));
+        CHECK(sizes.back().second > 0.98);
+        for (std::size_t i = 1; i < sizes.size(); ++i) CHECK(sizes[i].second >= sizes[i - 1].second - 1e-6);
+        // The ink is that of the tone: half the area of the page, less what overlaps.
+        double area = 0;
+        for (const auto& [density, radius] : sizes) area += 3.14159265 * radius * radius;
+        CHECK(area / (plan.page.width_mm * plan.page.height_mm) > 0.5);
+        CHECK(area / (plan.page.width_mm * plan.page.height_mm) < 0.8);
+    }
+}
+
+TEST_CASE("how many dots there are follows from their sizes") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const auto count = [&](double smallest, double largest, double width, std::uint64_t asked) {
+        const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
+        return static_cast<double>(
+            all_of(pipeline.stream(pipeline.plan({.stipple = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
+                .size());
+    };
+    const double usual = count(0.5, 1, 200, 7);
+    CHECK(count(0.5, 1, 200, 5000) == usual);  // what was asked for has no say
+    CHECK(count(0.25, 0.5, 200, 7) == doctest::Approx(4 * usual).epsilon(0.02));
+    CHECK(count(0.5, 1, 400, 7) == doctest::Approx(4 * usual).epsilon(0.02));
+    CHECK(count(0.25, 1, 200, 7) > 1.1 * usual);  // smaller ones in light areas: more of them
+}
+
+TEST_CASE("a plan says how large its dots are") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const DrawingRequest request{.stipple = {.count = 5000}, .relax = 4, .width_mm = 160};
+    DrawingRequest fixed = request, by_tone = request;
+    fixed.size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
+    by_tone.size = kByTone;
+    CHECK(pipeline.plan(fixed).radius(123) == doctest::Approx(0.8 / 160));
+    CHECK(pipeline.plan(by_tone).radius(123) == doctest::Approx(1.0 / 160));
+    // On black, dots of that radius have full_load of the page's area.
+    const DrawingPlan plan = pipeline.plan(request);
+    const double radius = plan.radius(100);
+    CHECK(1600 * 3.14159265 * radius * radius == doctest::Approx(plan.full_load));
+}
+
+TEST_CASE("a stream outlives the pipeline") {
+    for (const DrawingRequest& request :
+         {DrawingRequest{.stipple = {.count = 2000}, .relax = 0}, {.stipple = {.count = 2000}, .relax = 2},
+          {.relax = 1, .size = kByTone}, {.stipple = {.placer = PlacerKind::figure8, .scale = 200, .count = {}}}}) {
+        auto pipeline = std::make_unique<Pipeline>(pipeline_of(ramp()));
+        const Dots dots = drawn_by(*pipeline, pipeline->plan(request));
+        const DotStream stream = pipeline->stream(pipeline->plan(request));
+        const DotStream again = stream;
+        pipeline.reset();
+        CHECK(same(all_of(stream), dots));
+        CHECK(same(all_of(again), dots));
+    }
+}
+
+TEST_CASE("more dots than there may be are lowered to the most") {
+    Pipeline pipeline = pipeline_of(ramp());
+    DrawingRequest request{.stipple = {.count = 3000}, .relax = 3, .most_dots = 5000};
+    CHECK_FALSE(pipeline.plan(request).lowered);
+    request.stipple.count = 5001;
+    DrawingPlan plan = pipeline.plan(request);
+    CHECK(plan.lowered);
+    CHECK(plan.stipple.count == 5000);
+    request.stipple = {.scale = 1e6, .count = {}};
+    plan = pipeline.plan(request);
+    CHECK(plan.lowered);
+    CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
+    request.size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.05, .largest_mm = 0.1};
+    plan = pipeline.plan(request);
+    CHECK(plan.lowered);
+    CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
+    // Figure 8 emits some dots twice.
+    request = {.stipple = {.placer = PlacerKind::figure8, .scale = 1e6, .count = {}}, .most_dots = 5000};
+    plan = pipeline.plan(request);
+    CHECK(plan.lowered);
+    const std::size_t emitted = drawn_by(pipeline, plan).size();
+    CHECK(emitted <= 5000);
+    CHECK(emitted > 3000);
+}
+
+TEST_CASE("whoever watches sees every step but the last, with its dots") {
+    Pipeline pipeline = pipeline_of(ramp());
+    for (const bool sized : {false, true}) {
+        DrawingRequest request{.stipple = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}};
+        const DrawingPlan plan = pipeline.plan(request);
+        std::vector<int> seen;
+        std::vector<Dots> dots;
+        Drawn drawn;
+        REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Drawn& now, const auto& copy) {
+                                                seen.push_back(now.steps);
+                                                dots.push_back(joined(copy()));
+                                                return true;
+                                            }}));
+        CHECK(seen == std::vector<int>{0, 1, 2, 3});
+        CHECK(drawn.steps == 4);
+        // What was seen is what a drawing with so many steps on this density has.
+        for (int steps = 0; steps < 4; ++steps) {
+            DrawingPlan shorter = plan;
+            shorter.steps = steps;
+            CHECK(same(dots[static_cast<std::size_t>(steps)], drawn_by(pipeline, shorter)));
+        }
+    }
+}
+
+TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
+    Pipeline pipeline = pipeline_of(ramp());
+    for (const bool sized : {false, true}) {
+        const DrawingPlan plan =
+            pipeline.plan({.stipple = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}});
+        for (const int last : {0, 1, 3}) {
+            Drawn drawn;
+            REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Drawn& now, const auto&) {
+                                                    return now.steps < last;
+                                                }}));
+            DrawingPlan shorter = plan;
+            shorter.steps = last;
+            CAPTURE(sized);
+            CAPTURE(last);
+            CHECK(drawn.steps == last);
+            CHECK(same(joined(drawn.stippling.dots), drawn_by(pipeline, shorter)));
+        }
+    }
+}
+
+TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const DrawingPlan plan = pipeline.plan({.stipple = {.count = 1500}, .relax = 4});
+    const Dots right = drawn_by(pipeline, plan);
+    for (const int at : {0, 2}) {
+        std::stop_source stop;
+        Drawn drawn;
+        CHECK_FALSE(pipeline.draw(plan, drawn, {.stop = stop.get_token(), .step = [&](const Drawn& now, const auto&) {
+                                                    if (now.steps == at) stop.request_stop();
+                                                    return true;
+                                                }}));
+        REQUIRE(pipeline.draw(plan, drawn));
+        CHECK(same(joined(drawn.stippling.dots), right));
+    }
+}
+
+TEST_CASE("Figure 8 given a count places about so many different dots") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const DrawingPlan plan = pipeline.plan({.stipple = {.placer = PlacerKind::figure8, .count = 8000}});
+    Drawn drawn;
+    REQUIRE(pipeline.draw(plan, drawn));
+    CHECK(double(drawn.stippling.dots.size() - drawn.stippling.duplicates) == doctest::Approx(8000).epsilon(0.05));
+}
