@@ -3,8 +3,11 @@
 namespace dapple {
 
 RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps) {
-    const DrawingPlan plan = pipeline.plan(
-        {.automatic_tone = false, .stipple = {.count = count, .threads = 0}, .relax = steps});
+    DrawingRequest request;
+    request.automatic_tone = false;
+    request.stipple = {.count = count, .threads = 0};
+    request.relax = steps;
+    const DrawingPlan plan = pipeline.plan(request);
     Drawn drawn;
     pipeline.draw(plan, drawn);
     RelaxedDots result{.density = plan.density,
