@@ -20,15 +20,15 @@ inline constexpr std::uint64_t kDefaultDots = 40'000;
 inline constexpr const char* kDefaultTile = "aperiodic4096";
 
 struct DrawingSettings {
-    bool automatic_tone = true;           // see DrawingRequest
+    bool automatic_tone = true;  // see DrawingRequest
     Tone tone{.detail = kAutoDetail};
     std::string tile = kDefaultTile;      // a name for tile_named()
     std::optional<RankingOrder> ranking;  // none: the tile's own
     StippleRequest stipple{.count = kDefaultDots, .threads = 0};
-    std::optional<int> relax;             // steps; none: the usual ones
+    std::optional<int> relax;  // steps; none: the usual ones
     DotSize dot_size;
-    double width_mm = 200;                // of the page; the picture fills it
-    glm::vec3 ink = kBlack;               // sRGB-encoded, 0..1
+    double width_mm = 200;   // of the page; the picture fills it
+    glm::vec3 ink = kBlack;  // sRGB-encoded, 0..1
     glm::vec3 paper = kWhite;
     bool background = false;  // paint the paper under an SVG's dots
     bool show_tiles = false;  // the boundaries of the tiles, coloured by level

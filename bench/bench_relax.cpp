@@ -1,5 +1,5 @@
-// What a step of relaxation costs: microseconds a dot, on one core and on two. The picture is the built-in sample in
-// its automatic tone, or the file in DAPPLE_BENCH_PICTURE; and a constant grey.
+// What a step of relaxation costs: microseconds a dot, on one core and on two. The picture is the built-in
+// sample in its automatic tone, or the file in DAPPLE_BENCH_PICTURE; and a constant grey.
 
 #include <benchmark/benchmark.h>
 
@@ -25,16 +25,16 @@ void step(benchmark::State& state, Pipeline& pipeline, int threads) {
     Relaxation relaxation(drawn.stippling.dots, *plan.density,
                           {.scale = drawn.stippling.scale, .threads = threads});
     for (auto _ : state) relaxation.step();
-    state.counters["us/dot"] = benchmark::Counter(static_cast<double>(count) * 1e-6,
-                                                  benchmark::Counter::kIsIterationInvariantRate |
-                                                      benchmark::Counter::kInvert);
+    state.counters["us/dot"] =
+        benchmark::Counter(static_cast<double>(count) * 1e-6,
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void add(const std::string& name, Pipeline& pipeline) {
     for (const int threads : {1, 2}) {
         const std::string whole = "step/" + name + (threads == 1 ? "/one_core" : "/two_cores");
-        benchmark::RegisterBenchmark(whole.c_str(),
-                                     [&pipeline, threads](benchmark::State& s) { step(s, pipeline, threads); })
+        benchmark::RegisterBenchmark(
+            whole.c_str(), [&pipeline, threads](benchmark::State& s) { step(s, pipeline, threads); })
             ->Arg(40'000)
             ->Arg(200'000)
             ->Arg(1'000'000)

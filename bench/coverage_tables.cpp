@@ -1,7 +1,7 @@
 // How much paper evenly spread dots cover: prints the tables of core/image/ink.cpp. Takes a few minutes.
 //
-// A point of the paper is covered if the nearest dot is within a radius of it. So the distances from sample points
-// to their nearest dots say how much dots of any radius cover.
+// A point of the paper is covered if the nearest dot is within a radius of it. So the distances from sample
+// points to their nearest dots say how much dots of any radius cover.
 
 #include <fmt/format.h>
 
@@ -23,9 +23,9 @@ using namespace dapple;
 
 constexpr int kPhases = 8, kLoads = 23;  // from one level to the next; 0, 0.1, ...
 constexpr double kLoadStep = 0.1;
-constexpr double kFewestDots = 65'536;      // a full level
-constexpr int kSamples = 1000;              // along a side of the middle of the page
-constexpr double kEdge = 0.1;               // of the page, left away
+constexpr double kFewestDots = 65'536;  // a full level
+constexpr int kSamples = 1000;          // along a side of the middle of the page
+constexpr double kEdge = 0.1;           // of the page, left away
 const std::vector kSteps{0, 1, 2, 3, 4, 5, 7, 10, 20, 50};
 
 std::vector<double> coverage(const DotPieces& dots) {
@@ -33,7 +33,8 @@ std::vector<double> coverage(const DotPieces& dots) {
     const int side = static_cast<int>(std::sqrt(count / 2));
     std::vector<std::vector<glm::dvec2>> cells(static_cast<std::size_t>(side) * side);
     const auto cell_of = [&](double p) { return std::clamp(static_cast<int>(p * side), 0, side - 1); };
-    for_each_position(dots, [&](float x, float y) { cells[cell_of(y) * side + cell_of(x)].emplace_back(x, y); });
+    for_each_position(dots,
+                      [&](float x, float y) { cells[cell_of(y) * side + cell_of(x)].emplace_back(x, y); });
     std::vector<double> covered(kLoads, 0);
     for (int j = 0; j < kSamples; ++j) {
         for (int i = 0; i < kSamples; ++i) {

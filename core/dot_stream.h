@@ -10,8 +10,8 @@
 namespace dapple {
 
 struct DotStream {
-    std::uint64_t count = 0;  // of dots in all
-    double scale = 0;         // all of them exist at it
+    std::uint64_t count = 0;       // of dots in all
+    double scale = 0;              // all of them exist at it
     std::uint64_t duplicates = 0;  // of the whole page's dots, Figure 8's only
 
     /// Hands over all dots, from the first on each time that it is called.

@@ -91,7 +91,8 @@ DotStream stream(Placer& placer, const Density& density, const StreamRequest& re
     DotStream result;
     Pieces pieces;
     if (stipple.count) {
-        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads, window_around(request.part)};
+        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads,
+                               window_around(request.part)};
         const CountCut cut = *placer.find_cut(density, exact);
         result.scale = cut.last_scale();
         pieces = [&placer, &density, exact, cut](const TakePiece& take) {

@@ -119,7 +119,8 @@ TEST_CASE("pictures of sheets laid side by side are the picture of the whole, do
     Scene scene;
     const RasterRequest raster{.dot_radius_mm = 2.3, .dpi = 2 * 25.4};  // two pixels a millimetre
     const auto picture_of = [&](const PagePart& part, const PageSize& size) {
-        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = {.count = 3000}, .part = part});
+        const DotStream dots =
+            stream(scene.tile.placer(), scene.density, {.stipple = {.count = 3000}, .part = part});
         const RasterSize pixels = raster_size(size, raster.dpi);
         Grid<float> all(pixels.width, pixels.height);
         rasterise(dots, size, raster, [&](int first_row, const Grid<float>& band) {
@@ -160,7 +161,8 @@ TEST_CASE("streamed sheets have every dot of the page once") {
         for (int row = 1; row <= 4; ++row) {
             for (int column = 1; column <= 3; ++column) {
                 const PagePart part = sheet_of(scene.page, {column, row, 3, 4}).part;
-                on_sheets += stream(scene.tile.placer(), scene.density, {.stipple = request, .part = part}).count;
+                on_sheets +=
+                    stream(scene.tile.placer(), scene.density, {.stipple = request, .part = part}).count;
             }
         }
         CHECK(on_sheets == scene.whole(request, {}, scale).size());
@@ -186,7 +188,8 @@ TEST_CASE("however many dots there are, they come in small pieces") {
 
 TEST_CASE("whoever takes the dots may stop, and begin again") {
     Scene scene;
-    const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = {.count = 400'000}, .part = {}});
+    const DotStream dots =
+        stream(scene.tile.placer(), scene.density, {.stipple = {.count = 400'000}, .part = {}});
     int taken = 0;
     dots.for_each_piece([&](const Dots&) { return ++taken < 2; });
     CHECK(taken == 2);
@@ -202,6 +205,8 @@ TEST_CASE("Figure 8 is not streamed, nor is what cannot be placed") {
     Scene scene;
     CHECK_THROWS(stream(scene.tile.placer(), scene.density,
                         {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}));
-    CHECK_THROWS(stream(scene.tile.placer(), scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
-    CHECK_THROWS(stream(scene.tile.placer(), Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
+    CHECK_THROWS(
+        stream(scene.tile.placer(), scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
+    CHECK_THROWS(
+        stream(scene.tile.placer(), Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
 }

@@ -65,8 +65,7 @@ TEST_CASE("at the middle handle ink covers half of the paper") {
     for (const Tone& tone : {Tone{}, Tone{.gamma = 2.4f}, Tone{.black_point = 0.2f, .white_point = 0.7f},
                              Tone{.black_point = 0.1f, .gamma = 0.6f, .invert = true}}) {
         const Grid<float> light(1, 1, srgb_to_linear(middle_of(tone)));
-        CHECK(InkCurve().coverage(density_of(light, tone).at(0, 0)) ==
-              doctest::Approx(0.5).epsilon(0.01));
+        CHECK(InkCurve().coverage(density_of(light, tone).at(0, 0)) == doctest::Approx(0.5).epsilon(0.01));
     }
 }
 

@@ -54,9 +54,9 @@ struct TableDomain {
 /// outside a window.
 Subject points_of_table(const std::filesystem::path& file, const TableDomain& domain);
 
-/// Dots on a constant grey that fills the unit square, as placed unless steps of relaxation are asked for. The period is that of the finest complete level of
-/// tiles: 2^-l for 4^l N dots or more. Figure 8 given a count places about so many. Throws std::runtime_error
-/// as tile_named() and stipple() do.
+/// Dots on a constant grey that fills the unit square, as placed unless steps of relaxation are asked for.
+/// The period is that of the finest complete level of tiles: 2^-l for 4^l N dots or more. Figure 8 given a
+/// count places about so many. Throws std::runtime_error as tile_named() and stipple() do.
 Subject dots_of_grey(double density, const DrawingSettings& settings, Topology topology);
 
 /// The dots of a picture, or of the sample, and their tone at four viewing distances, where the eye's blur is

@@ -95,11 +95,13 @@ int whole_number_in(const std::string& name, const std::string& text, const Numb
 DotSize dot_size_in(const std::string& name, const std::string& text) {
     const NumberRange range{.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded};
     const std::size_t dots = text.find("..");
-    if (dots == std::string::npos) return {.sizing = DotSizing::fixed, .radius_mm = number_in(name, text, range)};
+    if (dots == std::string::npos)
+        return {.sizing = DotSizing::fixed, .radius_mm = number_in(name, text, range)};
     const double smallest = number_in(name, text.substr(0, dots), range);
     const double largest = number_in(name, text.substr(dots + 2), range);
     if (smallest > largest) {
-        throw CLI::ValidationError(name, fmt::format("{}: the smaller radius comes first, as in 0.1..0.4", text));
+        throw CLI::ValidationError(name,
+                                   fmt::format("{}: the smaller radius comes first, as in 0.1..0.4", text));
     }
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
@@ -165,9 +167,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help) {
-    const auto read = [=, &target](const std::string& text) {
-        target = whole_number_in(name, text, range);
-    };
+    const auto read = [=, &target](const std::string& text) { target = whole_number_in(name, text, range); };
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
 }
 
@@ -238,8 +238,10 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
             settings.relax = whole_number_in("--relax", text, {.least = 0, .most = kMostRelaxingSteps});
     };
     add_text(app, "--relax", "N",
-             "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. From 1 on "
-             "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots too fine "
+             "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. "
+             "From 1 on "
+             "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots "
+             "too fine "
              "to see",
              read_relax)
         ->default_str("auto");
@@ -248,7 +250,8 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         settings.dot_size = dot_size_in("--dot-radius", text);
     };
     add_text(app, "--dot-radius", "MM",
-             "Radius of a dot on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, and "
+             "Radius of a dot on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on "
+             "black, and "
              "as many dots as the tone then needs. Without it, one for all that gives the picture's tone",
              read_radius);
     add_whole_number(app, "--threads", stipple.threads, {.least = 0, .most = 1024},
@@ -260,15 +263,18 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     Tone& tone = settings.tone;
     const auto read_tone = [&settings](const std::string& text) {
         if (text != "auto" && text != "true") {
-            throw CLI::ValidationError("--tone", fmt::format("{} is not known; there are auto and true", text));
+            throw CLI::ValidationError("--tone",
+                                       fmt::format("{} is not known; there are auto and true", text));
         }
         settings.automatic_tone = text == "auto";
     };
-    add_text(app, "--tone", "NAME",
-             "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just the "
-             "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
-             "--blur and --invert",
-             read_tone)
+    add_text(
+        app, "--tone", "NAME",
+        "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just "
+        "the "
+        "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
+        "--blur and --invert",
+        read_tone)
         ->default_str("auto");
     add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
                "Grey that is drawn black, with all below it");
@@ -305,8 +311,10 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     add_text(
         app, "--order", "NAME",
         "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
-        "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the first n being the "
-        "drawing with n dots, unless they are relaxed. Without it, space for an SVG of up to 5 million dots, else recursion. "
+        "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the "
+        "first n being the "
+        "drawing with n dots, unless they are relaxed. Without it, space for an SVG of up to 5 million dots, "
+        "else recursion. "
         "space, priority and --placer figure8 hold all dots in memory",
         read_order);
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
@@ -348,10 +356,12 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
     for (const char* name : {"--dots", "--scale"}) {
         if (!by_tone || !given(name)) continue;
         throw CLI::ValidationError(
-            name, "cannot be given together with two radii: how many dots there are follows from their sizes");
+            name,
+            "cannot be given together with two radii: how many dots there are follows from their sizes");
     }
     if (settings.stipple.placer == PlacerKind::figure8 && settings.relax.value_or(0) > 0)
-        throw CLI::ValidationError("--relax", "the figure8 placer's dots are shown as they are; leave it away");
+        throw CLI::ValidationError("--relax",
+                                   "the figure8 placer's dots are shown as they are; leave it away");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
     }

@@ -80,8 +80,8 @@ void add_page_options(CLI::App& app, DrawingSettings& settings);
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Region>& region);
 
-/// What no single option can see: a tone that is set is not automatic. Throws CLI::ValidationError if options of
-/// the command contradict each other. To be called after parsing.
+/// What no single option can see: a tone that is set is not automatic. Throws CLI::ValidationError if options
+/// of the command contradict each other. To be called after parsing.
 void check_options(const CLI::App& command, DrawingSettings& settings);
 
 }  // namespace dapple

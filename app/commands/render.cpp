@@ -67,10 +67,10 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     }
     if (plan.lowered) {
         const bool by_size = request.size.sizing == DotSizing::by_tone;
-        throw std::runtime_error(
-            fmt::format("{} would make more than {} dots of {}; choose {}",
-                        by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.stipple.scale),
-                        grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
+        throw std::runtime_error(fmt::format(
+            "{} would make more than {} dots of {}; choose {}",
+            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.stipple.scale),
+            grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
     }
     return plan;
 }
@@ -78,13 +78,14 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
 void check_margin(const RenderOptions& options) {
     const double width = options.drawing.width_mm;
     if (2 * options.margin_mm < width) return;
-    throw std::runtime_error(fmt::format("--margin: {:g} mm on either side leave no room on a page {:g} mm wide",
-                                         options.margin_mm, width));
+    throw std::runtime_error(fmt::format(
+        "--margin: {:g} mm on either side leave no room on a page {:g} mm wide", options.margin_mm, width));
 }
 
 // The page, its margin included, of a picture of so many pixels.
 PageSize page_of(const Grid<float>& light, const RenderOptions& options) {
-    const double width = options.drawing.width_mm, mm_per_pixel = (width - 2 * options.margin_mm) / light.width;
+    const double width = options.drawing.width_mm,
+                 mm_per_pixel = (width - 2 * options.margin_mm) / light.width;
     const double longer = std::max(light.width, light.height);
     const PageSize page = with_margin(
         {light.width * mm_per_pixel, light.height * mm_per_pixel, longer * mm_per_pixel}, options.margin_mm);
@@ -226,7 +227,8 @@ void render(const RenderOptions& options) {
     times.tile = watch.lap();
     std::optional<ProgressLine> line(std::in_place);
     line->show(0, "reading the picture");
-    pipeline.set_light((options.image ? read_picture(*options.image, options.limit) : sample_picture()).light);
+    pipeline.set_light(
+        (options.image ? read_picture(*options.image, options.limit) : sample_picture()).light);
     const int width = pipeline.light().width, height = pipeline.light().height;
     times.read = watch.lap();
 
@@ -289,9 +291,10 @@ void render(const RenderOptions& options) {
 
     rendered.times = times;
     if (rendered.mostly_black && on_terminal()) {
-        fmt::print(stderr,
-                   "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws the "
-                   "light parts instead\n");
+        fmt::print(
+            stderr,
+            "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws the "
+            "light parts instead\n");
     }
     if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
     if (is_plot && on_terminal()) tell(options, rendered);

@@ -32,7 +32,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order);
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
-    double dot_radius_mm = 0;  // of all, or of the largest where they have radii of their own
+    double dot_radius_mm = 0;                // of all, or of the largest where they have radii of their own
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
     std::optional<PageBox> picture = {};     // where they end; none: at the page's edges
     std::size_t tile_size = 16;              // N

@@ -31,7 +31,8 @@ PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stip
 }
 
 std::string drawn_with(const PlaceOrder& order) {
-    return short_tile_name(order.tile) + (order.drawing.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
+    return short_tile_name(order.tile) +
+           (order.drawing.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
 }
 
 }  // namespace dapple

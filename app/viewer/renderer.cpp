@@ -214,7 +214,8 @@ Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& loo
                      high = glm::ceil(to_canvas(camera, page_point(look.page_size)));
     DotGrid grid{glm::clamp(low, canvas_low, canvas_high), glm::clamp(high, canvas_low, canvas_high), 0};
     const glm::ivec2 size = grid.high - grid.low;
-    if (!look.dots || dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0) return {grid.low, grid.low, 0};
+    if (!look.dots || dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0)
+        return {grid.low, grid.low, 0};
     grid.samples = samples_per_side(radius, size, fineness, limits_);
     return grid;
 }

@@ -68,8 +68,9 @@ void Session::save(const fs::path& path) {
         PlacedDrawing drawing;
         PlaceOrder order = order_of(drawn, choice);
         order.drawing.most_dots = most;
-        order.drawing.stipple.appearance = format == DrawingFormat::csv ||
-                                   (format == DrawingFormat::svg && saving.order == DotOrder::priority);
+        order.drawing.stipple.appearance =
+            format == DrawingFormat::csv ||
+            (format == DrawingFormat::svg && saving.order == DotOrder::priority);
         if (!bench.place(order, drawing, stop)) return {};
         const PageSize page = bench.plan(order).page;
         const std::size_t tile_size = bench.pipeline().tile().tile().size();

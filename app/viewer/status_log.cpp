@@ -17,11 +17,10 @@ void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const Widg
 
 std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
                         const WidgetPlaces& widgets) {
-    nlohmann::ordered_json line{{"dots", facts.dots},      {"duplicates", facts.duplicates},
-                                {"scale", facts.scale},    {"zoom", facts.zoom},
-                                {"placings", placings},    {"place_ms", facts.place_ms},
-                                {"draw_ms", facts.draw_ms},
-                                {"steps", facts.steps},    {"all_steps", facts.all_steps}};
+    nlohmann::ordered_json line{
+        {"dots", facts.dots},       {"duplicates", facts.duplicates}, {"scale", facts.scale},
+        {"zoom", facts.zoom},       {"placings", placings},           {"place_ms", facts.place_ms},
+        {"draw_ms", facts.draw_ms}, {"steps", facts.steps},           {"all_steps", facts.all_steps}};
     if (facts.right) {
         const auto number = [](const std::optional<double>& value) {
             return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();

@@ -120,8 +120,8 @@ bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
         placed.window = order.close ? order.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
-        placed.colours = chosen_colours(placed.stippling.dots,
-                                        {tile.size(), turns ? tile.rule : Rule{}, placed.window}, order.colours);
+        placed.colours = chosen_colours(
+            placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, order.colours);
     };
     if (!(order.close ? place_close(pipeline_, made, order, drawing, stop)
                       : place_page(pipeline_, made, order, drawing, stop, finish, unsettled)))

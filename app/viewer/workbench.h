@@ -1,5 +1,6 @@
 #pragma once
-// The pipeline as the window uses it: with tiles by name, plain densities, parts of the page, outlines and colours.
+// The pipeline as the window uses it: with tiles by name, plain densities, parts of the page, outlines and
+// colours.
 
 #include <functional>
 #include <optional>
@@ -31,7 +32,7 @@ struct PlaceOrder {
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
-    bool settled_only = false;            // nothing is shown on the way
+    bool settled_only = false;  // nothing is shown on the way
 
     bool operator==(const PlaceOrder&) const = default;
 };
@@ -39,9 +40,9 @@ PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& densit
 
 struct PlacedDrawing {
     Stippling stippling;
-    Tone tone;                         // as drawn, with the values that were chosen automatically
-    int steps = 0, all_steps = 0;      // of relaxation: done, and to be done
-    double dot_radius = 0;             // page units: of all, or of the largest ones
+    Tone tone;                     // as drawn, with the values that were chosen automatically
+    int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
+    double dot_radius = 0;         // page units: of all, or of the largest ones
     std::vector<PlacedTile> outlines;
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
     glm::dvec2 page_size{1, 1};        // page units
@@ -52,8 +53,8 @@ struct PlacedDrawing {
     bool settled() const { return steps == all_steps; }
 };
 
-/// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then, which
-/// is made on request. False ends it there.
+/// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then,
+/// which is made on request. False ends it there.
 using Unsettled = std::function<bool(const std::function<PlacedDrawing()>& drawing)>;
 
 class Workbench {
@@ -62,8 +63,8 @@ class Workbench {
     void set_picture(Grid<float> light);
     bool has_picture() const { return pipeline_.has_picture(); }
 
-    /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws std::runtime_error as
-    /// Pipeline::draw() and tile_named() do. Needs a picture.
+    /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws
+    /// std::runtime_error as Pipeline::draw() and tile_named() do. Needs a picture.
     bool place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop = {},
                const Unsettled& unsettled = {});
 

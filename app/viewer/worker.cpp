@@ -148,9 +148,12 @@ void Worker::run_task(OpenTask& task) {
         Picture picture = task.open();
         int longer = std::max(picture.light.width, picture.light.height);
         workbench_.set_picture(std::move(picture.light));
-        arrived_ =
-            OpenedPicture{task.name, picture.description, longer, std::move(picture.preview),
-                          workbench_.pipeline().histogram(), task.open};
+        arrived_ = OpenedPicture{task.name,
+                                 picture.description,
+                                 longer,
+                                 std::move(picture.preview),
+                                 workbench_.pipeline().histogram(),
+                                 task.open};
         std::scoped_lock lock(mutex_);
         if (!next_order_ || next_order_->close) next_order_ = last_order_;
     } catch (...) {
@@ -243,8 +246,8 @@ void Worker::run_order(const PlaceOrder& order) {
     }
     // Steps that fit into a frame are not shown one by one.
     auto shown = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> step(
-        static_cast<double>(order.drawing.stipple.count.value_or(0)) * kSecondsADotAndStep);
+    const std::chrono::duration<double> step(static_cast<double>(order.drawing.stipple.count.value_or(0)) *
+                                             kSecondsADotAndStep);
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
         if (stop.stop_requested()) return false;
         if (order.settled_only) return true;

@@ -31,8 +31,8 @@ struct OpenedPicture {
     std::function<Picture()> read;  // reads it again
 };
 
-/// What the worker has to tell. A new picture comes together with its first dots. A drawing whose dots are still
-/// to be relaxed comes as it lies, and again when it has settled further.
+/// What the worker has to tell. A new picture comes together with its first dots. A drawing whose dots are
+/// still to be relaxed comes as it lies, and again when it has settled further.
 struct PlacedNews {
     PlaceOrder order;
     PlacedDrawing drawing;
@@ -72,8 +72,9 @@ class Worker {
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
     void open(std::string name, Open open);
 
-    /// Places as ordered. An order that has not begun is replaced; one that has run for long, or that was shown
-    /// already, is stopped; a short one may finish so that something moves under a slider that never rests.
+    /// Places as ordered. An order that has not begun is replaced; one that has run for long, or that was
+    /// shown already, is stopped; a short one may finish so that something moves under a slider that never
+    /// rests.
     void place(PlaceOrder order);
 
     /// Forgets picture, dots and orders and gives their memory back, after what is under way. Only news that

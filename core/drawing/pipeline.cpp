@@ -227,7 +227,9 @@ DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
     const StreamRequest request{.stipple = plan.stipple, .part = part, .finish = sizes_by_tone(plan)};
     DotStream dots = plan.steps > 0 ? relaxed_stream(owned->placer, *owned->density, request, plan.steps)
                                     : dapple::stream(owned->placer, *owned->density, request);
-    dots.for_each_piece = [owned, each = std::move(dots.for_each_piece)](const TakePiece& take) { each(take); };
+    dots.for_each_piece = [owned, each = std::move(dots.for_each_piece)](const TakePiece& take) {
+        each(take);
+    };
     return dots;
 }
 

@@ -48,8 +48,8 @@ struct Drawn {
 /// For someone who watches. Both may be left empty.
 struct DrawingWatch {
     std::stop_token stop;
-    /// Told after placing and after every step but the last, with `drawn` as it is without the dots, which are
-    /// copied on request. False ends the drawing there.
+    /// Told after placing and after every step but the last, with `drawn` as it is without the dots, which
+    /// are copied on request. False ends the drawing there.
     std::function<bool(const Drawn& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
@@ -69,16 +69,17 @@ class Pipeline {
     /// Needs a picture and a tile. Throws what density_of() and Density throw.
     DrawingPlan plan(const DrawingRequest& request);
 
-    /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so many. False
-    /// if stopped. Throws as stipple() does.
+    /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so
+    /// many. False if stopped. Throws as stipple() does.
     bool draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch = {});
 
-    /// The dots of a part of the page, seen from its corner, handed over in pieces and without holding all of them,
-    /// but for Figure 8's. Equal to the whole page's to the bit, and in their order. The stream owns what it needs.
-    /// Throws as stream() does.
+    /// The dots of a part of the page, seen from its corner, handed over in pieces and without holding all of
+    /// them, but for Figure 8's. Equal to the whole page's to the bit, and in their order. The stream owns
+    /// what it needs. Throws as stream() does.
     DotStream stream(const DrawingPlan& plan, const PagePart& part = {});
 
-    /// The tiles that the placer goes through at that scale: those that Figure 8 visits, or the exact placer's.
+    /// The tiles that the placer goes through at that scale: those that Figure 8 visits, or the exact
+    /// placer's.
     std::vector<PlacedTile> outlines(const DrawingPlan& plan, double scale);
 
     /// Wall time that the last plan() took for tone and density; 0 if they were still there.

@@ -29,15 +29,18 @@ class Bands {
         const double longer = density_.longer_side();
         const double width = density_.width() / longer, height = density_.height() / longer;
         const auto on_page = [](const PageSpan& span, double length) {
-            return std::pair(std::clamp(double{span.first}, 0.0, length), std::clamp(double{span.end}, 0.0, length));
+            return std::pair(std::clamp(double{span.first}, 0.0, length),
+                             std::clamp(double{span.end}, 0.0, length));
         };
         const auto [left, right] = on_page(request_.part.across, width);
         const auto [top, bottom] = on_page(request_.part.down, height);
         const double dots = 16 * scale_ * density_.mean() * (right - left) / width / height;  // a page unit
         const double row = relaxing_row(scale_);
-        const double rows = std::max(1.0, std::floor(static_cast<double>(dots_at_once) / std::max(dots * row, 1e-9)));
+        const double rows =
+            std::max(1.0, std::floor(static_cast<double>(dots_at_once) / std::max(dots * row, 1e-9)));
         std::vector<double> edges;
-        for (double edge = std::floor(top / row) + rows; edge * row < bottom; edge += rows) edges.push_back(edge * row);
+        for (double edge = std::floor(top / row) + rows; edge * row < bottom; edge += rows)
+            edges.push_back(edge * row);
         return edges;
     }
 

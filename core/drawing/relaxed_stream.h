@@ -7,11 +7,12 @@
 
 namespace dapple {
 
-/// As many dots are held at a time, about, and those of the rims above and below; it has no say in the result.
+/// As many dots are held at a time, about, and those of the rims above and below; it has no say in the
+/// result.
 inline constexpr std::uint64_t kDotsAtOnce = 4'000'000;
 
-/// The dots of stream(), relaxed so many times (1 or more), without holding all of them: for each pass they are
-/// placed and relaxed anew, unless they fit into one band, which is kept. Row after row of the page, as
+/// The dots of stream(), relaxed so many times (1 or more), without holding all of them: for each pass they
+/// are placed and relaxed anew, unless they fit into one band, which is kept. Row after row of the page, as
 /// Relaxation gives them. The placer and the density have to outlive it. Throws as stream() does.
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
                          std::uint64_t dots_at_once = kDotsAtOnce);

@@ -6,7 +6,7 @@ namespace dapple {
 
 namespace {
 
-constexpr double kSeenMm = 0.1;       // between dots, at reading distance
+constexpr double kSeenMm = 0.1;        // between dots, at reading distance
 constexpr double kNoWait = 2'000'000;  // dots
 
 }  // namespace

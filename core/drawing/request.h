@@ -32,8 +32,9 @@ struct DrawingRequest {
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
     Tone tone = {};
-    StippleRequest stipple = {};    // where dot sizes go by tone, neither its count nor its scale has a say
-    std::optional<int> relax = {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
+    StippleRequest stipple = {};  // where dot sizes go by tone, neither its count nor its scale has a say
+    std::optional<int> relax =
+        {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
     DotSize size = {};
     double width_mm = 200;                // of the picture on paper
     std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
@@ -43,8 +44,8 @@ struct DrawingRequest {
 
 inline constexpr int kUsualSteps = 5;
 
-/// The steps after which a drawing looks as good as it needs to: kUsualSteps; none where dots lie closer than the eye
-/// can tell apart on paper and are so many that they would be waited for.
+/// The steps after which a drawing looks as good as it needs to: kUsualSteps; none where dots lie closer than
+/// the eye can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
 
 }  // namespace dapple

@@ -18,12 +18,12 @@ namespace dapple {
 /// The dots whose coverage is asked for.
 struct InkedDots {
     int relaxing_steps = 0;
-    /// Of dots that were hardly relaxed: how many levels of the tile the dots at density 1 are, 0 for as many as
-    /// the tile has points on the root square, 1 for four times as many; see level_of(). Without: what is right on
-    /// the mean over a level.
+    /// Of dots that were hardly relaxed: how many levels of the tile the dots at density 1 are, 0 for as many
+    /// as the tile has points on the root square, 1 for four times as many; see level_of(). Without: what is
+    /// right on the mean over a level.
     std::optional<double> level = {};
-    /// The smallest dots' area over the largest ones', 0..1: at density d a dot has smallest + (1 - smallest) * d
-    /// of the largest area.
+    /// The smallest dots' area over the largest ones', 0..1: at density d a dot has smallest + (1 - smallest)
+    /// * d of the largest area.
     double smallest_area = 1;
 
     bool operator==(const InkedDots&) const = default;

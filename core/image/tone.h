@@ -30,7 +30,8 @@ float linear_to_srgb(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
-/// with_detail() first. `ink` says which density covers how much. Takes the picture by value so that a large one can be turned in place.
+/// with_detail() first. `ink` says which density covers how much. Takes the picture by value so that a large
+/// one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 
 }  // namespace dapple

@@ -19,8 +19,8 @@
 namespace dapple {
 
 struct SvgStyle {
-    double dot_radius_mm = 0.2;  // where dots have none of their own; 0.001 px at least: readers drop circles of
-                                 // radius 0
+    double dot_radius_mm = 0.2;  // where dots have none of their own; 0.001 px at least: readers drop circles
+                                 // of radius 0
     glm::vec3 ink = kBlack;
     std::optional<glm::vec3> background;     // a rectangle under everything
     std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer

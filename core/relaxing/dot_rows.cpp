@@ -48,7 +48,8 @@ void DotRows::sort_into_rows(Positions& from_x, Positions& from_y, int threads) 
     const auto [low, high] = std::ranges::minmax(from_y);
     first_row_ = row_of(low);
     begins_.assign(static_cast<std::size_t>(row_of(high) - first_row_) + 2, 0);
-    for (const float position : from_y) ++begins_[static_cast<std::size_t>(row_of(position) - first_row_) + 1];
+    for (const float position : from_y)
+        ++begins_[static_cast<std::size_t>(row_of(position) - first_row_) + 1];
     for (std::size_t row = 1; row < begins_.size(); ++row) begins_[row] += begins_[row - 1];
 
     from_numbers_.swap(numbers);

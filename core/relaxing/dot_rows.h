@@ -19,8 +19,8 @@ class DotRows {
     using Positions = std::vector<float, UnsetAllocator<float>>;
     using Numbers = std::vector<std::uint32_t, UnsetAllocator<std::uint32_t>>;
 
-    /// Takes dots, y from 0 up, in any order and numbers them as they come. At most 2^32 - 1. A row is 2^-depth
-    /// page units high, so that positions are rescaled without rounding.
+    /// Takes dots, y from 0 up, in any order and numbers them as they come. At most 2^32 - 1. A row is
+    /// 2^-depth page units high, so that positions are rescaled without rounding.
     void assign(const DotPieces& dots, int depth, int threads);
 
     /// Takes the same dots at other places: x and y of the dot that is the i-th now. Uses the two as memory.

@@ -25,8 +25,8 @@ static_assert(kFarthestRow > 2 * std::numbers::sqrt2 * kCellReach);
 constexpr int kMostNearRows = 8;
 
 constexpr float kOvershoot = 1.8f;
-// Beyond the page's edges, in distances between dots: cells that ended on the edges would draw the dots half a
-// distance inwards, and leave bare paper between the discs along the edges of black areas.
+// Beyond the page's edges, in distances between dots: cells that ended on the edges would draw the dots half
+// a distance inwards, and leave bare paper between the discs along the edges of black areas.
 constexpr float kBeyondEdge = 0.2f;
 // A dot stays where the ink is: it does not go where there is less than this share of the density that it
 // comes from.
@@ -38,7 +38,8 @@ constexpr std::size_t kDotsAtOnce = 2048;  // on a thread, about
 // 0, -1, 1, -2, 2, ...
 constexpr auto kOutwards = [] {
     std::array<int, 2 * kFarthestRow + 1> rows{};
-    for (int i = 0; i <= 2 * kFarthestRow; ++i) rows[static_cast<std::size_t>(i)] = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+    for (int i = 0; i <= 2 * kFarthestRow; ++i)
+        rows[static_cast<std::size_t>(i)] = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
     return rows;
 }();
 
@@ -52,8 +53,10 @@ class RowsMover {
  public:
     RowsMover(const DotRows& rows, const Density& density, double scale, int depth)
         : rows_(rows),
-          width_(static_cast<float>(std::ldexp(density.width() / static_cast<double>(density.longer_side()), depth))),
-          height_(static_cast<float>(std::ldexp(density.height() / static_cast<double>(density.longer_side()), depth))),
+          width_(static_cast<float>(
+              std::ldexp(density.width() / static_cast<double>(density.longer_side()), depth))),
+          height_(static_cast<float>(
+              std::ldexp(density.height() / static_cast<double>(density.longer_side()), depth))),
           spacing_(static_cast<float>(std::ldexp(1.0, depth) / std::sqrt(16 * scale))),
           centroid_(density, std::ldexp(1.0, -depth)) {}
 
@@ -98,14 +101,16 @@ class RowsMover {
         }
     }
 
-    // Other dots come in an order that follows from positions alone: first the nearest on either side in each of the
-    // rows around, as many as dots of this density are apart, which make most cells small; then all that reach it.
+    // Other dots come in an order that follows from positions alone: first the nearest on either side in each
+    // of the rows around, as many as dots of this density are apart, which make most cells small; then all
+    // that reach it.
     VoronoiCell cell_of(std::int64_t row, std::size_t dot, float density) {
         const float x = rows_.x[dot], y = rows_.y[dot];
         const float apart_here = spacing_ / std::sqrt(std::max(density, 1e-6f));
         const float beyond = std::min(kBeyondEdge * apart_here, kCellReach);
         VoronoiCell cell(-std::min(x + beyond, kCellReach), -std::min(y + beyond, kCellReach),
-                         std::min(width_ - x + beyond, kCellReach), std::min(height_ - y + beyond, kCellReach));
+                         std::min(width_ - x + beyond, kCellReach),
+                         std::min(height_ - y + beyond, kCellReach));
         const float* const xs = rows_.x.data();
         const float* const ys = rows_.y.data();
         const auto cut = [&](std::size_t other) {
@@ -167,7 +172,7 @@ class RowsMover {
     const float width_, height_;  // of the page
     // The last places on it: on its right and lower edges there is no density any more.
     const float last_x_ = std::nextafter(width_, 0.0f), last_y_ = std::nextafter(height_, 0.0f);
-    const float spacing_;         // of dots on black
+    const float spacing_;  // of dots on black
     WeightedCentroid centroid_;
     std::int64_t first_near_ = 0;
     std::array<std::size_t, 2 * kFarthestRow + 1> cursors_{};

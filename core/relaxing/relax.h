@@ -2,9 +2,9 @@
 // Relaxation: dots that have been placed move into better places.
 //
 // A step of weighted Lloyd relaxation (Lloyd 1982; for stippling Secord 2002): each dot goes towards the
-// centroid of its Voronoi cell, 1.8 times the way, which takes half as many steps as going just there. Weighted
-// by density squared, so that the dots keep the density that they were placed with. As placed they are even
-// already: three steps bring more than a hundred from random dots.
+// centroid of its Voronoi cell, 1.8 times the way, which takes half as many steps as going just there.
+// Weighted by density squared, so that the dots keep the density that they were placed with. As placed they
+// are even already: three steps bring more than a hundred from random dots.
 //
 // What moves is seen no more as a part of the endless subdivision: the first n dots of a relaxed drawing are
 // not the drawing with n dots.
@@ -29,8 +29,8 @@ struct RelaxingRequest {
 /// page units: relaxed with all dots within it, those on the part come out as on the whole page, to the bit.
 double relaxing_rim(double scale, int steps);
 
-/// The height of the rows that relaxed dots come in, in page units: a power of two, about the distance between
-/// dots on black.
+/// The height of the rows that relaxed dots come in, in page units: a power of two, about the distance
+/// between dots on black.
 double relaxing_row(double scale);
 
 /// Dots on their way. They keep their other columns.
@@ -43,8 +43,9 @@ class Relaxation {
     /// One step. False if stopped; the dots are then as before.
     bool step(const std::stop_token& stop = {});
 
-    /// The dots as they lie now, row after row of the page and in each from the left to the right. Where a row
-    /// ends depends on the scale alone, so that the dots on a part of a page come in the order of the whole.
+    /// The dots as they lie now, row after row of the page and in each from the left to the right. Where a
+    /// row ends depends on the scale alone, so that the dots on a part of a page come in the order of the
+    /// whole.
     DotPieces dots() const;
 
  private:

@@ -28,8 +28,8 @@ class VoronoiCell {
     /// corner's.
     float reach2() const { return reach2_; }
 
-    /// Cuts off what is nearer to another dot; not the same place. One by one in plain numbers: vectors would wait
-    /// for the corners that the last cut has just written.
+    /// Cuts off what is nearer to another dot; not the same place. One by one in plain numbers: vectors would
+    /// wait for the corners that the last cut has just written.
     [[gnu::always_inline]] inline void cut(float other_x, float other_y) {
         // Beyond the bisector: x * other_x + y * other_y > half the square of the distance.
         const float half = 0.5f * (other_x * other_x + other_y * other_y);

@@ -65,14 +65,17 @@ Centroid WeightedCentroid::of(const VoronoiCell& cell, const PixelAnchor& anchor
         bottom = std::max(bottom, cell[i].y);
     }
     if (!(bottom > top)) return {};
-    if (std::max(right - left, bottom - top) * pixels_ > kFewPixels) return by_lines(cell, anchor, top, bottom);
-    const bool inside = anchor.column + floor_of(left * pixels_) >= 0 && anchor.row + floor_of(top * pixels_) >= 0 &&
+    if (std::max(right - left, bottom - top) * pixels_ > kFewPixels)
+        return by_lines(cell, anchor, top, bottom);
+    const bool inside = anchor.column + floor_of(left * pixels_) >= 0 &&
+                        anchor.row + floor_of(top * pixels_) >= 0 &&
                         anchor.column + floor_of(right * pixels_) + 3 < values_.width &&
                         anchor.row + floor_of(bottom * pixels_) + 3 < values_.height;
     return by_triangles(cell, anchor, inside);
 }
 
-Centroid WeightedCentroid::by_triangles(const VoronoiCell& cell, const PixelAnchor& anchor, bool inside) const {
+Centroid WeightedCentroid::by_triangles(const VoronoiCell& cell, const PixelAnchor& anchor,
+                                        bool inside) const {
     // Far enough to the upper left that nothing is negative, where conversions round down.
     constexpr int kBack = 16;
     static_assert(kBack > kFewPixels);
@@ -136,7 +139,8 @@ void WeightedCentroid::find_lines(const VoronoiCell& cell, float top, float bott
     }
 }
 
-Centroid WeightedCentroid::by_lines(const VoronoiCell& cell, const PixelAnchor& anchor, float top, float bottom) {
+Centroid WeightedCentroid::by_lines(const VoronoiCell& cell, const PixelAnchor& anchor, float top,
+                                    float bottom) {
     const int lines = std::max(ceiling_of((bottom - top) * pixels_), 1), last_column = values_.width - 1;
     const float line_height = (bottom - top) / static_cast<float>(lines);
     find_lines(cell, top, bottom, lines);

@@ -34,8 +34,8 @@ class WeightedCentroid {
     float density_at(const PixelAnchor& anchor, float x, float y) const;
 
     /// A small cell, of a few pixels, by three points in each triangle between the dot and an edge (exact for
-    /// quadratic functions); a larger one by lines a pixel apart and as many points along them. Both move with the
-    /// cell, so that the centroid moves smoothly.
+    /// quadratic functions); a larger one by lines a pixel apart and as many points along them. Both move
+    /// with the cell, so that the centroid moves smoothly.
     Centroid of(const VoronoiCell& cell, const PixelAnchor& anchor);
 
  private:

@@ -97,9 +97,10 @@ bool draw_amount(StippleRequest& request, const DrawnFacts& drawn) {
 bool draw_size(DotSize& size, const DrawnFacts& drawn) {
     bool changed = false;
     int chosen = static_cast<int>(size.sizing);
-    if (segmented_row("Dot size", chosen, std::array{"auto", "fixed", "by tone"},
-                      "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
-                      "small dots in light areas, large ones in dark areas.")) {
+    if (segmented_row(
+            "Dot size", chosen, std::array{"auto", "fixed", "by tone"},
+            "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
+            "small dots in light areas, large ones in dark areas.")) {
         const double radius = std::max(drawn.dot_radius_mm, kRadius.hard_min);
         size = {.sizing = static_cast<DotSizing>(chosen),
                 .radius_mm = radius,
@@ -122,14 +123,15 @@ bool draw_size(DotSize& size, const DrawnFacts& drawn) {
 
 bool draw_relax(std::optional<int>& relax, const DrawnFacts& drawn) {
     double steps = relax.value_or(drawn.steps);
-    if (!slider_row("Relax", steps,
-                    {.min = 0,
-                     .max = 20,
-                     .neutral = kUsualSteps,
-                     .format = "%.0f",
-                     .hard_max = kMostRelaxingSteps,
-                     .tip = "Steps that move each dot to the middle of the ink around it: more even. From 1 on the "
-                            "first dots of the drawing are no longer a lighter drawing by themselves."}))
+    if (!slider_row(
+            "Relax", steps,
+            {.min = 0,
+             .max = 20,
+             .neutral = kUsualSteps,
+             .format = "%.0f",
+             .hard_max = kMostRelaxingSteps,
+             .tip = "Steps that move each dot to the middle of the ink around it: more even. From 1 on the "
+                    "first dots of the drawing are no longer a lighter drawing by themselves."}))
         return false;
     relax = static_cast<int>(std::lround(steps));
     return true;

@@ -27,9 +27,10 @@ Source source_of(const DrawingSettings& settings) {
 
 bool draw_source(DrawingSettings& settings, const Tone& drawn) {
     int chosen = static_cast<int>(source_of(settings));
-    if (!segmented_row("Tone from", chosen, std::array{"auto", "true", "own"},
-                       "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
-                       "just the light that the picture lacks. own: as the handles and sliders say."))
+    if (!segmented_row(
+            "Tone from", chosen, std::array{"auto", "true", "own"},
+            "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
+            "just the light that the picture lacks. own: as the handles and sliders say."))
         return false;
     const auto source = static_cast<Source>(chosen);
     settings.automatic_tone = source == Source::automatic;

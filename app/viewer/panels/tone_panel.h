@@ -7,13 +7,14 @@ namespace dapple {
 
 /// What the picture and its drawing came to.
 struct ToneFacts {
-    Histogram histogram{};        // of the picture; empty: none is shown
-    Tone drawn{};                 // with the values that were chosen automatically
-    bool mostly_black = false;    // light ink would draw it better; see core/image/ink_use.h
+    Histogram histogram{};      // of the picture; empty: none is shown
+    Tone drawn{};               // with the values that were chosen automatically
+    bool mostly_black = false;  // light ink would draw it better; see core/image/ink_use.h
 };
 
-/// The darkroom: automatic tone, true light or the person's own, the histogram with its handles, the sliders, which
-/// show what is drawn. Moving one of them makes the tone the person's own. True while something changes.
+/// The darkroom: automatic tone, true light or the person's own, the histogram with its handles, the sliders,
+/// which show what is drawn. Moving one of them makes the tone the person's own. True while something
+/// changes.
 bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts);
 
 }  // namespace dapple
