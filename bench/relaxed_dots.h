@@ -1,22 +1,25 @@
 #pragma once
-// Dapple's dots as they are measured: placed, and relaxed so many steps.
+// Dapple's dots as they are measured: in true light, placed and relaxed so many steps.
 
 #include <cstddef>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <vector>
 
-#include "core/stipple.h"
+#include "core/drawing/pipeline.h"
 
 namespace dapple {
 
 struct RelaxedDots {
     std::vector<glm::dvec2> dots{};
-    double scale = 0;  // 16 * scale * density is the number of dots on an area of 1
-    double ms = 0;     // wall time of placing and relaxing
+    std::shared_ptr<const Density> density;
+    double scale = 0;   // 16 * scale * density is the number of dots on an area of 1
+    double radius = 0;  // page units, that the program draws them with
+    double ms = 0;      // wall time of placing and relaxing
 };
 
 /// Exactly `count` dots after `steps` steps of relaxation (0: as placed), by all cores. Throws
-/// std::runtime_error where stipple() does.
-RelaxedDots relaxed_dots(RankedTile& tile, const Density& density, std::size_t count, int steps);
+/// std::runtime_error where the pipeline does.
+RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps);
 
 }  // namespace dapple

@@ -134,7 +134,8 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     bench.set_picture(Grid<float>(32, 32, 0.25f));
     PlaceOrder order;
     order.tile = "aperiodic64";
-    order.stipple.count = 3000;
+    order.drawing.stipple.count = 3000;
+    order.drawing.relax = 0;
     PlacedDrawing ink, coloured;
     REQUIRE(bench.place(order, ink));
     CHECK(ink.colours.empty());

@@ -33,7 +33,7 @@ TEST_CASE("the mean ink is the light that the picture lacks") {
     const Histogram histogram = histogram_of_areas({{grey, 300}, {1, 100}});
     CHECK(mean_ink(histogram, {}) == doctest::Approx(0.75 * (1 - srgb_to_linear(grey))).epsilon(1e-3));
     CHECK(mean_ink(histogram, {.invert = true}) ==
-          doctest::Approx(0.25 * 0.9794 + 0.75 * srgb_to_linear(grey)).epsilon(1e-3));
+          doctest::Approx(0.25 * InkCurve().coverage(1) + 0.75 * srgb_to_linear(grey)).epsilon(1e-3));
     // Blur has no place to act on in a histogram.
     CHECK(mean_ink(histogram, {.blur = 50}) == mean_ink(histogram, {}));
 }
@@ -44,9 +44,9 @@ TEST_CASE("dots in black are counted by their density") {
     CHECK(dots_in_black(histogram_of_areas({{0.5f, 50}, {1, 50}}), {}) == 0);
     CHECK(dots_in_black(histogram_of_areas({{1, 50}}), {}) == 0);
     CHECK(dots_in_black({}, {}) == 0);
-    // Where ink covers 0.4, the load is 0.404 of 1.6: about a quarter of black's dots.
+    // Where ink covers 0.4, the load is 0.406, and 2.05 on black.
     const Histogram two = histogram_of_areas({{0, 100}, {linear_to_srgb(0.6f), 400}});
-    CHECK(dots_in_black(two, {}) == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(dots_in_black(two, {}) == doctest::Approx(1 / (1 + 4 * 0.406 / 2.05)).epsilon(0.01));
 }
 
 TEST_CASE("a night sky is mostly black, unless its ink is light already") {

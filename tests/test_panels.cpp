@@ -24,6 +24,13 @@ namespace {
 
 const std::array<std::string, 2> kTiles{"paper16", "wild64"};
 
+DrawingSettings in_own_tone(const Tone& tone) {
+    DrawingSettings settings;
+    settings.automatic_tone = false;
+    settings.tone = tone;
+    return settings;
+}
+
 struct DotsUi {
     DrawingSettings settings;
     DrawnFacts drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
@@ -33,9 +40,10 @@ struct DotsUi {
 }  // namespace
 
 TEST_CASE("a panel that nobody touches changes nothing") {
-    Tone tone{.contrast = 0.3f, .blur = 50};
+    DrawingSettings settings = in_own_tone({.contrast = 0.3f, .blur = 50});
+    const Tone& tone = settings.tone;
     bool changed = false;
-    HeadlessUi ui([&] { changed |= draw_tone_panel(tone); });
+    HeadlessUi ui([&] { changed |= draw_tone_panel(settings, {}); });
     ui.move_to({200, 120});
     for (int i = 0; i < 5; ++i) ui.frame();
     CHECK_FALSE(changed);
@@ -43,8 +51,9 @@ TEST_CASE("a panel that nobody touches changes nothing") {
 }
 
 TEST_CASE("dragging a tone slider to its ends gives its range") {
-    Tone tone;
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     ui.drag("Contrast", 0.5f, 1.0f);
     CHECK(tone.contrast == 1);
     ui.drag("Contrast", 1.0f, 0.0f);
@@ -57,8 +66,9 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
 }
 
 TEST_CASE("a slider goes on following a mouse that leaves its row") {
-    Tone tone;
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     ui.move_to(ui.at("Brightness", 0.5f));
     ui.press();
     ui.move_to(ui.at("Brightness", 0.9f) + glm::vec2(0, 300));
@@ -69,8 +79,9 @@ TEST_CASE("a slider goes on following a mouse that leaves its row") {
 }
 
 TEST_CASE("black and white point push each other and never meet") {
-    Tone tone;
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     ui.drag("Black point", 0.0f, 1.0f);
     CHECK(tone.black_point < tone.white_point);
     ui.drag("White point", 1.0f, 0.0f);
@@ -80,8 +91,9 @@ TEST_CASE("black and white point push each other and never meet") {
 }
 
 TEST_CASE("a double-click on a slider's name brings the neutral value back") {
-    Tone tone{.gamma = 3};
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({.gamma = 3});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     glm::vec2 name{ui.place("Gamma").min.x - 40, ui.at("Gamma", 0).y};
     ui.move_to(name);
     for (int i = 0; i < 2; ++i) {
@@ -92,15 +104,17 @@ TEST_CASE("a double-click on a slider's name brings the neutral value back") {
 }
 
 TEST_CASE("Ctrl+click on a slider takes a typed number, beyond the track where that is allowed") {
-    Tone tone;
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     ui.enter("Blur", "250");
     CHECK(tone.blur == 100);
 }
 
 TEST_CASE("the invert switch toggles") {
-    Tone tone;
-    HeadlessUi ui([&] { draw_tone_panel(tone); });
+    DrawingSettings settings = in_own_tone({});
+    const Tone& tone = settings.tone;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
     ui.click("Invert");
     CHECK(tone.invert);
     ui.click("Invert");
@@ -190,11 +204,64 @@ TEST_CASE("a fixed dot size begins at the one on screen") {
     DotsUi f;
     CHECK_FALSE(f.ui.has("Radius, mm"));
     f.ui.click("fixed");
-    CHECK(f.settings.dot_radius_mm == 0.25);
+    CHECK(f.settings.dot_size.sizing == DotSizing::fixed);
+    CHECK(f.settings.dot_size.radius_mm == 0.25);
     f.ui.drag("Radius, mm", 0.5f, 1.0f);
-    CHECK(f.settings.dot_radius_mm == 5);
+    CHECK(f.settings.dot_size.radius_mm == 5);
+    f.ui.click("auto");
+    CHECK(f.settings.dot_size.sizing == DotSizing::automatic);
+    CHECK_FALSE(f.ui.has("Radius, mm"));
+}
+
+TEST_CASE("dots sized by tone have two radii that never cross, and no count of their own") {
+    DotsUi f;
     f.ui.click("by tone");
-    CHECK_FALSE(f.settings.dot_radius_mm);
+    CHECK(f.settings.dot_size.sizing == DotSizing::by_tone);
+    CHECK_FALSE(f.ui.has("Dots value"));
+    f.ui.drag("Smallest, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_size.largest_mm >= f.settings.dot_size.smallest_mm);
+    f.ui.drag("Largest, mm", 1.0f, 0.0f);
+    CHECK(f.settings.dot_size.smallest_mm <= f.settings.dot_size.largest_mm);
+    CHECK(f.settings.dot_size.largest_mm < 0.03);
+}
+
+TEST_CASE("the relax row shows the usual steps until it is moved") {
+    DotsUi f;
+    f.drawn.steps = 4;
+    f.ui.frame();
+    CHECK_FALSE(f.settings.relax);
+    f.ui.drag("Relax", 0.2f, 1.0f);
+    CHECK(f.settings.relax == 20);
+    f.ui.drag("Relax", 1.0f, 0.0f);
+    CHECK(f.settings.relax == 0);
+}
+
+TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") {
+    DrawingSettings settings;
+    const Tone drawn{.black_point = 0.1f, .white_point = 0.8f, .gamma = 2, .detail = 0.5f};
+    HeadlessUi ui([&] { draw_tone_panel(settings, {.drawn = drawn}); });
+    ui.frame();
+    CHECK(settings.automatic_tone);
+    ui.drag("Brightness", 0.5f, 1.0f);
+    CHECK_FALSE(settings.automatic_tone);
+    CHECK(settings.tone.brightness == 1);
+    CHECK(settings.tone.gamma == 2);
+    CHECK(settings.tone.white_point == 0.8f);
+    ui.click("true");
+    CHECK(settings.tone == Tone{});
+    CHECK_FALSE(settings.automatic_tone);
+    ui.click("auto");
+    CHECK(settings.automatic_tone);
+}
+
+TEST_CASE("where nearly all dots would go into black, one click brings white ink on black") {
+    DrawingSettings settings;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {.mostly_black = !settings.tone.invert}); });
+    ui.click("White ink on black paper");
+    CHECK(settings.tone.invert);
+    CHECK(settings.ink == kWhite);
+    CHECK(settings.paper == kBlack);
+    CHECK_FALSE(ui.has("White ink on black paper"));
 }
 
 TEST_CASE("another tile and order can be chosen from their lists") {
@@ -463,7 +530,7 @@ TEST_CASE("a narrow status line keeps the number of dots and lets the rest go, t
 TEST_CASE("every panel fits its column without cutting a label") {
     ViewerSettings settings;
     HeadlessUi ui([&] {
-        draw_tone_panel(settings.drawing.tone);
+        draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {}, {kTiles});
         draw_view_panel(settings);
         draw_compare_panel(settings, {kTiles});

@@ -103,18 +103,18 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
         return pipeline.plan({.stipple = {.placer = placer, .count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
-    CHECK(steps(5000, {}) == 4);
-    CHECK(steps(1'900'000, {}) == 4);
+    CHECK(steps(5000, {}) == kUsualSteps);
+    CHECK(steps(1'900'000, {}) == kUsualSteps);
     CHECK(steps(50'000'000, {}) == 0);
     CHECK(steps(50'000'000, 2) == 2);
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.stipple = {.count = 50'000'000}, .width_mm = 10'000}).steps == 4);
+    CHECK(pipeline.plan({.stipple = {.count = 50'000'000}, .width_mm = 10'000}).steps == kUsualSteps);
     // By a scale as by the count that it comes to.
-    CHECK(pipeline.plan({.stipple = {.scale = 1000, .count = {}}}).steps == 4);
+    CHECK(pipeline.plan({.stipple = {.scale = 1000, .count = {}}}).steps == kUsualSteps);
     CHECK(pipeline.plan({.stipple = {.scale = 50'000'000, .count = {}}}).steps == 0);
-    CHECK(usual_steps(3e6, 3e6) == 4);
+    CHECK(usual_steps(3e6, 3e6) == kUsualSteps);
     CHECK(usual_steps(3e6, 2e4) == 0);
 }
 

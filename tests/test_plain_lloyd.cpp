@@ -75,6 +75,20 @@ TEST_CASE("on even grey a hundred steps from random dots are nearly a hexagonal 
     CHECK(nearest_summary(dots, page).mean >= 0.88);
 }
 
+TEST_CASE("dots tend to the root of the weight: with density squared they keep the density") {
+    // Of the ramp's dots (1/2)^2 lie in the left half, of its root's (1/2)^(3/2).
+    const Density density = ramp();
+    const auto left_share = [&](LloydWeight weight) {
+        std::vector<glm::dvec2> dots = random_dots(density, 300, 2);
+        for (int step = 0; step < 300; ++step) lloyd_step(dots, density, weight);
+        std::size_t left = 0;
+        for (const glm::dvec2 dot : dots) left += dot.x < 0.5;
+        return double(left) / double(dots.size());
+    };
+    CHECK(left_share(LloydWeight::density) == doctest::Approx(0.354).epsilon(0.06));
+    CHECK(left_share(LloydWeight::density_squared) == doctest::Approx(0.254).epsilon(0.06));
+}
+
 TEST_CASE("random dots have the picture's density, and are the same for the same seed") {
     const std::vector<glm::dvec2> dots = random_dots(ramp(), 20'000, 5);
     std::size_t left = 0;

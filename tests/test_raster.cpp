@@ -150,7 +150,7 @@ TEST_CASE("a picture is the same however few dots are in memory at once, and the
         }
     }
     int passes = 0;
-    const DotStream stream{all.size(), 0, [&](const TakePiece& take) {
+    const DotStream stream{all.size(), 0, 0, [&](const TakePiece& take) {
                                ++passes;
                                for (const Dots& piece : pieces)
                                    if (!take(piece)) return;

@@ -17,6 +17,7 @@
 #include "app/files/picture.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "core/drawing/pipeline.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/shell.h"
@@ -24,25 +25,40 @@
 using namespace dapple;
 
 TEST_CASE("the command, which places piece by piece, writes the bytes that the window saves from memory") {
+    struct Case {
+        std::optional<std::uint64_t> count;
+        std::optional<int> relax;
+        DotSizing sizing;
+        std::string options;
+    };
     const Scene scene;
-    for (const auto& [count, options] :
-         {std::pair{std::optional<std::uint64_t>(30'000), "--dots 30000"}, {std::nullopt, "--scale 2500"}}) {
+    for (const Case& asked : {Case{30'000, {}, DotSizing::automatic, "--dots 30000"},
+                              Case{{}, {}, DotSizing::automatic, "--scale 2500"},
+                              Case{30'000, 0, DotSizing::automatic, "--dots 30000 --relax 0"},
+                              Case{{}, 2, DotSizing::by_tone, "--relax 2 --dot-radius 0.2..0.5"}}) {
+        CAPTURE(asked.options);
         DrawingSettings settings;
-        settings.stipple.count = count;
+        settings.stipple.count = asked.count;
         settings.stipple.scale = 2500;
         settings.stipple.appearance = true;
-        const Density density(density_of(read_picture(scene("cat.png")).light, settings.tone));
-        RankedTile tile = tile_named(tile_in_use(settings), settings.ranking);
-        Stippling drawn;
-        REQUIRE(stipple(tile, density, settings.stipple, drawn));
+        settings.relax = asked.relax;
+        settings.dot_size = {.sizing = asked.sizing, .smallest_mm = 0.2, .largest_mm = 0.5};
+        Pipeline pipeline;
+        pipeline.set_light(read_picture(scene("cat.png")).light);
+        pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
+        const DrawingPlan plan = pipeline.plan(request_of(settings));
+        Drawn drawn;
+        REQUIRE(pipeline.draw(plan, drawn));
         for (const std::string ending : {".svg", ".csv", ".png"}) {
-            CHECK(save_drawing(scene("window" + ending), settings,
-                               {.dots = stream_of(drawn.dots, drawn.scale),
-                                .page = page_size(density, settings.width_mm),
-                                .tile_size = tile.tile().size()}));
-            REQUIRE(
-                run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " + options)
-                    .status == 0);
+            CHECK(save_drawing(
+                scene("window" + ending), settings,
+                {.dots = stream_of(drawn.stippling.dots, drawn.stippling.scale),
+                 .page = plan.page,
+                 .dot_radius_mm = plan.radius(drawn.stippling.scale) * plan.page.mm_per_page_unit,
+                 .tile_size = pipeline.tile().tile().size()}));
+            REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " +
+                               asked.options)
+                        .status == 0);
             CHECK(text_of(scene("window" + ending)) == text_of(scene("command" + ending)));
         }
     }

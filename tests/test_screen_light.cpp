@@ -43,7 +43,7 @@ struct Drawing {
         REQUIRE(stipple(tile, density, {.count = count, .threads = 0}, stippling));
         const PageSize page = page_size(density, 1);
         size = {page.width_mm, page.height_mm};
-        radius = radius_for_tone(stippling.scale);
+        radius = radius_for_tone(stippling.scale, 1.6);
         file = ink_on_paper(coverage_of(stream_of(stippling.dots), page,
                                         {.dot_radius_mm = radius, .dpi = 25.4 * 1800, .threads = 0}),
                             colours.ink, colours.paper);

@@ -32,6 +32,7 @@ struct SplitSession {
               DrawingSettings{}, [] {}, most_dots) {
         session.settings.density.source = DensitySource::grey;
         session.settings.drawing.stipple.count = dots;
+        session.settings.drawing.relax = 0;
         session.settings.comparison.on = true;
         session.open_sample();
         REQUIRE(brings([&] { return session.right() != nullptr; }));
@@ -77,7 +78,8 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
     PlaceOrder order;
     order.tile = tile;
     order.density.source = DensitySource::grey;
-    order.stipple.scale = scale;
+    order.drawing.stipple.scale = scale;
+    order.drawing.relax = 0;
     PlacedDrawing page;
     bench.place(order, page);
     const glm::dvec2 low = in_page_units({window.x, window.y});
@@ -148,7 +150,7 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
     const auto dots = [&](const DrawingSettings& drawing) {
         session.settings.drawing = drawing;
         PlaceOrder order = order_of(session.settings);
-        order.most_dots = 5000;
+        order.drawing.most_dots = 5000;
         REQUIRE(wait_until([&] {
             session.take_news(std::chrono::milliseconds(0));
             session.order_dots(zoom);

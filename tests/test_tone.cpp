@@ -11,7 +11,7 @@ using namespace dapple;
 
 namespace {
 
-constexpr float kMostCovered = 0.9794f;  // by dots of the full load, some of which overlap
+const float kMostCovered = InkCurve().coverage(1);  // by dots of the full load
 
 // Light from black to white, one value a pixel.
 Grid<float> greys() {

@@ -8,9 +8,8 @@
 #include "app/drawing_settings.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
-#include "core/image/tone.h"
+#include "core/drawing/pipeline.h"
 #include "core/output/raster.h"
-#include "core/stipple.h"
 
 using namespace dapple;
 
@@ -32,14 +31,18 @@ Grid<double> from_afar(const Grid<float>& picture, int cells) {
 
 // The light that is seen, one value a pixel, with black ink on white paper or, inverted, the other way round.
 Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& settings) {
-    const Density density(density_of(light, settings.tone));
-    RankedTile tile = tile_named(settings.tile, settings.ranking);
-    Stippling stippling;
-    REQUIRE(stipple(tile, density, settings.stipple, stippling));
-    const PageSize page = page_size(density, settings.width_mm);
-    Grid<float> drawn = coverage_of(
-        stream_of(stippling.dots), page,
-        {.dot_radius_mm = dot_radius_mm(settings, stippling.scale, page), .dpi = 150, .threads = 0});
+    Pipeline pipeline;
+    pipeline.set_light(light);
+    pipeline.set_tile(tile_named(settings.tile, settings.ranking));
+    DrawingRequest request = request_of(settings);
+    request.automatic_tone = false;
+    request.tone.detail = 0;
+    const DrawingPlan plan = pipeline.plan(request);
+    Drawn dots;
+    REQUIRE(pipeline.draw(plan, dots));
+    const double radius_mm = plan.radius(dots.stippling.scale) * plan.page.mm_per_page_unit;
+    Grid<float> drawn = coverage_of(stream_of(dots.stippling.dots), plan.page,
+                                    {.dot_radius_mm = radius_mm, .dpi = 150, .threads = 0});
     if (!settings.tone.invert)
         for (float& value : drawn.values) value = 1 - value;
     return drawn;
@@ -71,7 +74,7 @@ Grid<float> ramp() {
 
 }  // namespace
 
-TEST_CASE("by default a drawing seen from afar has the photograph's light") {
+TEST_CASE("in true light a drawing seen from afar has the photograph's light") {
     const DrawingSettings settings;
     const Error of_ramp = error_of(ramp(), settings, 16),
                 of_sample = error_of(sample_picture().light, settings, 16);

@@ -19,7 +19,8 @@ Picture grey(int side) {
 PlaceOrder dots(std::uint64_t count) {
     PlaceOrder order;
     order.tile = "paper16";
-    order.stipple.count = count;
+    order.drawing.stipple.count = count;
+    order.drawing.relax = 0;
     return order;
 }
 

@@ -239,7 +239,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     };
     add_text(app, "--relax", "N",
              "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. From 1 on "
-             "the first n dots are no longer the drawing with n dots. auto: 4, or none for millions of dots too fine "
+             "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots too fine "
              "to see",
              read_relax)
         ->default_str("auto");
@@ -305,8 +305,8 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     add_text(
         app, "--order", "NAME",
         "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
-        "before, for short pen moves; recursion, as they are placed; priority, the first n being the "
-        "drawing with n dots. Without it, space for an SVG of up to 5 million dots, else recursion. "
+        "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the first n being the "
+        "drawing with n dots, unless they are relaxed. Without it, space for an SVG of up to 5 million dots, else recursion. "
         "space, priority and --placer figure8 hold all dots in memory",
         read_order);
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {

@@ -22,6 +22,7 @@
 #include "app/grouped.h"
 #include "app/progress_line.h"
 #include "core/drawing/pipeline.h"
+#include "core/image/ink_use.h"
 #include "core/output/preflight.h"
 #include "core/output/raster.h"
 #include "core/tile/tile_file.h"
@@ -60,7 +61,7 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     request.stipple.appearance =
         drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
-    if (plan.density->mean() == 0) {
+    if (plan.density->mean() == 0 && plan.stipple.count) {
         throw std::runtime_error(
             fmt::format("{}: nothing to draw, all of it is as light as the paper", name_of_image(options)));
     }
@@ -122,6 +123,7 @@ struct Rendered {
     PageSize page;                            // the sheet, the region or all of it
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
+    bool mostly_black = false;                // light ink would draw the picture better
     std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
     Times times;
 };
@@ -260,7 +262,8 @@ void render(const RenderOptions& options) {
                       .duplicates = dots.duplicates,
                       .page = excerpt.size,
                       .radius_mm = radius_mm,
-                      .order = order};
+                      .order = order,
+                      .mostly_black = mostly_black(pipeline.histogram(), plan.tone)};
     Dots sorted;
     const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
@@ -285,6 +288,11 @@ void render(const RenderOptions& options) {
     line.reset();
 
     rendered.times = times;
+    if (rendered.mostly_black && on_terminal()) {
+        fmt::print(stderr,
+                   "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws the "
+                   "light parts instead\n");
+    }
     if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
     if (is_plot && on_terminal()) tell(options, rendered);
     if (!options.stats) return;

@@ -14,8 +14,9 @@ namespace {
 
 // A dot is three floats in the drawing shown, in the one being placed and in one kept for its memory, three
 // and a quarter of them more with the graphics driver, which may hold the old ones and the new, and four
-// bytes of colour in each; all that twice in a split view, and once more while it is saved.
-constexpr std::uint64_t kBytesPerDot = 200;
+// bytes of colour in each; all that twice in a split view, and once more while it is saved. Relaxing one needs 44
+// bytes a dot for the while.
+constexpr std::uint64_t kBytesPerDot = 250;
 constexpr std::uint64_t kShare = 2;  // one part in so many is for dots
 constexpr std::uint64_t kFewest = 1'000'000;
 

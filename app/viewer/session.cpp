@@ -29,6 +29,7 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
 PlaceOrder Session::page_order() const {
     PlaceOrder order = order_of(settings);
     order.drawing.most_dots = most_dots_;
+    order.settled_only = settings.every_frame;
     return order;
 }
 

@@ -31,6 +31,7 @@ struct PlaceOrder {
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
+    bool settled_only = false;            // nothing is shown on the way
 
     bool operator==(const PlaceOrder&) const = default;
 };

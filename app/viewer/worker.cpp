@@ -247,6 +247,7 @@ void Worker::run_order(const PlaceOrder& order) {
         static_cast<double>(order.drawing.stipple.count.value_or(0)) * kSecondsADotAndStep);
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
         if (stop.stop_requested()) return false;
+        if (order.settled_only) return true;
         if (std::chrono::steady_clock::now() + step - shown < kFrame) return true;
         const bool goes_on = publish_unsettled(order, drawing());
         shown = std::chrono::steady_clock::now();

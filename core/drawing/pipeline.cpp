@@ -157,7 +157,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     if (request.automatic_tone && !plain_) plan.tone = auto_tone(histogram(), request.tone);
 
     const bool moves = request.stipple.placer == PlacerKind::exact;
-    plan.steps = moves ? std::clamp(request.relax.value_or(usual_steps(0, 1)), 0, kMostRelaxingSteps) : 0;
+    plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;
     tone_for(plan, request);
     const auto dots = [&] {
         return plan.stipple.count ? static_cast<double>(*plan.stipple.count)

@@ -6,7 +6,6 @@ namespace dapple {
 
 namespace {
 
-constexpr int kUsualSteps = 4;
 constexpr double kSeenMm = 0.1;       // between dots, at reading distance
 constexpr double kNoWait = 2'000'000;  // dots
 

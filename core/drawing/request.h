@@ -41,7 +41,9 @@ struct DrawingRequest {
     bool operator==(const DrawingRequest&) const = default;
 };
 
-/// The steps after which a drawing looks as good as it needs to: a few; none where dots lie closer than the eye
+inline constexpr int kUsualSteps = 5;
+
+/// The steps after which a drawing looks as good as it needs to: kUsualSteps; none where dots lie closer than the eye
 /// can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
 

@@ -125,7 +125,7 @@ bool draw_relax(std::optional<int>& relax, const DrawnFacts& drawn) {
     if (!slider_row("Relax", steps,
                     {.min = 0,
                      .max = 20,
-                     .neutral = static_cast<double>(usual_steps(0, 1)),
+                     .neutral = kUsualSteps,
                      .format = "%.0f",
                      .hard_max = kMostRelaxingSteps,
                      .tip = "Steps that move each dot to the middle of the ink around it: more even. From 1 on the "

@@ -16,7 +16,7 @@ constexpr const char* kOrders =
     "The order of the dots in the file, in which a plotter draws them.\n"
     "as placed: tile by tile.\n"
     "short moves: each near the one before.\n"
-    "by priority: the first n dots are the drawing with n dots, so that a plot may stop at any time.";
+    "by priority: the first n dots are the drawing with n dots if they are not relaxed, so that a plot may stop at any time.";
 
 bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const DotOrder order = choice.value_or(usual);

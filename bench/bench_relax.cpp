@@ -1,0 +1,59 @@
+// What a step of relaxation costs: microseconds a dot, on one core and on two. The picture is the built-in sample in
+// its automatic tone, or the file in DAPPLE_BENCH_PICTURE; and a constant grey.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "app/drawing_settings.h"
+#include "app/files/picture.h"
+#include "app/files/sample.h"
+#include "app/files/tile_library.h"
+#include "core/drawing/pipeline.h"
+
+using namespace dapple;
+
+namespace {
+
+void step(benchmark::State& state, Pipeline& pipeline, int threads) {
+    const auto count = static_cast<std::uint64_t>(state.range(0));
+    const DrawingPlan plan = pipeline.plan({.stipple = {.count = count, .threads = 0}, .relax = 0});
+    Drawn drawn;
+    pipeline.draw(plan, drawn);
+    Relaxation relaxation(drawn.stippling.dots, *plan.density,
+                          {.scale = drawn.stippling.scale, .threads = threads});
+    for (auto _ : state) relaxation.step();
+    state.counters["us/dot"] = benchmark::Counter(static_cast<double>(count) * 1e-6,
+                                                  benchmark::Counter::kIsIterationInvariantRate |
+                                                      benchmark::Counter::kInvert);
+}
+
+void add(const std::string& name, Pipeline& pipeline) {
+    for (const int threads : {1, 2}) {
+        const std::string whole = "step/" + name + (threads == 1 ? "/one_core" : "/two_cores");
+        benchmark::RegisterBenchmark(whole.c_str(),
+                                     [&pipeline, threads](benchmark::State& s) { step(s, pipeline, threads); })
+            ->Arg(40'000)
+            ->Arg(200'000)
+            ->Arg(1'000'000)
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Pipeline picture, grey;
+    const char* path = std::getenv("DAPPLE_BENCH_PICTURE");
+    picture.set_light((path ? read_picture(path) : sample_picture()).light);
+    grey.set_plain(Density(Grid<float>(1000, 1000, 0.5f)));
+    for (Pipeline* pipeline : {&picture, &grey}) pipeline->set_tile(tile_named(kDefaultTile));
+    add("picture", picture);
+    add("grey", grey);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
