@@ -78,10 +78,12 @@ int main() {
     for (std::size_t s = 0; s < kSteps.size(); ++s) {
         fmt::print("// after {} steps, by phase\n", kSteps[s]);
         for (const auto& row : tables[s]) print_row(row);
-        std::vector<double> mean(kLoads, 0);
-        for (int k = 0; k < kLoads; ++k)
-            for (const auto& row : tables[s]) mean[k] += row[k] / kPhases;
-        std::puts("// their mean");
-        print_row(mean);
+        std::vector<double> middle;
+        for (int k = 0; k < kLoads; ++k) {
+            const auto [least, most] = std::ranges::minmax(tables[s], {}, [&](const auto& row) { return row[k]; });
+            middle.push_back((least[k] + most[k]) / 2);
+        }
+        std::puts("// the middle between their extremes");
+        print_row(middle);
     }
 }

@@ -64,7 +64,8 @@ Dots drawn_by(Pipeline& pipeline, const DrawingPlan& plan) {
 }
 
 bool same(const Dots& a, const Dots& b) {
-    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical && a.radius == b.radius;
+    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical &&
+           a.radius == b.radius;
 }
 
 const DotSize kByTone{.sizing = DotSizing::by_tone, .smallest_mm = 0.4, .largest_mm = 1.0};
@@ -87,7 +88,8 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
 
 TEST_CASE("true light is covered by as much ink as the picture lacks light") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingPlan plan = pipeline.plan({.automatic_tone = false, .stipple = {.count = 20'000}, .relax = 4});
+    const DrawingPlan plan =
+        pipeline.plan({.automatic_tone = false, .stipple = {.count = 20'000}, .relax = 4});
     const InkCurve ink({.relaxing_steps = 4});
     for (int x = 0; x < 80; ++x)
         CHECK(std::abs(ink.coverage(plan.density->values().at(x, 20)) - (1 - ramp().at(x, 20))) < 0.005);
@@ -96,7 +98,8 @@ TEST_CASE("true light is covered by as much ink as the picture lacks light") {
 
 TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots stay as placed") {
     Pipeline pipeline = pipeline_of(ramp());
-    const auto steps = [&](std::uint64_t count, std::optional<int> relax, PlacerKind placer = PlacerKind::exact) {
+    const auto steps = [&](std::uint64_t count, std::optional<int> relax,
+                           PlacerKind placer = PlacerKind::exact) {
         return pipeline.plan({.stipple = {.placer = placer, .count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
@@ -115,7 +118,8 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
     CHECK(usual_steps(3e6, 2e4) == 0);
 }
 
-TEST_CASE("a stream gives the drawing dot for dot, by count, by scale, relaxed or not, with sizes or without") {
+TEST_CASE(
+    "a stream gives the drawing dot for dot, by count, by scale, relaxed or not, with sizes or without") {
     Pipeline pipeline = pipeline_of(ramp());
     std::vector<DrawingRequest> requests;
     for (const int relax : {0, 2}) {
@@ -204,7 +208,8 @@ TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
     const auto picture = pipeline.plan({.stipple = {.count = 1000}}).density;
     Grid<float> grey(30, 60, 0.25f);
     pipeline.set_plain(Density(grey));
-    const DrawingPlan plan = pipeline.plan({.tone = {.contrast = 0.5f}, .stipple = {.count = 1000}, .width_mm = 100});
+    const DrawingPlan plan =
+        pipeline.plan({.tone = {.contrast = 0.5f}, .stipple = {.count = 1000}, .width_mm = 100});
     CHECK(plan.density->values().values == grey.values);
     CHECK(plan.tone == Tone{.contrast = 0.5f});
     CHECK(plan.page.height_mm == doctest::Approx(200));
@@ -243,7 +248,8 @@ TEST_CASE("how many dots there are follows from their sizes") {
     const auto count = [&](double smallest, double largest, double width, std::uint64_t asked) {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
         return static_cast<double>(
-            all_of(pipeline.stream(pipeline.plan({.stipple = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
+            all_of(pipeline.stream(pipeline.plan(
+                       {.stipple = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
                 .size());
     };
     const double usual = count(0.5, 1, 200, 7);
@@ -269,8 +275,10 @@ TEST_CASE("a plan says how large its dots are") {
 
 TEST_CASE("a stream outlives the pipeline") {
     for (const DrawingRequest& request :
-         {DrawingRequest{.stipple = {.count = 2000}, .relax = 0}, {.stipple = {.count = 2000}, .relax = 2},
-          {.relax = 1, .size = kByTone}, {.stipple = {.placer = PlacerKind::figure8, .scale = 200, .count = {}}}}) {
+         {DrawingRequest{.stipple = {.count = 2000}, .relax = 0},
+          {.stipple = {.count = 2000}, .relax = 2},
+          {.relax = 1, .size = kByTone},
+          {.stipple = {.placer = PlacerKind::figure8, .scale = 200, .count = {}}}}) {
         auto pipeline = std::make_unique<Pipeline>(pipeline_of(ramp()));
         const Dots dots = drawn_by(*pipeline, pipeline->plan(request));
         const DotStream stream = pipeline->stream(pipeline->plan(request));
@@ -357,10 +365,11 @@ TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
     for (const int at : {0, 2}) {
         std::stop_source stop;
         Drawn drawn;
-        CHECK_FALSE(pipeline.draw(plan, drawn, {.stop = stop.get_token(), .step = [&](const Drawn& now, const auto&) {
-                                                    if (now.steps == at) stop.request_stop();
-                                                    return true;
-                                                }}));
+        CHECK_FALSE(
+            pipeline.draw(plan, drawn, {.stop = stop.get_token(), .step = [&](const Drawn& now, const auto&) {
+                                            if (now.steps == at) stop.request_stop();
+                                            return true;
+                                        }}));
         REQUIRE(pipeline.draw(plan, drawn));
         CHECK(same(joined(drawn.stippling.dots), right));
     }
@@ -371,5 +380,6 @@ TEST_CASE("Figure 8 given a count places about so many different dots") {
     const DrawingPlan plan = pipeline.plan({.stipple = {.placer = PlacerKind::figure8, .count = 8000}});
     Drawn drawn;
     REQUIRE(pipeline.draw(plan, drawn));
-    CHECK(double(drawn.stippling.dots.size() - drawn.stippling.duplicates) == doctest::Approx(8000).epsilon(0.05));
+    CHECK(double(drawn.stippling.dots.size() - drawn.stippling.duplicates) ==
+          doctest::Approx(8000).epsilon(0.05));
 }

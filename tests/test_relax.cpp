@@ -72,7 +72,8 @@ std::vector<glm::dvec2> by_number(const Dots& dots) {
 }
 
 bool same(const Dots& a, const Dots& b) {
-    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical && a.radius == b.radius;
+    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical &&
+           a.radius == b.radius;
 }
 
 Grid<float> soft_picture(int width, int height) {
@@ -92,8 +93,8 @@ bool on_page(const Dots& dots, const Density& density) {
     return true;
 }
 
-// The slow reference: every dot against every other, in double precision; the centroid of a cell by many small
-// triangles.
+// The slow reference: every dot against every other, in double precision; the centroid of a cell by many
+// small triangles.
 using Polygon = std::vector<glm::dvec2>;
 
 Polygon half_of(const Polygon& polygon, glm::dvec2 normal, double most) {
@@ -108,14 +109,13 @@ Polygon half_of(const Polygon& polygon, glm::dvec2 normal, double most) {
     return result;
 }
 
-// Of density squared over what is nearer to dots[i] than to others, on the page and a fifth of the distance between
-// dots beyond its edges, where the density goes on.
-glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, const Density& density, double scale) {
+// Of density squared over what is nearer to dots[i] than to others, on the page and a fifth of the distance
+// between dots beyond its edges, where the density goes on.
+glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, const Density& density,
+                         double scale) {
     const double longer = density.longer_side();
     const glm::dvec2 end(density.width() / longer, density.height() / longer), dot = dots[i];
-    const auto at = [&](glm::dvec2 p) {
-        return density.at(glm::clamp(p, glm::dvec2(1e-9), end - 1e-9));
-    };
+    const auto at = [&](glm::dvec2 p) { return density.at(glm::clamp(p, glm::dvec2(1e-9), end - 1e-9)); };
     const double beyond = 0.2 / std::sqrt(16 * scale * at(dot));
     const glm::dvec2 low = -dot - beyond, high = end - dot + beyond;
     Polygon cell{low, {high.x, low.y}, high, {low.x, high.y}};
@@ -218,7 +218,8 @@ TEST_CASE("no dot is lost, none leaves the page, and each keeps what is known of
 TEST_CASE("what travels with a dot stays near it") {
     const Density density(soft_picture(60, 40));
     const Stippling before = numbered(placed(density, 2000));
-    const std::vector<glm::dvec2> from = by_number(joined(before.dots)), to = by_number(relaxed(density, before, 1));
+    const std::vector<glm::dvec2> from = by_number(joined(before.dots)),
+                                  to = by_number(relaxed(density, before, 1));
     double farthest = 0;
     for (std::size_t i = 0; i < to.size(); ++i) farthest = std::max(farthest, glm::distance(from[i], to[i]));
     CHECK(farthest < 3 / std::sqrt(16 * before.scale));
@@ -249,7 +250,8 @@ TEST_CASE("dots on one grey get more even") {
 
 TEST_CASE("a line one pixel wide stays a line, and its dots spread evenly along it") {
     for (const bool upright : {false, true}) {
-        const Density density(picture_of(100, 100, [&](int x, int y) { return (upright ? x : y) == 37 ? 1.0 : 0.0; }));
+        const Density density(
+            picture_of(100, 100, [&](int x, int y) { return (upright ? x : y) == 37 ? 1.0 : 0.0; }));
         for (const int count : {30, 60, 200}) {
             const Dots after = relaxed(density, placed(density, static_cast<std::uint64_t>(count)), 10);
             for (const float across : upright ? after.x : after.y) CHECK(std::abs(across * 100 - 37.5f) < 1);
@@ -287,7 +289,8 @@ TEST_CASE("a picture on its side is relaxed as it is upright") {
         }
         const std::vector<glm::dvec2> found = by_number(relaxed(Density(grid), moved, 1));
         double result = 0;
-        for (std::size_t i = 0; i < right.size(); ++i) result = std::max(result, glm::distance(back(found[i]), right[i]));
+        for (std::size_t i = 0; i < right.size(); ++i)
+            result = std::max(result, glm::distance(back(found[i]), right[i]));
         return result * std::sqrt(16 * before.scale);
     };
     CHECK(farthest(
@@ -325,11 +328,14 @@ TEST_CASE("areas with white between them keep their dots") {
         const bool rows = y > 15 && y < 45;
         return rows && ((x > 10 && x < 40) || (x > 50 && x < 80)) ? (x < 45 ? 1.0 : 0.5) : 0.0;
     }));
-    const auto on_left = [](const Dots& dots) { return std::ranges::count_if(dots.x, [](float x) { return x < 0.5f; }); };
+    const auto on_left = [](const Dots& dots) {
+        return std::ranges::count_if(dots.x, [](float x) { return x < 0.5f; });
+    };
     const Stippling before = placed(density, 3000);
     const auto placed_left = on_left(joined(before.dots));
     CHECK(placed_left > 1900);
-    for (const int steps : {1, 10, 30}) CHECK(std::abs(on_left(relaxed(density, before, steps)) - placed_left) <= 3);
+    for (const int steps : {1, 10, 30})
+        CHECK(std::abs(on_left(relaxed(density, before, steps)) - placed_left) <= 3);
 }
 
 TEST_CASE("relaxed dots keep the density that they were placed with") {
@@ -403,7 +409,8 @@ TEST_CASE("a dot alone on a grey page goes to its middle") {
 TEST_CASE("dots at the very same place, or on the page's corners, do no harm") {
     const Density density(Grid<float>(20, 12, 0.5f));
     Dots dots;
-    for (const auto& [x, y] : {std::pair(0.0f, 0.0f), {0.0f, 0.0f}, {1.0f, 0.6f}, {1.0f, 0.0f}, {0.5f, 0.3f}, {0.5f, 0.3f}}) {
+    for (const auto& [x, y] :
+         {std::pair(0.0f, 0.0f), {0.0f, 0.0f}, {1.0f, 0.6f}, {1.0f, 0.0f}, {0.5f, 0.3f}, {0.5f, 0.3f}}) {
         dots.x.push_back(x);
         dots.y.push_back(y);
     }

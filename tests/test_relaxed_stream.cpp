@@ -19,8 +19,8 @@ using namespace dapple;
 
 namespace {
 
-// As photographs are: soft shades, dark spots, a line, very light areas, and paper that is quite bare. So long and
-// narrow that a band with its rims is a small part of few dots.
+// As photographs are: soft shades, dark spots, a line, very light areas, and paper that is quite bare. So
+// long and narrow that a band with its rims is a small part of few dots.
 Grid<float> photograph() {
     Grid<float> grid = blotches(20, 320, 11);
     for (int y = 0; y < grid.height; ++y) {
@@ -59,7 +59,8 @@ Dots all_of(const DotStream& stream, std::size_t* pieces = nullptr) {
 }
 
 bool same(const Dots& a, const Dots& b) {
-    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical && a.radius == b.radius;
+    return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical &&
+           a.radius == b.radius;
 }
 
 Dots whole_page(const Density& density, const StippleRequest& request, int steps, double& scale) {
@@ -82,7 +83,8 @@ PageSize page_of(const Density& density) {
 std::vector<PagePart> sheets(const Density& density) {
     std::vector<PagePart> result;
     for (const int row : {1, 2})
-        for (const int column : {1, 2, 3}) result.push_back(sheet_of(page_of(density), {column, row, 3, 2}).part);
+        for (const int column : {1, 2, 3})
+            result.push_back(sheet_of(page_of(density), {column, row, 3, 2}).part);
     return result;
 }
 
@@ -104,8 +106,8 @@ TEST_CASE("a drawing relaxed in bands is the whole page relaxed at once, to the 
             double scale = 0;
             const Dots whole = whole_page(density, request, steps, scale);
             const std::uint64_t at_once = steps == 2 ? 300 : 1000;
-            const DotStream bands =
-                relaxed_stream(test_tile().placer(), density, {.stipple = request, .part = {}}, steps, at_once);
+            const DotStream bands = relaxed_stream(test_tile().placer(), density,
+                                                   {.stipple = request, .part = {}}, steps, at_once);
             std::size_t pieces = 0;
             const Dots streamed = all_of(bands, &pieces);
             CHECK(pieces > (steps == 2 ? 10 : 3));
@@ -123,7 +125,8 @@ TEST_CASE("a drawing that fits into one band is kept, and the same") {
     for (const StippleRequest& request : kRequests) {
         double scale = 0;
         const Dots whole = whole_page(density, request, 3, scale);
-        const DotStream one = relaxed_stream(test_tile().placer(), density, {.stipple = request, .part = {}}, 3);
+        const DotStream one =
+            relaxed_stream(test_tile().placer(), density, {.stipple = request, .part = {}}, 3);
         std::size_t pieces = 0;
         CHECK(same(all_of(one, &pieces), whole));
         CHECK(pieces == 1);
@@ -143,8 +146,8 @@ TEST_CASE("six relaxed sheets are the page's dots, each exactly once and in the 
             for (const PagePart& part : sheets(density)) {
                 Dots expected = whole;
                 cut_to(part, expected);
-                const DotStream sheet =
-                    relaxed_stream(test_tile().placer(), density, {.stipple = request, .part = part}, steps, 700);
+                const DotStream sheet = relaxed_stream(test_tile().placer(), density,
+                                                       {.stipple = request, .part = part}, steps, 700);
                 CHECK(same(all_of(sheet), expected));
                 CHECK(sheet.count == expected.size());
                 CHECK(sheet.scale == scale);
@@ -192,8 +195,10 @@ TEST_CASE("whoever takes the bands may stop, and begin again") {
 TEST_CASE("what cannot be relaxed in bands is refused") {
     const Density density(photograph());
     Placer& placer = test_tile().placer();
-    CHECK_THROWS(relaxed_stream(placer, density, {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}, 1));
-    CHECK_THROWS(relaxed_stream(placer, Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}, 1));
+    CHECK_THROWS(relaxed_stream(placer, density,
+                                {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}, 1));
+    CHECK_THROWS(
+        relaxed_stream(placer, Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}, 1));
 }
 
 TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
@@ -202,8 +207,10 @@ TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
     Grid<float> light = photograph();
     for (float& v : light.values) v = 1 - v;
     pipeline.set_light(std::move(light));
-    const DrawingPlan plan = pipeline.plan(
-        {.relax = 2, .size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4}, .width_mm = 20});
+    const DrawingPlan plan =
+        pipeline.plan({.relax = 2,
+                       .size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
+                       .width_mm = 20});
     Drawn drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     const Dots whole = joined(drawn.stippling.dots);

@@ -66,7 +66,8 @@ bool holds(const VoronoiCell& cell, glm::dvec2 p) {
 // How much nearer a place is to the dot than to the nearest other.
 double nearer_by(const Scene& scene, glm::dvec2 p) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::vec2 other : scene.others) nearest = std::min(nearest, glm::distance(glm::dvec2(other), p));
+    for (const glm::vec2 other : scene.others)
+        nearest = std::min(nearest, glm::distance(glm::dvec2(other), p));
     return nearest - glm::length(p);
 }
 
@@ -147,7 +148,8 @@ TEST_CASE("the order of the cuts changes no more than the last bits") {
     }
 }
 
-TEST_CASE("a dot at the reach or beyond cuts nothing, one just within it in the farthest corner's direction does") {
+TEST_CASE(
+    "a dot at the reach or beyond cuts nothing, one just within it in the farthest corner's direction does") {
     for (unsigned seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         const VoronoiCell cell = cell_of(random_scene(seed));
@@ -182,5 +184,6 @@ TEST_CASE("more neighbours than a cell has room for leave it convex and too larg
     CHECK(area(cell) > std::numbers::pi / 4 * 0.999);
     CHECK(area(cell) < 4.0);
     for (int i = 0; i < cell.size(); ++i)
-        CHECK(cross(corner(cell, i + 1) - corner(cell, i), corner(cell, i + 2) - corner(cell, i + 1)) > -1e-6);
+        CHECK(cross(corner(cell, i + 1) - corner(cell, i), corner(cell, i + 2) - corner(cell, i + 1)) >
+              -1e-6);
 }

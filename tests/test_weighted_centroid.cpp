@@ -61,7 +61,8 @@ glm::dvec2 closed_form(const VoronoiCell& cell, const std::function<double(glm::
         const double area = cross(p[1], p[2]) / 2;
         for (int k = 0; k < 3; ++k) {
             const double a = d[k], b = d[(k + 1) % 3], c = d[(k + 2) % 3];
-            const double part = area / 60 * (6 * a * a + 2 * b * b + 2 * c * c + 4 * a * b + 4 * a * c + 2 * b * c);
+            const double part =
+                area / 60 * (6 * a * a + 2 * b * b + 2 * c * c + 4 * a * b + 4 * a * c + 2 * b * c);
             weight += part;
             moment += part * p[k];
         }
@@ -115,7 +116,8 @@ Measured errors(const Grid<float>& grid, float size, float from_edge, int cells,
     Measured result;
     for (int i = 0; i < cells; ++i) {
         const VoronoiCell cell = random_cell(random, size);
-        std::uniform_real_distribution<float> x(from_edge, kWidth - from_edge), y(from_edge, kHeight - from_edge);
+        std::uniform_real_distribution<float> x(from_edge, kWidth - from_edge),
+            y(from_edge, kHeight - from_edge);
         const float dot_x = x(random), dot_y = y(random);
         const Centroid found = centroid.of(cell, centroid.anchor(dot_x, dot_y));
         REQUIRE(found.has_ink);
@@ -141,7 +143,8 @@ TEST_CASE("where all is one grey the centroid is the polygon's, whatever the cel
     };
     for (const float size : {0.01f, 0.3f, 2.0f, 5.0f}) CHECK(errors(grid, size, 0, 300, right).most < 1e-5);
     // Cells of many pixels are cut into lines a pixel apart.
-    for (const float size : {12.0f, 30.0f}) CHECK(errors(grid, size, 0, 300, right).most < 4.0 / (size * size));
+    for (const float size : {12.0f, 30.0f})
+        CHECK(errors(grid, size, 0, 300, right).most < 4.0 / (size * size));
 }
 
 TEST_CASE("over a slope the centroid is that of the density squared") {
@@ -163,7 +166,8 @@ TEST_CASE("a square over a slope has the centroid of the textbook") {
         const auto h = static_cast<float>(half);
         const Centroid found = centroid.of(VoronoiCell(-h, -h, h, h), centroid.anchor(32, 24));
         // The integral of x (m + r x)^2 over that of (m + r x)^2.
-        const double right = 2 * middle * rise * half * half / 3 / (middle * middle + rise * rise * half * half / 3);
+        const double right =
+            2 * middle * rise * half * half / 3 / (middle * middle + rise * rise * half * half / 3);
         CHECK(found.x == doctest::Approx(right).epsilon(0.01));
         CHECK(std::abs(found.y) < 1e-4);
     }
@@ -195,7 +199,8 @@ TEST_CASE("beyond the picture's edges the density goes on as it is there") {
     const Density density(grid);
     WeightedCentroid centroid = in_pixels(density);
     for (const float h : {2.0f, 9.0f}) {
-        for (const auto& [x, y] : {std::pair(0.0f, 0.0f), {64.0f, 48.0f}, {0.5f, 20.0f}, {63.0f, 0.2f}, {30.0f, 48.0f}}) {
+        for (const auto& [x, y] :
+             {std::pair(0.0f, 0.0f), {64.0f, 48.0f}, {0.5f, 20.0f}, {63.0f, 0.2f}, {30.0f, 48.0f}}) {
             const VoronoiCell cell(-h, -h, h, h);
             const Centroid found = centroid.of(cell, centroid.anchor(x, y));
             CAPTURE(x);

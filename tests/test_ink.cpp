@@ -1,0 +1,165 @@
+// The ink of drawings, measured on their pixels: does it cover as much paper as the picture asks for?
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "app/drawing_settings.h"
+#include "app/files/tile_library.h"
+#include "core/drawing/pipeline.h"
+#include "core/output/raster.h"
+
+using namespace dapple;
+
+namespace {
+
+constexpr double kWidthMm = 200;
+
+Pipeline& pipeline_of(float light) {
+    static Pipeline pipeline = [] {
+        Pipeline result;
+        result.set_tile(tile_named(kDefaultTile));
+        return result;
+    }();
+    pipeline.set_light(Grid<float>(8, 8, light));
+    return pipeline;
+}
+
+struct Measured {
+    Grid<float> coverage;
+    double apart = 0;  // mean distance between dots, in pixels
+    std::size_t dots = 0;
+
+    // Without so many of its rows and columns at each edge.
+    double mean_within(double edge) const {
+        const int from = static_cast<int>(edge), to = coverage.width - from;
+        double sum = 0;
+        for (int y = from; y < to; ++y)
+            for (int x = from; x < to; ++x) sum += coverage.at(x, y);
+        return sum / (double(to - from) * (to - from));
+    }
+};
+
+// Light all over the page, drawn as it is.
+Measured measured(float light, std::uint64_t count, int steps, bool by_tone, double dpmm = 1.5) {
+    Pipeline& pipeline = pipeline_of(light);
+    DrawingRequest request{
+        .automatic_tone = false, .stipple = {.count = count, .threads = 0}, .relax = steps};
+    request.width_mm = kWidthMm;
+    if (by_tone) {
+        // About so many on black.
+        const double largest = kWidthMm * std::sqrt(1.5 / (std::numbers::pi * static_cast<double>(count)));
+        request.size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.4 * largest, .largest_mm = largest};
+    }
+    const DrawingPlan plan = pipeline.plan(request);
+    Drawn drawn;
+    REQUIRE(pipeline.draw(plan, drawn));
+    REQUIRE(drawn.steps == steps);
+    const double scale = drawn.stippling.scale;
+    Measured result;
+    result.dots = drawn.stippling.dots.size();
+    result.coverage = coverage_of(
+        stream_of(drawn.stippling.dots, scale), plan.page,
+        {.dot_radius_mm = plan.radius(scale) * plan.page.mm_per_page_unit, .dpi = 25.4 * dpmm, .threads = 0});
+    result.apart = kWidthMm * dpmm / std::sqrt(double(result.dots));
+    return result;
+}
+
+// The largest difference from what was asked for, at counts from one level of the tile to the next.
+void check_coverage(int steps) {
+    constexpr std::array kLights{0.02f, 0.9f, 0.2f, 0.5f, 0.98f, 0.3f, 0.05f, 0.7f, 0.4f, 0.8f};
+    std::size_t next = 0;
+    for (const bool by_tone : {false, true}) {
+        for (const std::uint64_t count : {10'000u, 13'000u, 16'000u, 20'000u, 27'000u}) {
+            // Where dots begin to overlap all at once, an error shows most.
+            for (const float light : {0.1f, kLights[next++ % kLights.size()]}) {
+                const Measured drawing = measured(light, count, steps, by_tone);
+                CAPTURE(steps);
+                CAPTURE(by_tone);
+                CAPTURE(count);
+                CAPTURE(light);
+                CHECK(std::abs(drawing.mean_within(0.05 * drawing.coverage.width) - (1 - light)) < 0.01);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("dots as placed cover what the picture asks for") {
+    check_coverage(0);
+}
+
+TEST_CASE("dots relaxed once or twice cover what the picture asks for") {
+    check_coverage(1);
+    check_coverage(2);
+}
+
+TEST_CASE("dots relaxed three or four times cover what the picture asks for") {
+    check_coverage(3);
+    check_coverage(4);
+}
+
+TEST_CASE("dots relaxed ten times cover what the picture asks for") {
+    check_coverage(10);
+}
+
+TEST_CASE("black is covered to 99.5 % and more, of whatever size the dots, anywhere between two levels") {
+    for (const int steps : {0, 1, 2, 3, 4, 10}) {
+        for (const std::uint64_t count : {10'000u, 13'000u, 16'000u, 20'000u, 27'000u}) {
+            CAPTURE(steps);
+            CAPTURE(count);
+            const Measured drawing = measured(0, count, steps, count == 16'000);
+            CHECK(drawing.mean_within(0.05 * drawing.coverage.width) >= 0.995);
+        }
+    }
+}
+
+TEST_CASE("black has no bare fringe along the page's edges") {
+    for (const int steps : {4, 10}) {
+        for (const std::uint64_t count : {3000u, 5000u}) {
+            const Measured drawing = measured(0, count, steps, false, 3);
+            const int last = drawing.coverage.width - 1,
+                      depth = static_cast<int>(std::lround(drawing.apart / 2));
+            REQUIRE(depth >= 3);
+            std::array<double, 4> edges{};
+            for (int i = 0; i < depth; ++i) {
+                for (int k = 0; k <= last; ++k) {
+                    edges[0] += drawing.coverage.at(i, k);
+                    edges[1] += drawing.coverage.at(last - i, k);
+                    edges[2] += drawing.coverage.at(k, i);
+                    edges[3] += drawing.coverage.at(k, last - i);
+                }
+            }
+            for (const double edge : edges) {
+                CAPTURE(steps);
+                CAPTURE(count);
+                CHECK(edge / (double(depth) * (last + 1)) >= 0.97);
+            }
+        }
+    }
+}
+
+TEST_CASE("with sizes by tone, light greys have the more dots the smaller the smallest are") {
+    Pipeline& pipeline = pipeline_of(0.8f);
+    std::vector<std::size_t> counts;
+    for (const double smallest : {0.2, 0.5, 1.0}) {
+        Drawn drawn;
+        REQUIRE(pipeline.draw(
+            pipeline.plan({.automatic_tone = false,
+                           .relax = 1,
+                           .size = {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = 1}}),
+            drawn));
+        counts.push_back(drawn.stippling.dots.size());
+    }
+    CHECK(counts[0] > counts[1]);
+    CHECK(counts[1] > counts[2]);
+    // All alike they have the tone that they have by themselves: a fifth of the page.
+    CHECK(static_cast<double>(counts[2]) ==
+          doctest::Approx(0.2 * 200 * 200 / std::numbers::pi).epsilon(0.02));
+}
