@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/drawing/request.h"
 #include "core/image/tone.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
@@ -70,15 +71,16 @@ std::string with(const Scene& scene, const std::string& options, const std::stri
 TEST_CASE("--relax moves dots, loses none, and does so by itself") {
     const Scene scene;
     std::map<std::string, std::set<std::pair<std::string, std::string>>> places;
-    for (const std::string steps : {"0", "3", "4", "auto"}) {
+    const std::string usual = std::to_string(kUsualSteps);
+    for (const std::string& steps : {std::string("0"), std::string("3"), usual, std::string("auto")}) {
         draw(with(scene, "--dots 1500 --relax " + steps, "r.svg"));
         places[steps] = read_svg(scene("r.svg")).places();
         CHECK(read_svg(scene("r.svg")).circles().size() == 1500);
-        CHECK(read_json(scene("stats.json"))["relaxing_steps"] == (steps == "auto" ? 4 : std::stoi(steps)));
+        CHECK(read_json(scene("stats.json"))["relaxing_steps"] == (steps == "auto" ? kUsualSteps : std::stoi(steps)));
     }
     CHECK(places["0"] != places["3"]);
-    CHECK(places["3"] != places["4"]);
-    CHECK(places["4"] == places["auto"]);
+    CHECK(places["3"] != places[usual]);
+    CHECK(places[usual] == places["auto"]);
     draw(with(scene, "--dots 1500", "r.svg"));
     CHECK(read_svg(scene("r.svg")).places() == places["auto"]);
     std::size_t stayed = 0;
