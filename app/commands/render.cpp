@@ -126,7 +126,7 @@ struct Rendered {
     DotOrder order = DotOrder::recursion;
     bool mostly_black = false;                // light ink would draw the picture better
     std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
-    Times times;
+    Times times = {};
 };
 
 // What someone who is about to plot it should know, in a line or two.
@@ -220,7 +220,7 @@ void render(const RenderOptions& options) {
     check_files(options);
     check_margin(options);
 
-    Times times;
+    Times times = {};
     Stopwatch watch;
     Pipeline pipeline;
     pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
