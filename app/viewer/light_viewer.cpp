@@ -124,6 +124,7 @@ class LightViewer {
             case Action::toggle_tiles:
             case Action::compare:
             case Action::loupe:
+            case Action::photograph:
                 return;  // of drawings
         }
     }
