@@ -83,10 +83,22 @@ class RunningViewer {
         json place;
         do {  // once more if the widget moved meanwhile
             REQUIRE(shows([&] { return has(widget); }));
-            place = status()["widgets"][widget];
+            place = scrolled_into_view(widget);
             const double x0 = place[0], y0 = place[1], x1 = place[2], y1 = place[3];
             move(x0 + 1 + (x1 - x0 - 2) * along, (y0 + y1) / 2);
         } while (status()["widgets"][widget] != place);
+    }
+    /// Turns the wheel over the panels until the widget is in the window; its corners.
+    json scrolled_into_view(const std::string& widget) {
+        constexpr double kTop = 10, kBottom = 790, kPanels = 1100;
+        while (true) {
+            const json place = status()["widgets"][widget];
+            const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
+            if (place[0] < 940 || (y > kTop && y < kBottom)) return place;
+            move(kPanels, 400);
+            y > kBottom ? wheel_down() : wheel_up();
+            REQUIRE(shows([&] { return status()["widgets"][widget] != place; }));
+        }
     }
     void move(double x, double y) {
         const long column = std::lround(x), row = std::lround(y);
