@@ -4,7 +4,7 @@
 // A step of weighted Lloyd relaxation (Lloyd 1982; for stippling Secord 2002): each dot goes towards the
 // centroid of its Voronoi cell, 1.8 times the way, which takes half as many steps as going just there.
 // Weighted by density squared, so that the dots keep the density that they were placed with. As placed they
-// are even already: three steps bring more than a hundred from random dots.
+// are even already: three steps show more of a picture than a hundred from random dots.
 //
 // What moves is seen no more as a part of the endless subdivision: the first n dots of a relaxed drawing are
 // not the drawing with n dots.
