@@ -7,7 +7,7 @@
 
 build_packages=(
     cmake g++ libbenchmark-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
-    libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libstb-dev libtbb-dev ninja-build
+    libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libpng-dev libstb-dev libtbb-dev ninja-build
     nlohmann-json3-dev pkg-config
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)

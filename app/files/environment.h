@@ -7,7 +7,7 @@
 
 namespace dapple {
 
-/// Reads a latitude-longitude map in any format that OpenImageIO knows, .hdr and .exr above all. Float pixels
+/// Reads a latitude-longitude map in any of picture_formats(), Radiance HDR and OpenEXR above all. Float pixels
 /// are linear radiance, others sRGB-encoded; grey is taken as white light; transparency is ignored.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,

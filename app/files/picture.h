@@ -24,10 +24,11 @@ enum class PictureLimit {
     huge,   // whatever fits in memory
 };
 
-/// Reads the first picture of a file in any format that OpenImageIO knows, the right way up.
+/// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise.
-/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a pixel and a band.
+/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a pixel.
+/// Formats are told by content; libraries read them in a process of their own, with limits on memory and time.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
 /// damaged, too large, or has pixels that are NaN or infinite.

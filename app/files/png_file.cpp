@@ -1,87 +1,97 @@
 #include "app/files/png_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
+#include <cmath>
 #include <exception>
 #include <stdexcept>
 
-#include "app/files/silent_standard_error.h"
+#include "app/files/png_calls.h"
 
 namespace dapple {
 namespace {
 
-constexpr int kNoFilter = 8;  // PNG_FILTER_NONE
+constexpr double kMetresPerInch = 0.0254;
 
-// OpenImageIO's way into a stream. It may not throw through the C library in between, so it keeps what is
-// thrown.
-class StreamProxy : public OIIO::Filesystem::IOProxy {
+class PngWriter {
  public:
-    explicit StreamProxy(std::ostream& out) : IOProxy("", Write), out_(out) {}
-
-    const char* proxytype() const override { return "stream"; }
-
-    std::size_t write(const void* bytes, std::size_t size) override {
-        if (thrown_) return 0;
-        try {
-            out_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-        } catch (...) {
-            thrown_ = std::current_exception();
-            return 0;
-        }
-        m_pos += static_cast<std::int64_t>(size);
-        return size;
+    explicit PngWriter(std::ostream& out) : out_(out) {
+        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint_, &PngComplaint::fail,
+                                       &PngComplaint::ignore);
+        info_ = png_ ? png_create_info_struct(png_) : nullptr;
+        if (!info_) throw std::bad_alloc();
+        png_set_write_fn(png_, this, &PngWriter::put, &PngWriter::flush);
     }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png_, info_ ? &info_ : nullptr); }
 
-    void rethrow() const {
+    png_structp png() const { return png_; }
+    png_infop info() const { return info_; }
+
+    template <class Calls>
+    void call(const Calls& calls) {
+        if (png_calls(png_, calls)) return;
         if (thrown_) std::rethrow_exception(thrown_);
+        throw std::runtime_error("the PNG cannot be written: " + complaint_.message);
     }
 
  private:
+    // A stream may throw, but not through the C library in between: it is kept until that has been left.
+    static void put(png_structp png, png_bytep bytes, png_size_t size) {
+        auto* const self = static_cast<PngWriter*>(png_get_io_ptr(png));
+        if (!self->write(bytes, size)) png_error(png, "the stream failed");
+    }
+    static void flush(png_structp) {}
+
+    bool write(png_bytep bytes, png_size_t size) {
+        try {
+            out_.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+            return true;
+        } catch (...) {
+            thrown_ = std::current_exception();
+            return false;
+        }
+    }
+
     std::ostream& out_;
+    PngComplaint complaint_;
     std::exception_ptr thrown_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
 };
 
 }  // namespace
 
 void write_png(std::ostream& out, const PngHeader& header,
                const std::function<void(const PixelSink&)>& draw) {
-    StreamProxy proxy(out);
-    const auto check = [&](bool good, const OIIO::ImageOutput& file) {
-        proxy.rethrow();
-        if (!good) throw std::runtime_error("the PNG cannot be written: " + file.geterror());
-    };
-
+    PngWriter file(out);
+    png_structp const png = file.png();
+    png_infop const info = file.info();
     const bool grey = header.colours == PngColours::grey;
-    OIIO::ImageSpec spec(header.width, header.height, grey ? 1 : 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("XResolution", static_cast<float>(header.dpi));
-    spec.attribute("YResolution", static_cast<float>(header.dpi));
-    spec.attribute("ResolutionUnit", "inch");
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    // Pages are even paper and even ink for the most part: the filters, made for photographs, only cost time.
-    spec.attribute("png:filter", kNoFilter);
-
-    // "png" is the format by name: the stream has none.
-    std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create("png", &proxy);
-    if (!file) throw std::runtime_error("the PNG cannot be written: " + OIIO::geterror());
-    check(file->open("picture.png", spec), *file);
-    int row = 0;
-    try {
-        draw([&](const Grid<glm::u8vec3>& band) {
-            // Of a grey picture every third byte, which is its red.
-            const auto step = static_cast<OIIO::stride_t>(sizeof(glm::u8vec3));
-            check(file->write_scanlines(row, row + band.height, 0, OIIO::TypeDesc::UINT8, band.values.data(),
-                                        step, step * band.width),
-                  *file);
-            row += band.height;
-        });
-    } catch (...) {
-        // Closed before its last row, the library prints what the caller is about to say.
-        const SilentStandardError silence;
-        file.reset();
-        throw;
-    }
-    check(file->close(), *file);
+    const auto width = static_cast<png_uint_32>(header.width),
+               height = static_cast<png_uint_32>(header.height),
+               pixels_per_metre = static_cast<png_uint_32>(std::lround(header.dpi / kMetresPerInch));
+    file.call([&] {
+        // libpng's own limit is a million.
+        png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+        png_set_IHDR(png, info, width, height, 8, grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
+        // Pages are even paper and even ink for the most part: the filters, made for photographs, only cost
+        // time.
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+        png_write_info(png, info);
+    });
+    std::vector<png_byte> greys(grey ? static_cast<std::size_t>(header.width) : 0);
+    draw([&](const Grid<glm::u8vec3>& band) {
+        for (int y = 0; y < band.height; ++y) {
+            const glm::u8vec3* const colours = band.row(y);
+            for (std::size_t x = 0; x < greys.size(); ++x) greys[x] = colours[x].x;
+            const png_byte* const row = grey ? greys.data() : &colours->x;
+            file.call([&] { png_write_row(png, row); });
+        }
+    });
+    file.call([&] { png_write_end(png, nullptr); });
 }
 
 }  // namespace dapple

@@ -1,6 +1,5 @@
 #include "core/image/blur.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -29,30 +28,52 @@ Box box_of_variance(double variance) {
     return {radius, std::clamp(share, 0.0, 1.0)};
 }
 
-void mean_along(const std::vector<float>& from, std::vector<float>& to, Box box) {
-    const int n = static_cast<int>(from.size());
-    const auto value = [&](int i) { return static_cast<double>(from[std::clamp(i, 0, n - 1)]); };
-    double sum = 0;
-    for (int k = -box.radius; k <= box.radius; ++k) sum += value(k);
+// Lines side by side, value by value: line l has its i-th value at i * Lanes + l.
+template <int Lanes>
+void mean_along(const std::vector<float>& from, std::vector<float>& to, int length, Box box) {
+    const auto values = [&](int i) { return from.data() + std::clamp(i, 0, length - 1) * Lanes; };
+    double sum[Lanes] = {};
+    for (int k = -box.radius; k <= box.radius; ++k)
+        for (int l = 0; l < Lanes; ++l) sum[l] += static_cast<double>(values(k)[l]);
     const double weight = 1 / (2 * box.radius + 1 + 2 * box.share);
-    for (int i = 0; i < n; ++i) {
-        const double ends = value(i - box.radius - 1) + value(i + box.radius + 1);
-        to[i] = static_cast<float>((sum + box.share * ends) * weight);
-        sum += value(i + box.radius + 1) - value(i - box.radius);
+    for (int i = 0; i < length; ++i) {
+        const float *before = values(i - box.radius - 1), *first = values(i - box.radius),
+                    *next = values(i + box.radius + 1);
+        float* const mean = to.data() + i * Lanes;
+        for (int l = 0; l < Lanes; ++l) {
+            const double ends = static_cast<double>(before[l]) + static_cast<double>(next[l]);
+            mean[l] = static_cast<float>((sum[l] + box.share * ends) * weight);
+            sum[l] += static_cast<double>(next[l]) - static_cast<double>(first[l]);
+        }
     }
 }
 
-void blur_lines(Grid<float>& grid, int count, int length, std::size_t step, std::size_t line_step, Box box) {
-    tbb::parallel_for(tbb::blocked_range<int>(0, count), [&](const tbb::blocked_range<int>& lines) {
-        std::vector<float> a(length), b(length);
-        for (int line = lines.begin(); line != lines.end(); ++line) {
-            float* const start = grid.values.data() + line * line_step;
-            for (int i = 0; i < length; ++i) a[i] = start[i * step];
-            for (int pass = 0; pass < kPasses; ++pass) {
-                mean_along(a, b, box);
-                a.swap(b);
-            }
-            for (int i = 0; i < length; ++i) start[i * step] = a[i];
+// Lines from `first` on: values a step apart, lines a line's step.
+template <int Lanes>
+void blur_lines(float* first, int length, std::size_t step, std::size_t line_step, Box box) {
+    const auto size = static_cast<std::size_t>(length) * Lanes;
+    std::vector<float> a(size), b(size);
+    for (int i = 0; i < length; ++i)
+        for (int l = 0; l < Lanes; ++l) a[i * Lanes + l] = first[i * step + l * line_step];
+    for (int pass = 0; pass < kPasses; ++pass) {
+        mean_along<Lanes>(a, b, length, box);
+        a.swap(b);
+    }
+    for (int i = 0; i < length; ++i)
+        for (int l = 0; l < Lanes; ++l) first[i * step + l * line_step] = a[i * Lanes + l];
+}
+
+// As many lines at once as fill a cache line, which columns have in common.
+void blur_all(Grid<float>& grid, int count, int length, std::size_t step, std::size_t line_step, Box box) {
+    constexpr int kLanes = 16;
+    tbb::parallel_for(0, (count + kLanes - 1) / kLanes, [&](int group) {
+        const int begin = group * kLanes, end = std::min(begin + kLanes, count);
+        float* const first = grid.values.data() + begin * line_step;
+        if (end - begin == kLanes) {
+            blur_lines<kLanes>(first, length, step, line_step, box);
+        } else {
+            for (int line = 0; line < end - begin; ++line)
+                blur_lines<1>(first + line * line_step, length, step, line_step, box);
         }
     });
 }
@@ -63,8 +84,8 @@ Grid<float> blurred(Grid<float> grid, double sigma) {
     if (sigma <= 0) return grid;
     const Box box = box_of_variance(sigma * sigma / kPasses);
     const auto row = static_cast<std::size_t>(grid.width);
-    blur_lines(grid, grid.height, grid.width, 1, row, box);
-    blur_lines(grid, grid.width, grid.height, row, 1, box);
+    blur_all(grid, grid.height, grid.width, 1, row, box);
+    blur_all(grid, grid.width, grid.height, row, 1, box);
     return grid;
 }
 

@@ -1,0 +1,171 @@
+// PNG. By itself, since libraries for all the other formats take a quarter of a second to load.
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "app/decoding/decode.h"
+#include "app/decoding/stored_pixels.h"
+#include "app/files/png_calls.h"
+
+namespace dapple {
+namespace {
+
+// Reads from a file descriptor.
+void read_bytes(png_structp png, png_bytep bytes, png_size_t size) {
+    const int file = *static_cast<const int*>(png_get_io_ptr(png));
+    while (size > 0) {
+        const ssize_t got = ::read(file, bytes, size);
+        if (got <= 0) png_error(png, "the file ends too early");
+        bytes += got;
+        size -= static_cast<png_size_t>(got);
+    }
+}
+
+class PngReader {
+ public:
+    explicit PngReader(int file) : file_(file) {
+        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, &PngComplaint::fail,
+                                      &PngComplaint::ignore);
+        info_ = png_ ? png_create_info_struct(png_) : nullptr;
+        if (!info_) throw DecodeError("there is not enough memory to read it");
+        // Sizes are ours to judge; single chunks, such as colour profiles, stay small.
+        constexpr png_alloc_size_t kLargestChunk = 64 << 20;
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+        png_set_chunk_malloc_max(png_, kLargestChunk);
+        png_set_read_fn(png_, &file_, &read_bytes);
+    }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png_, info_ ? &info_ : nullptr, nullptr); }
+
+    png_structp png() const { return png_; }
+    png_infop info() const { return info_; }
+
+    template <class Calls>
+    void call(const Calls& calls, const char* otherwise) {
+        if (!png_calls(png_, calls))
+            throw DecodeError(std::string(otherwise) + " (" + complaint_.message + ")");
+    }
+
+ private:
+    int file_;
+    PngComplaint complaint_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+};
+
+Encoding encoding_of(png_structp png, png_infop info) {
+    double gamma = 0;
+    if (png_get_valid(png, info, PNG_INFO_sRGB) || !png_get_gAMA(png, info, &gamma) || !(gamma > 0))
+        return {Encoding::Kind::srgb};
+    if (std::abs(gamma - 1) < 1e-3) return {Encoding::Kind::linear};
+    return {Encoding::Kind::power, static_cast<float>(1 / gamma)};
+}
+
+// The orientation in an EXIF block: a TIFF's first directory, tag 274.
+int orientation_in(std::vector<unsigned char> exif) {
+    const bool little = exif.size() >= 8 && exif[0] == 'I' && exif[1] == 'I';
+    const bool big = exif.size() >= 8 && exif[0] == 'M' && exif[1] == 'M';
+    if (!little && !big) return 1;
+    const auto number = [&](std::size_t at, std::size_t bytes) {
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | exif[at + (little ? bytes - 1 - i : i)];
+        return value;
+    };
+    constexpr std::size_t kEntry = 12, kOrientation = 274;
+    const std::size_t directory = number(4, 4);
+    if (directory > exif.size() - 2) return 1;
+    const std::size_t entries = number(directory, 2);
+    for (std::size_t i = 0; i < entries; ++i) {
+        const std::size_t at = directory + 2 + i * kEntry;
+        if (at + kEntry > exif.size()) break;
+        if (number(at, 2) != kOrientation) continue;
+        const std::size_t value = number(at + 8, 2);
+        return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+    }
+    return 1;
+}
+
+int orientation_of(png_structp png, png_infop info) {
+#ifdef PNG_eXIf_SUPPORTED
+    png_uint_32 size = 0;
+    png_bytep exif = nullptr;
+    if (png_get_eXIf_1(png, info, &size, &exif) && exif) return orientation_in({exif, exif + size});
+#else
+    (void)png, (void)info;
+#endif
+    return 1;
+}
+
+}  // namespace
+
+void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
+            ImageSink& sink) {
+    PngReader reader(file);
+    png_structp const png = reader.png();
+    png_infop const info = reader.info();
+    reader.call([&] { png_read_info(png, info); }, "not a picture that can be read");
+    const auto width = static_cast<std::int64_t>(png_get_image_width(png, info)),
+               height = static_cast<std::int64_t>(png_get_image_height(png, info));
+    check_size(width, height, png_get_channels(png, info), request);
+    const int stored_bits = png_get_bit_depth(png, info);
+
+    // Palettes, fewer bits than 8 and a transparent colour become channels of their own.
+    int passes = 1;
+    reader.call(
+        [&] {
+            png_set_expand(png);
+            if (stored_bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+            passes = png_set_interlace_handling(png);
+            png_read_update_info(png, info);
+        },
+        "not a picture that can be read");
+    const int channels = png_get_channels(png, info);
+    const bool wide = png_get_bit_depth(png, info) == 16;
+
+    PixelLayout layout;
+    layout.count = channels;
+    const int last_colour = channels < 3 ? 0 : 2;
+    layout.channels.colour = {0, last_colour == 0 ? 0 : 1, last_colour};
+    if (channels % 2 == 0) layout.channels.alpha = channels - 1;
+    layout.encoding = encoding_of(png, info);
+    layout.eight_bit = !wide;
+    const ImageHeader header{static_cast<int>(width), static_cast<int>(height), orientation_of(png, info),
+                             layout.channels.grey(),
+                             describe(static_cast<int>(width), static_cast<int>(height),
+                                      std::to_string(stored_bits) + "-bit", layout.channels, "png")};
+    if (!request.over_paper) layout.channels.alpha.reset();
+    const StoredPixels decoder(layout);
+
+    // An interlaced picture has to be there as a whole; else a row at a time.
+    const std::size_t row_bytes = png_get_rowbytes(png, info),
+                      row_values = static_cast<std::size_t>(width) * channels;
+    const std::size_t kept_rows = passes > 1 ? static_cast<std::size_t>(height) : 1;
+    before_pixels(row_bytes * kept_rows + row_values * sizeof(float));
+    std::vector<unsigned char> kept(row_bytes * kept_rows);
+    for (int pass = 0; pass + 1 < passes; ++pass) {
+        reader.call(
+            [&] {
+                for (std::size_t y = 0; y < kept_rows; ++y)
+                    png_read_row(png, kept.data() + y * row_bytes, nullptr);
+            },
+            "the picture is damaged");
+    }
+    std::vector<float> values(row_values);
+    std::vector<glm::vec3> colours(static_cast<std::size_t>(width));
+    for (int y = 0; y < static_cast<int>(height); ++y) {
+        unsigned char* const row = kept.data() + (passes > 1 ? static_cast<std::size_t>(y) * row_bytes : 0);
+        reader.call([&] { png_read_row(png, row, nullptr); }, "the picture is damaged");
+        if (y == 0) sink.begin(header);
+        const auto* const wide_row = reinterpret_cast<const std::uint16_t*>(row);
+        for (std::size_t i = 0; i < row_values; ++i)
+            values[i] =
+                wide ? static_cast<float>(wide_row[i]) / 65535.0f : static_cast<float>(row[i]) / 255.0f;
+        decoder.decode(values, y, colours);
+        sink.row(colours);
+    }
+}
+
+}  // namespace dapple

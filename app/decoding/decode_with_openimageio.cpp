@@ -1,0 +1,157 @@
+// Any format but PNG. OpenImageIO's headers come with an fmt of their own: nothing else of it here.
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/decoding/decode.h"
+#include "app/decoding/stored_pixels.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kBandRows = 64;
+
+// What a codec says, without its line ends and without the descriptor that it took for the file's name.
+std::string in_brackets(std::string message, const std::string& name) {
+    for (const std::string& part : {" (\"" + name + "\")", "\"" + name + "\"", name}) {
+        for (std::size_t at; (at = message.find(part)) != message.npos;) message.erase(at, part.size());
+    }
+    if (const std::size_t end = message.find('\n'); end != message.npos) message.resize(end);
+    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+    return message.empty() ? "" : " (" + message + ")";
+}
+
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format) {
+    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(std::string(reader_of(format)));
+    if (!input) throw DecodeError("cannot be read: " + OIIO::geterror());
+    OIIO::ImageSpec spec, wishes;
+    // Colours as stored: dividing 8-bit colours by alpha again would lose them.
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(name, spec, wishes))
+        throw DecodeError("not a picture that can be read" + in_brackets(input->geterror(), name));
+    // Some files begin with a header that has no picture.
+    int picture = 0;
+    while (input->spec().width <= 0 || input->spec().height <= 0) {
+        if (!input->seek_subimage(++picture, 0)) throw DecodeError("there is no picture in the file");
+    }
+    return input;
+}
+
+Channels channels_of(const OIIO::ImageSpec& spec) {
+    Channels channels;
+    if (spec.alpha_channel >= 0 && spec.alpha_channel < spec.nchannels) channels.alpha = spec.alpha_channel;
+    const auto named = [&](std::string_view name) {
+        const auto same = [&](const std::string& other) {
+            return OIIO::Strutil::iequals(other, std::string(name));
+        };
+        const auto found = std::ranges::find_if(spec.channelnames, same);
+        return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+    };
+    const int red = named("R"), green = named("G"), blue = named("B"), luminance = named("Y");
+    if (red >= 0 && green >= 0 && blue >= 0) {
+        channels.colour = {red, green, blue};
+    } else if (luminance >= 0) {
+        channels.colour = {luminance, luminance, luminance};
+    } else {
+        std::vector<int> others;
+        for (int i = 0; i < spec.nchannels; ++i) {
+            if (i != channels.alpha) others.push_back(i);
+        }
+        if (others.empty()) others.push_back(0);
+        if (others.size() >= 3) {
+            channels.colour = {others[0], others[1], others[2]};
+        } else {
+            channels.colour.fill(others[0]);
+        }
+    }
+    if (channels.alpha && *channels.alpha == channels.colour[0]) channels.alpha.reset();
+    return channels;
+}
+
+Encoding encoding_of(const OIIO::ImageSpec& spec) {
+    const std::string name = OIIO::Strutil::lower(spec.get_string_attribute("oiio:ColorSpace"));
+    if (name.starts_with("lin") || name == "scene_linear") return {Encoding::Kind::linear};
+    if (name.starts_with("gamma")) {
+        // "Gamma2.2", or "GammaCorrected" with the number beside it.
+        float gamma = spec.get_float_attribute("oiio:Gamma", 0.0f);
+        if (gamma <= 0) gamma = OIIO::Strutil::from_string<float>(name.substr(5));
+        if (gamma == 1) return {Encoding::Kind::linear};
+        if (gamma > 0) return {Encoding::Kind::power, gamma};
+    }
+    // PFM's floats are light, though OpenImageIO takes them for encoded as PPM's integers are.
+    if (spec.format.is_floating_point() && name != "srgb") return {Encoding::Kind::linear};
+    return {Encoding::Kind::srgb};
+}
+
+PixelLayout layout_of(const OIIO::ImageSpec& spec) {
+    PixelLayout layout;
+    layout.channels = channels_of(spec);
+    layout.count = spec.nchannels;
+    layout.encoding = encoding_of(spec);
+    layout.premultiplied = layout.channels.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+    layout.eight_bit = spec.format == OIIO::TypeDesc::UINT8;
+    return layout;
+}
+
+std::string kind_of(const OIIO::ImageSpec& spec) {
+    if (spec.format.is_floating_point()) return "float";
+    const int bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(spec.format.size()) * 8);
+    return std::to_string(bits) + "-bit";
+}
+
+// Rows [begin, end) of the file as floats.
+bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* pixels) {
+    const int subimage = input.current_subimage();
+    if (spec.tile_width == 0) {
+        return input.read_scanlines(subimage, 0, spec.y + begin, spec.y + end, spec.z, 0, spec.nchannels,
+                                    OIIO::TypeDesc::FLOAT, pixels);
+    }
+    return input.read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, spec.z,
+                            spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
+}
+
+}  // namespace
+
+void decode(int file, PictureFormat format, const DecodeRequest& request, BeforePixels before_pixels,
+            ImageSink& sink) {
+    const std::string name = "/dev/fd/" + std::to_string(file);
+    const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format);
+    const OIIO::ImageSpec spec = input->spec();
+    check_size(spec.width, spec.height, spec.nchannels, request);
+    if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")
+        throw DecodeError("has the inks of a print, which cannot be mixed here; save it as RGB or grey");
+
+    PixelLayout layout = layout_of(spec);
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    const ImageHeader header{
+        spec.width, spec.height, orientation >= 1 && orientation <= 8 ? orientation : 1,
+        layout.channels.grey(),
+        describe(spec.width, spec.height, kind_of(spec), layout.channels, input->format_name())};
+    if (!request.over_paper) layout.channels.alpha.reset();
+    const StoredPixels decoder(layout);
+
+    const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
+    const int band_rows = std::min(spec.tile_width == 0 ? kBandRows : spec.tile_height, spec.height);
+    const std::size_t stored = row_values * spec.height * std::max<std::size_t>(spec.format.size(), 1);
+    before_pixels(stored + row_values * band_rows * sizeof(float));
+    std::vector<float> band(row_values * band_rows);
+    std::vector<glm::vec3> colours(spec.width);
+    for (int begin = 0; begin < spec.height; begin += band_rows) {
+        const int end = std::min(begin + band_rows, spec.height);
+        const bool complete = read_rows(*input, spec, begin, end, band.data());
+        // The JPEG reader goes on after a file ends too early, but says so.
+        if (!complete || input->has_error())
+            throw DecodeError("the picture is damaged" + in_brackets(input->geterror(), name));
+        if (begin == 0) sink.begin(header);
+        for (int y = begin; y < end; ++y) {
+            decoder.decode({band.data() + (y - begin) * row_values, row_values}, y, colours);
+            sink.row(colours);
+        }
+    }
+}
+
+}  // namespace dapple

@@ -1,0 +1,52 @@
+#pragma once
+// A picture file's content on its way from a decoder: what comes first, then its rows.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace dapple {
+
+inline constexpr std::int64_t kUsualPixels = 400'000'000;
+inline constexpr std::int64_t kAnyPixels = INT64_MAX;
+
+struct ImageHeader {
+    int width = 0, height = 0;  // as stored, over 0
+    int orientation = 1;        // EXIF's, 1..8: how the camera was held
+    bool grey = false;          // red, green and blue are the same everywhere
+    std::string description;    // "512 x 512 pixels, 8-bit grey png"
+};
+
+/// Takes a picture: begin() once, then row() for each row from the top down.
+class ImageSink {
+ public:
+    ImageSink() = default;
+    ImageSink(const ImageSink&) = delete;
+    ImageSink& operator=(const ImageSink&) = delete;
+    virtual ~ImageSink() = default;
+
+    virtual void begin(const ImageHeader& header) = 0;
+    /// Linear light, finite, `width` colours.
+    virtual void row(std::span<const glm::vec3> colours) = 0;
+};
+
+struct DecodeRequest {
+    bool over_paper = true;                   // transparent parts show white; else alpha is left out
+    std::int64_t most_pixels = kUsualPixels;  // larger ones are refused before they are read
+};
+
+/// Why a file is no picture: a sentence without the file's name.
+struct DecodeError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+/// It has more pixels than asked for.
+struct TooManyPixels : DecodeError {
+    using DecodeError::DecodeError;
+};
+
+/// Throws TooManyPixels, or DecodeError for what no picture has (no pixels, hundreds of channels).
+void check_size(std::int64_t width, std::int64_t height, int channels, const DecodeRequest& request);
+
+}  // namespace dapple

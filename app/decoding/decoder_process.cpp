@@ -1,0 +1,194 @@
+#include "app/decoding/decoder_process.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "app/decoding/image_pipe.h"
+#include "app/decoding/picture_format.h"
+
+extern char** environ;
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Descriptor {
+ public:
+    explicit Descriptor(int value = -1) : value_(value) {}
+    Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(value_, other.value_);
+        return *this;
+    }
+    ~Descriptor() { close(); }
+    void close() {
+        if (value_ >= 0) ::close(std::exchange(value_, -1));
+    }
+    explicit operator bool() const { return value_ >= 0; }
+    int get() const { return value_; }
+
+ private:
+    int value_;
+};
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+// What comes through a pipe is written down first: formats are told by their beginning and read from it
+// again.
+Descriptor spooled(const Descriptor& from) {
+    std::FILE* const file = std::tmpfile();
+    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
+    Descriptor copy(::fcntl(::fileno(file), F_DUPFD_CLOEXEC, 3));
+    std::fclose(file);
+    std::array<char, 1 << 16> buffer;
+    for (;;) {
+        const ssize_t got = ::read(from.get(), buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw DecodeError("cannot be read: " + reason(errno));
+        if (got == 0) return copy;
+        if (::write(copy.get(), buffer.data(), static_cast<std::size_t>(got)) != got)
+            throw DecodeError("cannot be kept while it is read: " + reason(errno));
+    }
+}
+
+Descriptor open_file(const fs::path& path) {
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file) throw DecodeError(errno == ENOENT ? "no such file" : "cannot be read: " + reason(errno));
+    struct stat status {};
+    ::fstat(file.get(), &status);
+    if (S_ISDIR(status.st_mode)) throw DecodeError("is a folder, not a picture");
+    if (!S_ISREG(status.st_mode)) file = spooled(file);
+    ::fstat(file.get(), &status);
+    if (status.st_size == 0) throw DecodeError("the file is empty");
+    return file;
+}
+
+PictureFormat format_in(const Descriptor& file) {
+    std::array<unsigned char, kFormatBytes> beginning;
+    const ssize_t got = ::pread(file.get(), beginning.data(), beginning.size(), 0);
+    if (got < 0) throw DecodeError("cannot be read: " + reason(errno));
+    const auto format = format_of({beginning.data(), static_cast<std::size_t>(got)});
+    if (!format)
+        throw DecodeError("not a picture that can be read; it would have to be " + picture_formats());
+    ::lseek(file.get(), 0, SEEK_SET);
+    return *format;
+}
+
+// Beside the program, or where it is installed or built.
+fs::path decoder_for(PictureFormat format) {
+    const char* const name = format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode";
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const char* const place : {".", "../libexec/dapple", "../app"}) {
+        const fs::path decoder = folder / place / name;
+        if (::access(decoder.c_str(), X_OK) == 0) return decoder;
+    }
+    throw DecodeError("cannot be read: the program " + std::string(name) + " is missing from " +
+                      folder.string() + "; install or build dapple again");
+}
+
+class Actions {
+ public:
+    Actions() { posix_spawn_file_actions_init(&actions_); }
+    Actions(const Actions&) = delete;
+    Actions& operator=(const Actions&) = delete;
+    ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
+    void open(int as, const char* path, int flags) {
+        posix_spawn_file_actions_addopen(&actions_, as, path, flags, 0);
+    }
+    void give(const Descriptor& from, int as) { posix_spawn_file_actions_adddup2(&actions_, from.get(), as); }
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+    posix_spawn_file_actions_t actions_;
+};
+
+// A decoder at work.
+class Process {
+ public:
+    Process(const fs::path& program, const char* reader, const DecodeRequest& request,
+            const Descriptor& file) {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw DecodeError("cannot be read: " + reason(errno));
+        output_ = Descriptor(ends[0]);
+        Descriptor input(ends[1]);
+        // Above the numbers that the decoder knows them by: a descriptor given as itself would be closed.
+        input = Descriptor(::fcntl(input.get(), F_DUPFD_CLOEXEC, 10));
+        const Descriptor given(::fcntl(file.get(), F_DUPFD_CLOEXEC, 10));
+        Actions actions;
+        actions.open(STDIN_FILENO, "/dev/null", O_RDONLY);
+        // Libraries print there what they find wrong with a file, and it comes as a sentence too.
+        actions.open(STDERR_FILENO, "/dev/null", O_WRONLY);
+        actions.give(input, STDOUT_FILENO);
+        actions.give(given, 3);
+        std::string name = program.string(), format = reader, most = std::to_string(request.most_pixels),
+                    over = request.over_paper ? "over-paper" : "as-is";
+        std::array<char*, 5> arguments{name.data(), format.data(), most.data(), over.data(), nullptr};
+        const int error =
+            ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
+        if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
+    }
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+    ~Process() {
+        if (id_ <= 0) return;
+        ::kill(id_, SIGKILL);
+        wait();
+    }
+
+    int output() const { return output_.get(); }
+
+    /// Its status, as waitpid() tells it.
+    int wait() {
+        int status = 0;
+        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+        }
+        id_ = -1;
+        return status;
+    }
+
+ private:
+    Descriptor output_;
+    pid_t id_ = -1;
+};
+
+[[noreturn]] void fail_by(int status) {
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        if (signal == SIGXCPU)
+            throw DecodeError("takes far longer to decode than a picture of its size should");
+        if (signal == SIGINT || signal == SIGTERM || signal == SIGKILL)
+            throw DecodeError("cannot be read: its decoder was stopped");
+        throw DecodeError(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
+                          ")");
+    }
+    throw DecodeError("cannot be read: its decoder ended without a word (exit " +
+                      std::to_string(WEXITSTATUS(status)) + ")");
+}
+
+}  // namespace
+
+void decode_file(const fs::path& path, const DecodeRequest& request, ImageSink& sink) {
+    const Descriptor file = open_file(path);
+    const PictureFormat format = format_in(file);
+    Process decoder(decoder_for(format), std::string(reader_of(format)).c_str(), request, file);
+    if (!receive_image(decoder.output(), request, sink)) fail_by(decoder.wait());
+}
+
+}  // namespace dapple

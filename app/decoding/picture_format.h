@@ -1,0 +1,42 @@
+#pragma once
+// Which picture formats are read, told by what a file begins with: its name may say anything.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace dapple {
+
+enum class PictureFormat {
+    png,
+    jpeg,
+    tiff,
+    openexr,
+    radiance,
+    webp,
+    heif,
+    jpeg2000,
+    gif,
+    bmp,
+    targa,
+    pnm,
+    psd,
+    fits,
+};
+
+/// How many bytes of the beginning tell.
+inline constexpr std::size_t kFormatBytes = 32;
+
+/// From the first kFormatBytes of a file, or all where it is shorter. Nothing: none of these formats.
+std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning);
+
+/// What OpenImageIO calls its reader: "png", "openexr".
+std::string_view reader_of(PictureFormat format);
+std::optional<PictureFormat> format_with_reader(std::string_view reader);
+
+/// For sentences: "PNG, JPEG, ... or FITS".
+std::string picture_formats();
+
+}  // namespace dapple

@@ -1,0 +1,76 @@
+#include "app/decoding/stored_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/decoding/decoded_image.h"
+#include "core/image/tone.h"
+
+namespace dapple {
+namespace {
+
+[[noreturn]] void fail_not_finite(std::span<const float> row, int channels, int y) {
+    const auto bad = std::ranges::find_if(row, [](float v) { return !std::isfinite(v); });
+    const bool is_nan = bad == row.end() || std::isnan(*bad);
+    throw DecodeError("pixel " + std::to_string((bad - row.begin()) / channels) + ", " + std::to_string(y) +
+                      " is " + (is_nan ? "not a number (NaN)" : "infinite") +
+                      "; repair the picture first, for example with oiiotool --fixnan box3");
+}
+
+}  // namespace
+
+float Encoding::light(float stored) const {
+    switch (kind) {
+        case Kind::linear:
+            return stored;
+        // Floats that say they are encoded may lie outside 0..1; mirrored and continued, nothing is lost.
+        case Kind::srgb:
+            return std::copysign(srgb_to_linear(std::abs(stored)), stored);
+        case Kind::power:
+            return std::copysign(std::pow(std::abs(stored), gamma), stored);
+    }
+    return stored;
+}
+
+StoredPixels::StoredPixels(const PixelLayout& layout) : layout_(layout) {
+    for (std::size_t i = 0; i < eight_bit_.size(); ++i)
+        eight_bit_[i] = layout.encoding.light(static_cast<float>(i) / 255.0f);
+}
+
+void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::vec3> light) const {
+    const auto count = static_cast<std::size_t>(layout_.count);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        light[i] = over_paper(stored.data() + i * count);
+        if (!std::isfinite(light[i].x + light[i].y + light[i].z)) fail_not_finite(stored, layout_.count, y);
+    }
+}
+
+glm::vec3 StoredPixels::over_paper(const float* pixel) const {
+    if (!layout_.channels.alpha) return light_of(pixel, 1);
+    const float alpha = std::clamp(pixel[*layout_.channels.alpha], 0.0f, 1.0f);
+    if (!layout_.premultiplied) return light_of(pixel, 1) * alpha + (1 - alpha);
+    // Linear light is multiplied as light, and may glow where alpha is 0; encoded values as they are.
+    if (layout_.encoding.kind == Encoding::Kind::linear) return light_of(pixel, 1) + (1 - alpha);
+    return alpha > 0 ? light_of(pixel, 1 / alpha) * alpha + (1 - alpha) : glm::vec3(1);
+}
+
+glm::vec3 StoredPixels::light_of(const float* pixel, float factor) const {
+    const auto light = [&](int channel) {
+        const float stored = pixel[channel] * factor;
+        if (layout_.eight_bit && factor == 1)
+            return eight_bit_[static_cast<std::size_t>(stored * 255.0f + 0.5f) & 255];
+        return layout_.encoding.light(stored);
+    };
+    const std::array<int, 3>& colour = layout_.channels.colour;
+    if (layout_.channels.grey()) return glm::vec3(light(colour[0]));
+    return {light(colour[0]), light(colour[1]), light(colour[2])};
+}
+
+std::string describe(int width, int height, const std::string& kind, const Channels& channels,
+                     const std::string& format) {
+    return std::to_string(width) + " x " + std::to_string(height) + " pixels, " + kind +
+           (channels.grey() ? " grey" : " colour") + (channels.alpha ? " with transparency" : "") + " " +
+           format;
+}
+
+}  // namespace dapple
