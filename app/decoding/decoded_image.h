@@ -22,9 +22,6 @@ struct ImageHeader {
 /// Takes a picture: begin() once, then row() for each row from the top down.
 class ImageSink {
  public:
-    ImageSink() = default;
-    ImageSink(const ImageSink&) = delete;
-    ImageSink& operator=(const ImageSink&) = delete;
     virtual ~ImageSink() = default;
 
     virtual void begin(const ImageHeader& header) = 0;

@@ -19,19 +19,19 @@ void limit(__rlimit_resource resource, rlim_t most) {
     setrlimit(resource, &now);
 }
 
-void limit_memory(rlim_t bytes) {
+}  // namespace
+
+void limit_decoder_memory(std::uint64_t pixel_bytes) {
     // The sanitizers' own memory is counted too, terabytes of it.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    limit(RLIMIT_DATA, bytes);
+    limit(RLIMIT_DATA, kHeaderBytes + 2 * rlim_t{pixel_bytes});
 #else
-    (void)bytes;
+    (void)pixel_bytes;
 #endif
 }
 
-}  // namespace
-
 void limit_decoder() {
-    limit_memory(kHeaderBytes);
+    limit_decoder_memory(0);
     limit(RLIMIT_CPU, kHeaderSeconds);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_NOFILE, kOpenFiles);
@@ -39,7 +39,7 @@ void limit_decoder() {
 }
 
 void limit_decoder_to(std::uint64_t pixel_bytes) {
-    limit_memory(kHeaderBytes + 2 * rlim_t{pixel_bytes});
+    limit_decoder_memory(pixel_bytes);
     limit(RLIMIT_CPU, kHeaderSeconds + rlim_t{pixel_bytes} / kBytesPerSecond);
 }
 

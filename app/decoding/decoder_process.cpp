@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "app/decoding/image_pipe.h"
-#include "app/decoding/picture_format.h"
 
 extern char** environ;
 
@@ -88,19 +87,6 @@ PictureFormat format_in(const Descriptor& file) {
         throw DecodeError("not a picture that can be read; it would have to be " + picture_formats());
     ::lseek(file.get(), 0, SEEK_SET);
     return *format;
-}
-
-// Beside the program, or where it is installed or built.
-fs::path decoder_for(PictureFormat format) {
-    const char* const name = format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode";
-    std::error_code error;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* const place : {".", "../libexec/dapple", "../app"}) {
-        const fs::path decoder = folder / place / name;
-        if (::access(decoder.c_str(), X_OK) == 0) return decoder;
-    }
-    throw DecodeError("cannot be read: the program " + std::string(name) + " is missing from " +
-                      folder.string() + "; install or build dapple again");
 }
 
 class Actions {
@@ -184,11 +170,38 @@ class Process {
 
 }  // namespace
 
+fs::path decoder_for(PictureFormat format) {
+    const char* const name = format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode";
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (const char* const place : {".", "../libexec/dapple", "../app"}) {
+        const fs::path decoder = folder / place / name;
+        if (::access(decoder.c_str(), X_OK) == 0) return decoder;
+    }
+    throw DecodeError("cannot be read: the program " + std::string(name) + " is missing from " +
+                      folder.string() + "; install or build dapple again");
+}
+
+namespace {
+
+void decode_open(const Descriptor& file, PictureFormat format, const fs::path& decoder,
+                 const DecodeRequest& request, ImageSink& sink) {
+    Process process(decoder, std::string(reader_of(format)).c_str(), request, file);
+    if (!receive_image(process.output(), request, sink)) fail_by(process.wait());
+}
+
+}  // namespace
+
 void decode_file(const fs::path& path, const DecodeRequest& request, ImageSink& sink) {
     const Descriptor file = open_file(path);
     const PictureFormat format = format_in(file);
-    Process decoder(decoder_for(format), std::string(reader_of(format)).c_str(), request, file);
-    if (!receive_image(decoder.output(), request, sink)) fail_by(decoder.wait());
+    decode_open(file, format, decoder_for(format), request, sink);
+}
+
+void decode_file_by(const fs::path& decoder, const fs::path& path, const DecodeRequest& request,
+                    ImageSink& sink) {
+    const Descriptor file = open_file(path);
+    decode_open(file, format_in(file), decoder, request, sink);
 }
 
 }  // namespace dapple

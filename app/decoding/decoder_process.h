@@ -4,12 +4,21 @@
 #include <filesystem>
 
 #include "app/decoding/decoded_image.h"
+#include "app/decoding/picture_format.h"
 
 namespace dapple {
+
+/// The program that decodes a format: beside the running one, or where that is installed or built. Throws
+/// DecodeError where it is missing.
+std::filesystem::path decoder_for(PictureFormat format);
 
 /// Gives the first picture of a file to the sink. Throws DecodeError with a sentence that does not name the
 /// file: it is missing, a folder, empty, not allowed to be read, in none of picture_formats(), too large,
 /// damaged, or its decoder crashed or took more memory or time than a picture of its size may.
 void decode_file(const std::filesystem::path& path, const DecodeRequest& request, ImageSink& sink);
+
+/// The same by a given decoder, run as decoder_main.cpp says.
+void decode_file_by(const std::filesystem::path& decoder, const std::filesystem::path& path,
+                    const DecodeRequest& request, ImageSink& sink);
 
 }  // namespace dapple
