@@ -323,6 +323,18 @@ TEST_CASE("white stays empty") {
     }
 }
 
+TEST_CASE("a dot between two lines whose cell holds parts of both stays on its own") {
+    // Dots further apart along a line than the lines are: the balance point of a cell lies in the white.
+    const Density density(picture_of(256, 256, [](int x, int) { return x % 16 == 8 || x % 16 == 13; }));
+    const Stippling from = placed(density, 400);
+    for (const int steps : {1, 3, 10}) {
+        double least = 1;
+        for (const glm::dvec2 p : positions(relaxed(density, from, steps)))
+            least = std::min(least, density.at(p));
+        CHECK(least > 0.05);
+    }
+}
+
 TEST_CASE("areas with white between them keep their dots") {
     const Density density(picture_of(90, 60, [](int x, int y) {
         const bool rows = y > 15 && y < 45;
