@@ -99,12 +99,16 @@ TEST_CASE("detail keeps the mean lightness, and the light in 0..1") {
 
 TEST_CASE("a weak wave is amplified as the formula says") {
     // A Gaussian leaves exp(-(sigma w)^2 / 2) of a wave, so v - m is the rest of it. Far from the edges.
-    const double w = 2 * std::numbers::pi / 16, sigma = 4, height = 0.004;
-    const Grid<float> light = picture_of(256, 64, [&](int x, int) { return 0.5 + height * std::sin(w * x); });
-    const Grid<float> drawn = with_detail(light, 1, sigma);
-    const double rest = 1 - std::exp(-sigma * sigma * w * w / 2);
-    const double peak = linear_to_srgb(drawn.at(132, 32)) - 0.5;
-    CHECK(peak == doctest::Approx(height * (1 + 1.5 * rest)).epsilon(0.04));
+    for (const double sigma : {4.0, 8.0, 20.0, 40.0}) {
+        CAPTURE(sigma);
+        const double period = 4 * sigma, w = 2 * std::numbers::pi / period, height = 0.004;
+        const Grid<float> light = picture_of(static_cast<int>(16 * period) + 3, 64,
+                                             [&](int x, int) { return 0.5 + height * std::sin(w * x); });
+        const Grid<float> drawn = with_detail(light, 1, sigma);
+        const double rest = 1 - std::exp(-sigma * sigma * w * w / 2);
+        const double peak = linear_to_srgb(drawn.at(static_cast<int>(8.25 * period), 32)) - 0.5;
+        CHECK(peak == doctest::Approx(height * (1 + 1.5 * rest)).epsilon(0.04));
+    }
 }
 
 TEST_CASE("detail's scale is two mean spacings of the dots") {

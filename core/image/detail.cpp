@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "core/image/blur.h"
 #include "core/image/tone.h"
@@ -14,13 +17,88 @@ namespace {
 
 constexpr float kGain = 1.5f, kEdge = 0.1f, kMost = 0.15f;
 
-template <class Value>
-void for_each_row(Grid<float>& grid, Value value) {
-    tbb::parallel_for(0, grid.height, [&](int y) {
-        float* const row = grid.row(y);
-        for (int x = 0; x < grid.width; ++x) row[x] = value(row[x], x, y);
-    });
-}
+// sRGB's curve and its inverse, straight between points so close that it makes no difference: the curve
+// itself takes longer than all the rest.
+class SrgbTables {
+ public:
+    SrgbTables() : encoded_(kSteps + 2), light_(kSteps + 2) {
+        for (int i = 0; i < kSteps + 2; ++i) {
+            const float value = static_cast<float>(i) / kSteps;
+            encoded_[static_cast<std::size_t>(i)] = linear_to_srgb(value);
+            light_[static_cast<std::size_t>(i)] = srgb_to_linear(value);
+        }
+    }
+
+    // Of 0..1.
+    float encoded(float light) const { return between(encoded_, light); }
+    float light(float encoded) const { return between(light_, encoded); }
+
+ private:
+    static constexpr int kSteps = 1 << 14;
+
+    static float between(const std::vector<float>& values, float at) {
+        const float scaled = at * kSteps;
+        const auto step = static_cast<std::size_t>(scaled);
+        return values[step] + (values[step + 1] - values[step]) * (scaled - static_cast<float>(step));
+    }
+
+    std::vector<float> encoded_, light_;
+};
+
+// A wide Gaussian's means, worked out on a picture with fewer pixels: between them they hardly change.
+class WideMean {
+ public:
+    template <class Value>
+    WideMean(const Grid<float>& picture, double sigma_px, Value value)
+        : side_(std::max(1, static_cast<int>(sigma_px / kPixelsPerSigma))),
+          means_((picture.width + side_ - 1) / side_, (picture.height + side_ - 1) / side_) {
+        tbb::parallel_for(0, means_.height, [&](int y) {
+            for (int x = 0; x < means_.width; ++x) means_.at(x, y) = mean_of_block(picture, x, y, value);
+        });
+        means_ = blurred(std::move(means_), sigma_px / side_);
+    }
+
+    // Of each pixel in a row of the picture.
+    void row(int y, std::vector<float>& values) const {
+        const auto [above, below, share_y] = neighbours(y, means_.height);
+        for (int x = 0; x < static_cast<int>(values.size()); ++x) {
+            const auto [left, right, share_x] = neighbours(x, means_.width);
+            const float upper = mixed(means_.at(left, above), means_.at(right, above), share_x);
+            const float lower = mixed(means_.at(left, below), means_.at(right, below), share_x);
+            values[static_cast<std::size_t>(x)] = mixed(upper, lower, share_y);
+        }
+    }
+
+ private:
+    static constexpr double kPixelsPerSigma = 3;
+
+    struct Neighbours {
+        int first, second;
+        float share;
+    };
+
+    template <class Value>
+    float mean_of_block(const Grid<float>& picture, int block_x, int block_y, Value value) const {
+        const int left = block_x * side_, right = std::min(left + side_, picture.width);
+        const int top = block_y * side_, bottom = std::min(top + side_, picture.height);
+        float sum = 0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) sum += value(picture.at(x, y));
+        return sum / static_cast<float>((right - left) * (bottom - top));
+    }
+
+    // The blocks whose middles lie before and behind a pixel's.
+    Neighbours neighbours(int pixel, int blocks) const {
+        const float at = (static_cast<float>(pixel) + 0.5f) / static_cast<float>(side_) - 0.5f;
+        const int first = at < 0 ? 0 : static_cast<int>(at);
+        return {first, std::min(first + 1, blocks - 1), std::max(at - static_cast<float>(first), 0.0f)};
+    }
+
+    static float mixed(float a, float b, float share) { return a + (b - a) * share; }
+
+    int side_;  // of a block that becomes one pixel
+    Grid<float> means_;
+};
 
 float limited(float change) {
     return change / (1 + std::abs(change) / kMost);
@@ -34,17 +112,24 @@ double detail_sigma(double pixels, double dots) {
 
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {
     if (amount == 0 || light.empty()) return light;
-    // In this order NaN becomes white.
-    for_each_row(light, [](float v, int, int) { return linear_to_srgb(v < 1 ? (v > 0 ? v : 0.0f) : 1.0f); });
-    const Grid<float> mean = blurred(light, sigma_px);
-    Grid<float> variance = light;
-    for_each_row(variance, [](float v, int, int) { return v * v; });
-    variance = blurred(std::move(variance), sigma_px);
+    const SrgbTables srgb;
+    tbb::parallel_for(0, light.height, [&](int y) {
+        for (float& v : std::span(light.row(y), static_cast<std::size_t>(light.width)))
+            v = srgb.encoded(v < 1 ? (v > 0 ? v : 0.0f) : 1.0f);  // in this order NaN becomes white
+    });
+    const WideMean mean(light, sigma_px, [](float v) { return v; });
+    const WideMean mean_square(light, sigma_px, [](float v) { return v * v; });
     const auto strength = static_cast<float>(amount);
-    for_each_row(light, [&](float v, int x, int y) {
-        const float m = mean.at(x, y), spread = std::max(0.0f, variance.at(x, y) - m * m);
-        const float change = kGain * (v - m) * (kEdge * kEdge / (spread + kEdge * kEdge));
-        return srgb_to_linear(std::clamp(v + strength * limited(change), 0.0f, 1.0f));
+    tbb::parallel_for(0, light.height, [&](int y) {
+        float* const row = light.row(y);
+        std::vector<float> means(static_cast<std::size_t>(light.width)), squares(means.size());
+        mean.row(y, means);
+        mean_square.row(y, squares);
+        for (std::size_t x = 0; x < means.size(); ++x) {
+            const float spread = std::max(0.0f, squares[x] - means[x] * means[x]);
+            const float change = kGain * (row[x] - means[x]) * (kEdge * kEdge / (spread + kEdge * kEdge));
+            row[x] = srgb.light(std::clamp(row[x] + strength * limited(change), 0.0f, 1.0f));
+        }
     });
     return light;
 }

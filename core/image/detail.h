@@ -28,7 +28,8 @@ inline constexpr float kAutoDetail = 0.5f;
 /// moves by more than amount * 0.15. Flat parts stay as they are, and so does the mean of v, but for edges
 /// and clamping to 0..1.
 ///
-/// amount: 0 returns the very same values; 1 is strong; more is allowed. Time and memory: two blurs.
+/// amount: 0 returns the very same values; 1 is strong; more is allowed. Means of over 6 pixels are worked
+/// out on fewer pixels; time and memory are those of the picture.
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px);
 
 }  // namespace dapple
