@@ -10,11 +10,11 @@
 namespace dapple {
 
 struct FuzzOptions {
-    std::string kind;            // of files: "png", "tile"
-    std::filesystem::path seed;  // a file that is right
+    std::string kind = {};            // of files: "png", "tile"
+    std::filesystem::path seed = {};  // a file that is right
     std::uint64_t runs = 20'000, random = 1;
     double seconds = 1e9;
-    std::filesystem::path keep;  // a folder for files that ended a process; "": none
+    std::filesystem::path keep = {};  // a folder for files that ended a process; "": none
 };
 
 /// KIND SEED-FILE [--runs N] [--seconds S] [--random N] [--keep FOLDER]. Throws std::runtime_error.
