@@ -13,6 +13,7 @@
 #include "app/files/environment.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "core/image/sky.h"
 #include "core/output/light_report.h"
 
@@ -63,7 +64,7 @@ void lights(const LightsOptions& options) {
             stderr,
             "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie close "
             "together where the map's sides meet\n",
-            options.tile);
+            printable(options.tile));
     }
     const LightSamples samples = light_samples(map, tile, options.request);
 

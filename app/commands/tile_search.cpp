@@ -18,8 +18,9 @@
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "app/progress_line.h"
-#include "app/stop_on_interrupt.h"
+#include "app/signals.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/relink_search.h"
@@ -158,7 +159,7 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
     out << fmt::format(
         "stopped{}; dapple tile search --resume {} goes on\n",
         std::isfinite(proven) ? fmt::format(", all tiles of radius {:.4f} and more are seen", proven) : "",
-        rest.string());
+        printable(rest.native()));
 }
 
 // Energies, and with them temperatures, stay in one range: only the ratios of the weights count.
