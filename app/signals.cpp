@@ -19,13 +19,15 @@ namespace {
 // A signal handler is given nothing but the signal's number, so what it has to know is kept here.
 struct Slot {
     std::atomic<bool> taken{false};
-    std::atomic<bool> armed{false};
+    std::atomic<pid_t> owner{
+        0};  // whose file it is; 0: nobody's. A forked child inherits the slot, not the file
     std::array<char, PATH_MAX> path{};
 };
 std::array<Slot, 16> slots;  // the files to be removed
 std::atomic<bool> work_stops{false};
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
-static_assert(std::atomic<bool>::is_always_lock_free, "the handler may not wait");
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
+              "the handler may not wait");
 
 // What signals did before, kept while any number of users want something else.
 template <std::size_t N>
@@ -57,10 +59,13 @@ struct sigaction ignoring() {
     return action;
 }
 
+void remove_file(Slot& slot) {
+    pid_t mine = ::getpid();
+    if (slot.owner.compare_exchange_strong(mine, 0)) ::unlink(slot.path.data());
+}
+
 void remove_all_and_end(int signal) {
-    for (Slot& slot : slots) {
-        if (slot.armed.exchange(false)) ::unlink(slot.path.data());
-    }
+    for (Slot& slot : slots) remove_file(slot);
     for (std::size_t i = 0; i < endings.signals.size(); ++i) {
         if (endings.signals[i] == signal) ::sigaction(signal, &endings.former[i], nullptr);
     }
@@ -103,14 +108,13 @@ RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& path) : slot_(0) {
     }
     std::memcpy(slots[slot_].path.data(), name.c_str(), name.size() + 1);
     watch_endings();
-    slots[slot_].armed = true;
+    slots[slot_].owner = ::getpid();
 }
 
 RemovedOnSignal::~RemovedOnSignal() {
-    Slot& slot = slots[slot_];
-    if (slot.armed.exchange(false)) ::unlink(slot.path.data());
+    remove_file(slots[slot_]);
     unwatch_endings();
-    slot.taken = false;
+    slots[slot_].taken = false;
 }
 
 const char* RemovedOnSignal::path() const {
@@ -118,7 +122,7 @@ const char* RemovedOnSignal::path() const {
 }
 
 void RemovedOnSignal::keep() {
-    slots[slot_].armed = false;
+    slots[slot_].owner = 0;
 }
 
 StopOnInterrupt::StopOnInterrupt(std::optional<std::chrono::duration<double>> limit) {

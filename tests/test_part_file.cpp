@@ -76,7 +76,7 @@ TEST_CASE("what another dapple is writing stays while it does, and becomes its f
     save(folder / "b.txt", "new");
     CHECK(folder.entries() == 3);  // theirs, mine and b.txt
     writer.end(SIGTERM);
-    CHECK(folder.entries() == 2);
+    CHECK(folder.entries() == 2);  // a forked child removes its own file, not mine
     save(folder / "b.txt", "newer");
     CHECK(folder.entries() == 2);  // mine stays
     CHECK(fs::exists(mine.path()));
