@@ -76,16 +76,16 @@ class blocked_range {
     blocked_range(Value begin, Value end, std::size_t grain = 1) : begin_(begin), end_(end), grain_(grain) {}
     Value begin() const { return begin_; }
     Value end() const { return end_; }
+    std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
 
     /// As many parts as threads might share, none smaller than the grain.
     std::vector<blocked_range> parts() const {
         if (!(begin_ < end_)) return {};
-        const auto size = static_cast<std::size_t>(end_ - begin_);
-        const std::size_t part = std::max(grain_, (size + 11) / 12);
+        const std::size_t part = std::max(grain_, (size() + 11) / 12);
         std::vector<blocked_range> result;
-        for (std::size_t at = 0; at < size; at += part)
+        for (std::size_t at = 0; at < size(); at += part)
             result.emplace_back(begin_ + static_cast<Value>(at),
-                                begin_ + static_cast<Value>(std::min(at + part, size)), grain_);
+                                begin_ + static_cast<Value>(std::min(at + part, size())), grain_);
         return result;
     }
 
