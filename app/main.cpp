@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <span>
+#include <string_view>
 
 #include "app/commands/analyse.h"
 #include "app/commands/lights.h"
@@ -13,6 +14,7 @@
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
 #include "app/commands/wrong_command.h"
+#include "app/printable.h"
 #include "app/viewer/light_viewer.h"
 #include "app/viewer/viewer.h"
 
@@ -21,14 +23,15 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kUsage = 2;
 
-int report(const char* sentence, int code) {
-    std::fprintf(stderr, "dapple: %s\n", sentence);
+// Sentences name files, whose names may be anything.
+int report(std::string_view sentence, int code) {
+    std::fprintf(stderr, "dapple: %s\n", dapple::printable(sentence).c_str());
     return code;
 }
 
 int run(CLI::App& program, int argc, char** argv, const int& status) {
     if (const auto sentence = dapple::wrong_command(program, std::span(argv, argc).subspan(argc > 0 ? 1 : 0)))
-        return report(sentence->c_str(), kUsage);
+        return report(*sentence, kUsage);
     try {
         program.parse(argc, argv);
         return status;

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "app/printable.h"
+
 namespace dapple {
 namespace {
 
@@ -49,8 +51,9 @@ void ProgressLine::show(double fraction, std::string_view text, std::string_view
         left = fmt::format("{}{}{}, ", piece, piece.empty() ? "" : ": ",
                            in_words(elapsed / done * (1 - fraction)));
     }
-    const std::string line = fmt::format("\r[{}{}] {:>3.0f} %  {}{}\033[K", std::string(filled, '#'),
-                                         std::string(kBarWidth - filled, '-'), 100 * fraction, left, text);
+    const std::string line =
+        fmt::format("\r[{}{}] {:>3.0f} %  {}{}\033[K", std::string(filled, '#'),
+                    std::string(kBarWidth - filled, '-'), 100 * fraction, left, printable(text));
     std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
 }

@@ -215,6 +215,11 @@ TEST_CASE("bad input to an analysis is refused in words, and an old report stays
     scene.refuses(scene("good.csv") + " --width 3" + to_old, "--height");
     scene.refuses(scene("good.csv") + " --width 0 --height 1" + to_old, "--width");
     scene.refuses(scene("good.csv") + " --dots 100" + to_old, "--dots");
+    scene.refuses(scene("good.csv") + " --relax 3" + to_old, "--relax");
+    scene.refuses(scene("good.csv") + " --huge" + to_old, "--huge");
+    scene.refuses("--huge" + to_old, "--huge");
+    scene.refuses("--dot-radius 0.3" + to_old, "--dot-radius");
+    scene.refuses("--placer figure8 --scale 100 --ranking energy" + to_old, "--ranking");
     scene.refuses(scene("good.csv") + " --topology sphere" + to_old, "sphere is not known");
     scene.refuses("--density 0" + to_old, "--density");
     scene.refuses("--density nan" + to_old, "--density");

@@ -1,4 +1,6 @@
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -9,6 +11,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "app/files/atomic_file.h"
 #include "tests/file_text.h"
@@ -147,6 +150,52 @@ TEST_CASE("a link is followed, and permissions stay") {
     CHECK((fs::status(folder / "real.txt").permissions() & fs::perms::mask) == static_cast<fs::perms>(0640));
 }
 
+TEST_CASE("a link to a file that is not there yet is followed, and stays a link") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "elsewhere");
+    fs::create_symlink("elsewhere/new.txt", folder / "second.txt");
+    fs::create_symlink(folder / "second.txt", folder / "first.txt");
+    save_atomically(folder / "first.txt", write_new);
+    CHECK(fs::is_symlink(folder / "first.txt"));
+    CHECK(fs::is_symlink(folder / "second.txt"));
+    CHECK(text_of(folder / "elsewhere/new.txt") == "new");
+    // Its folder is the one that counts.
+    fs::create_symlink("nowhere/new.txt", folder / "lost.txt");
+    CHECK(sentence_of(folder / "lost.txt", write_new) ==
+          fmt::format("{}: the folder {} does not exist; make it first", (folder / "lost.txt").string(),
+                      (folder / "nowhere").string()));
+    CHECK(fs::is_symlink(folder / "lost.txt"));
+}
+
+TEST_CASE("a link that leads to itself is refused, and stays") {
+    const TemporaryFolder folder;
+    fs::create_symlink("b.txt", folder / "a.txt");
+    fs::create_symlink("a.txt", folder / "b.txt");
+    CHECK(sentence_of(folder / "a.txt", write_new) ==
+          (folder / "a.txt").string() + ": is a link that leads to itself; remove it or choose another name");
+    CHECK(fs::is_symlink(folder / "a.txt"));
+    CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("a pipe whose reader has left is an error in words, and no signal") {
+    const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder / "fifo").c_str(), 0600) == 0);
+    std::string sentence;
+    {
+        // Reads a little, then is gone.
+        const std::jthread reader([&] {
+            const int file = open((folder / "fifo").c_str(), O_RDONLY);
+            char some[100];
+            CHECK(read(file, some, sizeof some) > 0);
+            close(file);
+        });
+        sentence = sentence_of(folder / "fifo", write_much);
+    }
+    CHECK(sentence == (folder / "fifo").string() +
+                          ": cannot be written: the program that read it has ended or stopped reading");
+    CHECK(fs::is_fifo(folder / "fifo"));
+}
+
 TEST_CASE("an output is kept apart from other files, however their names are written") {
     const TemporaryFolder folder;
     put_text(folder / "cat.png", "a cat");
@@ -169,6 +218,8 @@ TEST_CASE("an output is kept apart from other files, however their names are wri
     }
     // Two outputs that do not exist yet, and names from where the program runs.
     CHECK_FALSE(apart(folder / "./new.svg", folder / "new.svg"));
+    fs::create_symlink("new.svg", folder / "new_link.svg");
+    CHECK_FALSE(apart(folder / "new_link.svg", folder / "new.svg"));
     CHECK_FALSE(apart("./new.svg", "new.svg"));
     CHECK_FALSE(apart(fs::current_path() / "new.svg", "new.svg"));
     CHECK(apart(folder / "dog.png", folder / "cat.png"));

@@ -32,7 +32,8 @@ Tone auto_tone_of(const Grid<float>& light, const Tone& own = {}) {
 double drawn_ink(const Grid<float>& light, const Tone& tone) {
     double sum = 0;
     const Grid<float> density = density_of(light, tone);
-    for (float value : density.values) sum += InkCurve().coverage(value);
+    const InkCurve curve;
+    for (float value : density.values) sum += curve.coverage(value);
     return sum / static_cast<double>(density.values.size());
 }
 

@@ -108,6 +108,12 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
                                Wrong{"--region 150,0,60x10", "--region: the region reaches to 210"},
                                Wrong{"--region 0,0,9x9 --sheet 1,1/2x2", "--region: cannot be given"},
                                Wrong{"--ink blue", "--ink: blue: not a colour"},
+                               Wrong{"--scale 1e-300", "--scale: no dots come out at 1e-300; give a higher"},
+                               Wrong{"--width 1e-9", "--width: 1e-9 is not possible; give a number at least"},
+                               Wrong{"--margin 99.999", "--margin: 99.999 mm on either side leave no room"},
+                               Wrong{"--region 0,0,1e-9x1e-9", "--region: 1e-09 x 1e-09 mm is too small"},
+                               Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
+                               Wrong{"--dot-radius 900..1000", "--dot-radius: no dots so large come out"},
                                Wrong{"--nonsense", "--nonsense"}}) {
         scene.must_fail(from + wrong.option, wrong.words);
     }
@@ -117,4 +123,23 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
                     "9448819 x 6299213 pixels, and 1000000 a side and 4 gigapixels");
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --dpi 100000",
                     "choose 9800 dots to the inch or fewer");
+}
+
+TEST_CASE("an option that has no say in the drawing is refused, with what it is for") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " -o ";
+    scene.must_fail(from + scene("new.svg") + " --dpi 600", "--dpi: only a PNG has pixels");
+    scene.must_fail(from + scene("new.csv") + " --dpi 600", "--dpi: only a PNG has pixels");
+    scene.must_fail(from + scene("new.png") + " --order space", "--order: the pixels of a PNG have no order");
+    for (const std::string colour : {"--ink '#fff'", "--paper '#fff'", "--background"})
+        scene.must_fail(from + scene("new.csv") + " " + colour, "a table has no colours");
+    scene.must_fail(from + scene("new.svg") + " --paper '#fff'",
+                    "--paper: shows in an SVG with --background only");
+    scene.must_fail(from + scene("new.svg") + " --placer figure8 --scale 100 --ranking energy",
+                    "--ranking: the figure8 placer has an order of its own");
+    scene.must_fail(from + scene("new.svg") + " --order priority --relax 3",
+                    "--order: priority: the first dots");
+    CHECK_FALSE(std::filesystem::exists(scene("new.svg")));
+    // A PNG always has its paper; asking for it is no mistake.
+    CHECK(run_dapple(from + scene("new.png") + " --background --paper '#ffe' --dpi 20").status == 0);
 }

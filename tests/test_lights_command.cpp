@@ -175,6 +175,17 @@ TEST_CASE("options of dapple lights that cannot be are refused in one sentence")
     check_refused(run("--tile nothing"), "nothing");
     check_refused(run("--seed -1"), "--seed");
     check_refused(run("--exposure 1"), ".png");
+    check_refused(run("--placer figure8 --ranking paper"), "--ranking");
+    const auto picture = [&](const std::string& options) {
+        return run_dapple("lights -o " + quoted(folder / "x.png") + " " + options);
+    };
+    for (const std::string option : {"--convention usd", "--rotate 90", "--radiance point"})
+        check_refused(picture(option), option.substr(0, option.find(' ')));
+    for (const std::string option :
+         {"-n 100", "--seed 3", "--convention usd", "--threads 1", "--placer exact"})
+        check_refused(run_dapple("lights --compare -o " + quoted(folder / "x.html") + " " + option),
+                      "is not for --compare");
+    check_refused(run_dapple("lights --convention usd"), "--convention");
     check_refused(run("--compare"), ".html");
     check_refused(run_dapple("lights -o " + quoted(folder / "x.txt")), ".json");
     check_refused(run_dapple("lights -o " + quoted(folder / "none" / "x.json")), "none");

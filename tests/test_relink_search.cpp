@@ -7,9 +7,12 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <stop_token>
+#include <vector>
 
 #include "core/tile/coherent_peaks.h"
 #include "core/tile/relink_search.h"
+#include "core/tile/rule_search.h"
 
 using namespace dapple;
 
@@ -117,12 +120,12 @@ TEST_CASE("a search that is stopped returns the best so far") {
 
 TEST_CASE("a search by a clock ends by it, and cools by it as one by moves does by them") {
     RelinkSettings settings = small_search();
-    settings.moves = 40 * 4096;
+    settings.moves = 10 * 4096;
     const RelinkResult by_moves = relink_search(settings);
     // A clock that is looked at once at the start and then after every 4,096 moves, and strikes each time.
     double struck = 0;
     settings.clock = [&] { return struck++; };
-    settings.seconds = 40;
+    settings.seconds = 10;
     settings.moves = 1;
     const RelinkResult by_clock = relink_search(settings);
     CHECK(by_clock.moves == by_moves.moves);
@@ -131,15 +134,34 @@ TEST_CASE("a search by a clock ends by it, and cools by it as one by moves does 
     CHECK(relink_search(settings).moves > 0);
 }
 
+TEST_CASE("a search whose time is over before it begins ends all the same") {
+    std::stop_source patience;
+    for (const double seconds : {0.0, -1.0, 1e-300}) {
+        CAPTURE(seconds);
+        RelinkSettings settings = small_search();
+        int looks = 0;
+        settings.clock = [&] {
+            if (++looks == 100) patience.request_stop();
+            return static_cast<double>(looks);
+        };
+        settings.stop = patience.get_token();
+        settings.seconds = seconds;
+        CHECK(relink_search(settings).tile.size() == settings.points);
+        const std::vector<Rule> rules{settings.rule, Rule{}};
+        CHECK(search_rules(settings, rules, 1).tile.size() == settings.points);
+    }
+    CHECK_FALSE(patience.stop_requested());
+}
+
 TEST_CASE("runs by a clock take turns, so that all together last as long as one") {
     RelinkSettings settings = small_search();
     std::atomic<int> looks = 0;
     settings.clock = [&] { return static_cast<double>(looks++); };
-    settings.seconds = 100;
+    settings.seconds = 20;
     tbb::task_arena one(1);
     one.execute([&] { CHECK(relink_searches(settings, 5).size() == 5); });
-    // Five times 20 strikes, and one more at the start of each.
-    CHECK(looks == 105);
+    // Five times 4 strikes, and one more at the start of each.
+    CHECK(looks == 25);
 }
 
 TEST_CASE("a search may start from points that crowd together") {

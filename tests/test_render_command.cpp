@@ -61,9 +61,9 @@ TEST_CASE("a picture becomes an SVG of exactly as many circles as asked for, no 
 
 TEST_CASE("a renderer draws the SVG as the PNG writer draws the dots") {
     const Scene scene;
-    const std::string from = "render " + scene("cat.png") + " --dots 2000 --dpi 150 -o ";
+    const std::string from = "render " + scene("cat.png") + " --dots 2000 -o ";
     REQUIRE(run_dapple(from + scene("cat.svg")).status == 0);
-    REQUIRE(run_dapple(from + scene("cat.png.png")).status == 0);
+    REQUIRE(run_dapple(from + scene("cat.png.png") + " --dpi 150").status == 0);
     const Outcome outcome = run_in_shell("rsvg-convert --background-color=white --dpi-x 150 --dpi-y 150 -o " +
                                          scene("svg.png") + " " + scene("cat.svg"));
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);

@@ -166,3 +166,32 @@ TEST_CASE("Ctrl+C while saving leaves the old drawing and nothing else") {
     CHECK(text_of(scene("old.svg")) == "the old drawing");
     CHECK(scene.folder.entries() == before);
 }
+
+TEST_CASE("a reader that leaves the pipe it is given ends in a sentence, not in silence") {
+    const Scene scene;
+    const std::string pipe = scene("drawing.svg");
+    const Outcome left =
+        run_in_shell("mkfifo " + pipe + "; head -c 100 " + pipe + " >/dev/null & exec \"$DAPPLE\" render " +
+                     scene("cat.png") + " -o " + pipe);
+    CHECK(left.status == 1);
+    CHECK(left.err ==
+          "dapple: " + pipe + ": cannot be written: the program that read it has ended or stopped reading\n");
+}
+
+TEST_CASE("names that would command a terminal or end a line are written out") {
+    const Scene scene;
+    const std::string name = scene("two\nlines \x1b[2J \xff.png");
+    const Outcome missing = run_dapple("render '" + name + "' -o " + scene("a.svg"));
+    CHECK(missing.status == 1);
+    CHECK(missing.sentences() == 1);
+    CHECK(missing.err.find("two\\nlines \\x1b[2J \\xff.png: ") != std::string::npos);
+    CHECK(missing.err.find('\x1b') == std::string::npos);
+    // Options and figures too.
+    const Outcome option = run_dapple("render -o " + scene("a.svg") + " --tile '\x1b]0;mine\x07'");
+    CHECK(option.err.starts_with("dapple: \\x1b]0;mine\\x07: no such tile"));
+    std::filesystem::copy_file(scene("cat.png"), name);
+    REQUIRE(run_dapple("render '" + name + "' -o " + scene("a.svg") + " --stats " + scene("s.json")).status ==
+            0);
+    const std::string image = read_json(scene("s.json"))["image"];
+    CHECK(image.find("two\nlines \x1b[2J ") != image.npos);
+}

@@ -135,17 +135,17 @@ TEST_CASE("a search finds what it is told to weigh: points apart, an even tone, 
     const std::string file = folder / "a.tile";
     const auto marks = [&](const std::string& weights) {
         const Outcome outcome =
-            run_dapple("tile search --points 64 --rule 3760 --moves 4e5 --runs 1 -o " + file + weights);
+            run_dapple("tile search --points 64 --rule 3760 --moves 5e4 --runs 1 -o " + file + weights);
         REQUIRE(outcome.status == 0);
-        CHECK(outcome.out.find(weights + " --moves 400000\n") != std::string::npos);
+        CHECK(outcome.out.find(weights + " --moves 50000\n") != std::string::npos);
         return nlohmann::json::parse(run_dapple("tile check --json " + file).out);
     };
-    const nlohmann::json usual = marks(""), apart = marks(" --pairs 20"), even = marks(" --pairs 0"),
-                         repeating = marks(" --peaks 0");
+    const nlohmann::json usual = marks(""), apart = marks(" --pairs 100"), even = marks(" --pairs 0"),
+                         spread = marks(" --peaks 20"), repeating = marks(" --peaks 0");
     CHECK(apart["relative_radius"] > even["relative_radius"]);
     CHECK(apart["low_frequency_power"] > usual["low_frequency_power"]);
     CHECK(usual["low_frequency_power"] > even["low_frequency_power"]);
-    CHECK(repeating["coherent_share"] > usual["coherent_share"]);
+    CHECK(repeating["coherent_share"] > spread["coherent_share"]);
 }
 
 TEST_CASE("the rules are listed from the one that repeats least, with those that are the same turned") {
@@ -354,6 +354,8 @@ TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files
     check_refused("tile search --points 16 --tone 2", "--rule any");
     check_refused("tile search --points 16 --rule any --tone 0 --pairs 0 -o " + kept, "above 0");
     check_refused("tile search --points 16 --rule any --peaks -1 -o " + kept, "--peaks");
+    check_refused("tile search --points 16 --rule any --seconds 1e-300 -o " + kept, "--seconds");
+    check_refused("tile search --points 16 --rule any --moves 1.5 -o " + kept, "--moves");
     check_refused("tile rules --top 571", "--top");
     check_refused("tile search --points 16 --rule any --top 3 -o " + kept, "--rule identity");
     check_refused("tile search --resume " + kept, "line 1");

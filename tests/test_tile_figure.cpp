@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -49,16 +51,17 @@ TEST_CASE("every circled point of a tile's figure lies on a point of a copy, and
     for (const StoredTile& stored :
          {ranked(make_tile(14217, 2895, 16), RankingOrder::paper), turned_tile(64), turned_tile(1024)}) {
         const pugi::xml_document figure = figure_of(stored);
-        const auto copies = under(figure, "copies", "circle");
+        const auto centre = [](const pugi::xpath_node& circle) {
+            return glm::dvec2(circle.node().attribute("cx").as_double(),
+                              circle.node().attribute("cy").as_double());
+        };
+        std::vector<glm::dvec2> copies;
+        for (const pugi::xpath_node& copy : under(figure, "copies", "circle")) copies.push_back(centre(copy));
         std::set<std::size_t> met;
         for (const pugi::xpath_node& ring : under(figure, "coinciding", "circle")) {
-            for (std::size_t i = 0; i < copies.size(); ++i) {
-                const double dx =
-                    copies[i].node().attribute("cx").as_double() - ring.node().attribute("cx").as_double();
-                const double dy =
-                    copies[i].node().attribute("cy").as_double() - ring.node().attribute("cy").as_double();
-                if (std::hypot(dx, dy) < 0.02) met.insert(i);
-            }
+            const glm::dvec2 place = centre(ring);
+            for (std::size_t i = 0; i < copies.size(); ++i)
+                if (glm::distance(copies[i], place) < 0.02) met.insert(i);
         }
         CHECK(met.size() == stored.tile.size());
     }

@@ -73,22 +73,24 @@ std::string report_text(ReportFormat format, const Subject& subject, const Point
 
 // Options that say nothing about what is analysed are refused, rather than left without effect.
 void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
-    const auto refuse = [&](std::initializer_list<const char*> names, const char* why) {
-        for (const char* const name : names)
-            if (command.count(name) > 0) throw CLI::ValidationError(name, why);
-    };
     if (options.input && is_table(*options.input)) {
-        refuse({"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius"},
-               "says how to place dots, and a table has them already");
+        refuse(
+            command,
+            {"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius", "--relax"},
+            "says how to place dots, and a table has them already");
+        refuse(command, {"--huge"}, "is for pictures");
         if (options.width.has_value() != options.height.has_value())
             throw CLI::ValidationError(options.width ? "--width" : "--height",
                                        "give both --width and --height, or neither");
         return;
     }
-    refuse({"--period"}, "is for tables; this program knows the period of its own tiles");
-    if (options.input) refuse({"--density"}, "is for a constant grey; a picture has its own");
-    if (options.input) refuse({"--height"}, "follows from the picture");
-    if (!options.input) refuse({"--width", "--height"}, "a constant grey fills a square of side 1");
+    refuse(command, {"--period"}, "is for tables; this program knows the period of its own tiles");
+    if (options.input) refuse(command, {"--density"}, "is for a constant grey; a picture has its own");
+    if (options.input) refuse(command, {"--height"}, "follows from the picture");
+    if (!options.input) refuse(command, {"--huge"}, "is for pictures, and none is given");
+    if (!options.input && options.drawing.dot_size.sizing == DotSizing::fixed)
+        refuse(command, {"--dot-radius"}, "a constant grey has no millimetres; leave it away");
+    if (!options.input) refuse(command, {"--width", "--height"}, "a constant grey fills a square of side 1");
 }
 
 }  // namespace

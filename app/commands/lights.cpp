@@ -13,6 +13,7 @@
 #include "app/files/environment.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "core/image/sky.h"
 #include "core/output/light_report.h"
 
@@ -48,6 +49,28 @@ EnvironmentMap map_of(const LightsOptions& options) {
     return options.map ? read_environment(*options.map) : sky_map();
 }
 
+void check_that_fit(const CLI::App& command, const LightsOptions& options) {
+    if (options.compare) {
+        refuse(command,
+               {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
+                "--placer", "--seed", "--threads", "--exposure"},
+               "is not for --compare, which tries samples of several kinds and numbers");
+        return;
+    }
+    if (options.request.placer == PlacerKind::figure8)
+        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
+    if (options.output.empty()) {
+        refuse(command, {"--convention", "--ranking"}, "is for a file; name one with --output");
+        return;
+    }
+    if (light_file_of(options.output) == LightFile::png) {
+        refuse(command, {"--convention", "--rotate", "--radiance"},
+               "is for lists of lights; a picture shows where on the map they are");
+    } else {
+        refuse(command, {"--exposure"}, "is for a picture; let the output's name end in .png");
+    }
+}
+
 }  // namespace
 
 void lights(const LightsOptions& options) {
@@ -63,7 +86,7 @@ void lights(const LightsOptions& options) {
             stderr,
             "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie close "
             "together where the map's sides meet\n",
-            options.tile);
+            printable(options.tile));
     }
     const LightSamples samples = light_samples(map, tile, options.request);
 
@@ -188,16 +211,18 @@ LightsCommand::LightsCommand(CLI::App& program) {
         std::string("Instead: how much irradiance by samples of several kinds errs, against "
                     "their number; the output ends in ") +
             kReportEndings);
-    command->callback([this, compare] {
+    command->callback([this, command, compare] {
         if (options_.compare) {
             if (!is_report(options_.output)) {
                 throw CLI::ValidationError(compare->get_name(), std::string("needs an output that ends in ") +
                                                                     kReportEndings +
                                                                     ", such as -o report.html");
             }
+            check_that_fit(*command, options_);
             return compare_lights(options_);
         }
         if (options_.output.empty()) {
+            check_that_fit(*command, options_);
             window_wanted_ = true;
             return;
         }
@@ -205,9 +230,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
             throw CLI::ValidationError("--output",
                                        options_.output.string() + " does not end in " + kLightEndings);
         }
-        if (options_.exposure && light_file_of(options_.output) != LightFile::png) {
-            throw CLI::ValidationError("--exposure", "is for a picture; let the output's name end in .png");
-        }
+        check_that_fit(*command, options_);
         lights(options_);
     });
 }

@@ -93,7 +93,7 @@ int whole_number_in(const std::string& name, const std::string& text, const Numb
 
 // "0.2"; or "0.1..0.4", from the smallest to the largest.
 DotSize dot_size_in(const std::string& name, const std::string& text) {
-    const NumberRange range{.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded};
+    const NumberRange range{.least = 0, .most = 1000, .at_least = NumberRange::Least::excluded};
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
         return {.sizing = DotSizing::fixed, .radius_mm = number_in(name, text, range)};
@@ -295,8 +295,7 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
-    add_number(app, "--width", settings.width_mm,
-               {.least = 0, .most = kLongestSideMm, .at_least = NumberRange::Least::excluded}, "MM",
+    add_number(app, "--width", settings.width_mm, {.least = kShortestSideMm, .most = kLongestSideMm}, "MM",
                "Width of the page; the picture fills it, so its shape gives the height");
     add_colour(app, "--ink", settings.ink, "Colour of the dots");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
@@ -338,6 +337,11 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         read_with("--region", parse_region, region));
 }
 
+void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {
+    for (const char* const option : options)
+        if (command.count(option) > 0) throw CLI::ValidationError(option, why);
+}
+
 void check_options(const CLI::App& command, DrawingSettings& settings) {
     const auto given = [&](const char* name) {
         const CLI::Option* const option = command.get_option_no_throw(name);
@@ -368,8 +372,9 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
     if (settings.tone.black_point >= settings.tone.white_point) {
         throw CLI::ValidationError("--black-point", "must be below --white-point");
     }
-    if (settings.stipple.placer == PlacerKind::figure8 && command.count("--dots") > 0) {
-        throw CLI::ValidationError("--dots", "the figure8 placer makes no exact count; give --scale");
+    if (settings.stipple.placer == PlacerKind::figure8) {
+        refuse(command, {"--dots"}, "the figure8 placer makes no exact count; give --scale");
+        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace dapple {
 
 /// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
 inline constexpr double kLongestSideMm = 100'000;
+/// Of a page, a region, or what a margin leaves: finer than any pen.
+inline constexpr double kShortestSideMm = 0.01;
 
 struct NumberRange {
     double least = 0;
@@ -66,6 +69,10 @@ CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking);
 
 /// --tile, a name for tile_named().
 CLI::Option* add_tile(CLI::App& app, std::string& tile);
+
+/// Throws CLI::ValidationError, "--option why", for the first of these options that was given: one without
+/// effect is refused, rather than left to be wondered about.
+void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why);
 
 /// --dots, --scale, --placer, --tile, --ranking, --relax, --dot-radius, --threads.
 void add_dot_options(CLI::App& app, DrawingSettings& settings);

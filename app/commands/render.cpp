@@ -77,7 +77,7 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
 
 void check_margin(const RenderOptions& options) {
     const double width = options.drawing.width_mm;
-    if (2 * options.margin_mm < width) return;
+    if (width - 2 * options.margin_mm >= kShortestSideMm) return;
     throw std::runtime_error(fmt::format(
         "--margin: {:g} mm on either side leave no room on a page {:g} mm wide", options.margin_mm, width));
 }
@@ -102,11 +102,27 @@ PageSize page_of(const Grid<float>& light, const RenderOptions& options) {
 // The page, or the part of it that is drawn.
 Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
     if (!options.region) return sheet_of(page, options.sheet, options.margin_mm);
+    if (std::min(options.region->width, options.region->height) < kShortestSideMm) {
+        throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
+                                             options.region->width, options.region->height, kShortestSideMm));
+    }
     try {
         return region_of(page, *options.region, options.margin_mm);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("--region: {}", error.what()));
     }
+}
+
+// Nothing at all on a page that is not white is a slip; nothing on one sheet of it need not be.
+void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOptions& options) {
+    const bool whole_page = !options.region && options.sheet == Sheet{};
+    // The paper's own placer is known for losing all of a thin line.
+    const bool loses = plan.stipple.placer == PlacerKind::figure8;
+    if (dots > 0 || loses || !whole_page || plan.density->mean() == 0) return;
+    const bool by_size = options.drawing.dot_size.sizing == DotSizing::by_tone;
+    throw std::runtime_error(
+        by_size ? "--dot-radius: no dots so large come out; choose smaller ones"
+                : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.stipple.scale));
 }
 
 struct Times {
@@ -212,6 +228,27 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
     out << stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
+void check_that_fit(const CLI::App& command, const RenderOptions& options) {
+    const DrawingFormat format = drawing_format(options.output);
+    if (options.region && command.count("--sheet") > 0)
+        throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (format != DrawingFormat::svg)
+        refuse(command, {"--tiles"}, "only an SVG has layers; let the drawing's name end in .svg");
+    if (format != DrawingFormat::png)
+        refuse(command, {"--dpi"}, "only a PNG has pixels; let the drawing's name end in .png");
+    if (format == DrawingFormat::png) refuse(command, {"--order"}, "the pixels of a PNG have no order");
+    if (format == DrawingFormat::csv)
+        refuse(command, {"--ink", "--paper", "--background"},
+               "a table has no colours; let the drawing's name end in .svg or .png");
+    if (format == DrawingFormat::svg && !options.drawing.background)
+        refuse(command, {"--paper"}, "shows in an SVG with --background only; give that too");
+    if (options.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
+        throw CLI::ValidationError(
+            "--order",
+            "priority: the first dots of a relaxed drawing are not one with fewer; give --relax 0");
+    }
+}
+
 }  // namespace
 
 void render(const RenderOptions& options) {
@@ -241,6 +278,7 @@ void render(const RenderOptions& options) {
     line->restart(0);
     line->show(0, plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots");
     const DotStream dots = pipeline.stream(plan, excerpt.part);
+    check_not_empty(plan, dots.count, options);
     const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
     DotStream drawn_dots = dots;
     if (format == DrawingFormat::png && excerpt.part != PagePart{}) {
@@ -325,7 +363,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_number(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm}, "MM",
                "Bare paper on each side, within the width; the dots' radius keeps all of them on the sheet")
         ->group("Page");
-    command->add_flag("--background", options_.drawing.background, "SVG: paint the paper under the dots")
+    command
+        ->add_flag("--background", options_.drawing.background,
+                   "SVG: paint the paper under the dots, as a PNG always has it")
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
         ->group("Page");
@@ -342,12 +382,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing);
-        if (options_.region && command->count("--sheet") > 0)
-            throw CLI::ValidationError("--region", "cannot be given together with --sheet");
-        if (options_.drawing.show_tiles && drawing_format(options_.output) != DrawingFormat::svg) {
-            throw CLI::ValidationError("--tiles",
-                                       "only an SVG has layers; let the drawing's name end in .svg");
-        }
+        check_that_fit(*command, options_);
         render(options_);
     });
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/files/atomic_file.h"
+#include "app/printable.h"
 #include "app/reproduce/figures.h"
 #include "core/output/html.h"
 
@@ -105,7 +106,8 @@ void reproduce(const ReproduceOptions& options) {
     save_text(numbers_file, numbers_json(all));
     save_text(page_file, page.text());
     check_equal(all, page_file);
-    fmt::print("All {} numbers are equal; the figures are in {}.\n", all.size(), page_file.string());
+    fmt::print("All {} numbers are equal; the figures are in {}.\n", all.size(),
+               printable(page_file.native()));
 }
 
 ReproduceCommand::ReproduceCommand(CLI::App& program) {

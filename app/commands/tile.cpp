@@ -15,6 +15,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "core/output/tile_figure.h"
 #include "core/tile/ranking_search.h"
 #include "core/tile/rules.h"
@@ -140,10 +141,14 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format, 
     const StoredTile stored = load_tile(name);
     const TileMarks marks = marks_of(stored.tile, stored.ranking);
     if (format == CheckFormat::json) {
-        out << json_of(name, stored, marks).dump(2) << '\n';
+        // File names need not be UTF-8, JSON has to be.
+        out << json_of(name, stored, marks)
+                   .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << '\n';
         return;
     }
-    out << fmt::format("{}: {}, ranking {}\n\n", name, headline(stored.tile), name_of(stored.order));
+    out << fmt::format("{}: {}, ranking {}\n\n", printable(name), headline(stored.tile),
+                       name_of(stored.order));
     for (const TileMark& mark : in_words(marks))
         out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
     if (stored.tile.size() > kMostPointsInWords && words == ShownWords::of_small_tiles) {

@@ -18,8 +18,9 @@
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "app/progress_line.h"
-#include "app/stop_on_interrupt.h"
+#include "app/signals.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/relink_search.h"
@@ -158,7 +159,7 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
     out << fmt::format(
         "stopped{}; dapple tile search --resume {} goes on\n",
         std::isfinite(proven) ? fmt::format(", all tiles of radius {:.4f} and more are seen", proven) : "",
-        rest.string());
+        printable(rest.native()));
 }
 
 // Energies, and with them temperatures, stay in one range: only the ratios of the weights count.
@@ -297,19 +298,14 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: so many tiles, distinct up to symmetry");
     add_number(
-        command, "--seconds", options.seconds,
-        {.least = 0, .most = 1e7, .at_least = NumberRange::Least::excluded}, "S",
+        command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
         "identity: stop then, to go on later; any: a search as long as that, whose tile no other search "
         "finds again; --moves is for those");
     command
         .add_option_function<std::string>(
             "--moves",
             [&options](const std::string& text) {
-                double moves = 0;
-                if (!CLI::detail::lexical_cast(text, moves) || !(moves >= 1) || !(moves <= 1e15)) {
-                    throw CLI::ValidationError("--moves", text + " is not a number of moves; give 1 or more");
-                }
-                options.moves = static_cast<std::uint64_t>(moves);
+                options.moves = count_in("--moves", text, 1'000'000'000'000'000);
             },
             fmt::format("any: so many moves tried in each run, {} a point without it; half of them to choose "
                         "the rule",

@@ -14,9 +14,9 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "app/decoding/image_pipe.h"
+#include "app/files/descriptor.h"
 
 extern char** environ;
 
@@ -24,25 +24,6 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Descriptor {
- public:
-    explicit Descriptor(int value = -1) : value_(value) {}
-    Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(value_, other.value_);
-        return *this;
-    }
-    ~Descriptor() { close(); }
-    void close() {
-        if (value_ >= 0) ::close(std::exchange(value_, -1));
-    }
-    explicit operator bool() const { return value_ >= 0; }
-    int get() const { return value_; }
-
- private:
-    int value_;
-};
 
 std::string reason(int error) {
     return std::generic_category().message(error);

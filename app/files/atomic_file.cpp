@@ -6,16 +6,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <memory>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
-#include "app/files/removed_on_signal.h"
+#include "app/files/descriptor.h"
+#include "app/files/part_file.h"
+#include "app/signals.h"
 
 namespace dapple {
 namespace {
@@ -29,6 +29,8 @@ std::string reason(int error) {
             return "the disk is full";
         case EFBIG:
             return "the file grows over the size that is allowed here";
+        case EPIPE:
+            return "the program that read it has ended or stopped reading";
         default:
             return std::generic_category().message(error);
     }
@@ -86,22 +88,8 @@ class DescriptorBuffer : public std::streambuf {
     std::vector<char> buffer_;
 };
 
-class Descriptor {
- public:
-    explicit Descriptor(int value) : value_(value) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-    int get() const { return value_; }
-    int close() { return ::close(std::exchange(value_, -1)); }
-
- private:
-    int value_;
-};
-
 void write_through(int descriptor, const fs::path& target, const std::function<void(std::ostream&)>& write) {
+    const WriteErrorsInsteadOfSignals errors;
     DescriptorBuffer buffer(descriptor, target);
     std::ostream out(&buffer);
     out.exceptions(std::ios::badbit | std::ios::failbit);
@@ -111,34 +99,53 @@ void write_through(int descriptor, const fs::path& target, const std::function<v
 
 void write_directly(const fs::path& target, const std::function<void(std::ostream&)>& write) {
     Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.get() < 0) fail_to_write(target, errno);
+    if (!file) fail_to_write(target, errno);
     write_through(file.get(), target, write);
     if (file.close() != 0) fail_to_write(target, errno);
+}
+
+PartFile part_beside(const fs::path& target) {
+    try {
+        return PartFile(target);
+    } catch (const std::system_error& error) {
+        fail_to_write(target, error.code().value());
+    }
 }
 
 void write_beside(const fs::path& target, const std::function<void(std::ostream&)>& write) {
     struct stat old {};
     const bool replaces = ::stat(target.c_str(), &old) == 0;
 
-    const RemovedOnSignal temporary(unused_name_beside(target));
-    Descriptor file(::open(temporary.path(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.get() < 0) fail_to_write(target, errno);
-    if (replaces) static_cast<void>(::fchmod(file.get(), old.st_mode & 07777));
+    remove_abandoned_parts(folder_of(target));
+    PartFile part = part_beside(target);
+    if (replaces) static_cast<void>(::fchmod(part.descriptor(), old.st_mode & 07777));
 
-    write_through(file.get(), target, write);
-    if (::fsync(file.get()) != 0 || file.close() != 0) fail_to_write(target, errno);
-    if (::rename(temporary.path(), target.c_str()) != 0) fail_to_write(target, errno);
+    write_through(part.descriptor(), target, write);
+    if (::fsync(part.descriptor()) != 0) fail_to_write(target, errno);
+    if (const int error = part.rename_to(target)) fail_to_write(target, error);
 
     // The new name is safe only once the folder is on disk too; some file systems cannot do it, and need not.
     const Descriptor folder(::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder.get() >= 0) static_cast<void>(::fsync(folder.get()));
+    if (folder) static_cast<void>(::fsync(folder.get()));
 }
 
-// The file that a name leads to, through links, there already or not.
+// The file that a name leads to, through links, there already or not. Throws if they lead nowhere.
 fs::path destination_of(const fs::path& target) {
+    constexpr int kMostLinks = 40;  // as the system has it
     std::error_code error;
-    const fs::path resolved = fs::weakly_canonical(target, error);
-    return error || !fs::is_symlink(fs::symlink_status(target, error)) ? target : resolved;
+    if (fs::exists(fs::status(target, error))) {
+        const bool link = fs::is_symlink(fs::symlink_status(target, error));
+        fs::path resolved = link ? fs::canonical(target, error) : target;
+        return error ? target : resolved;
+    }
+    fs::path place = target;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+        const fs::path next = fs::read_symlink(place, error);
+        if (error || links == kMostLinks)
+            fail(target, "is a link that leads to itself; remove it or choose another name");
+        place = place.parent_path() / next;
+    }
+    return place;
 }
 
 // A path that all names of a file share. Devices and pipes have none: writing to them twice destroys nothing.
@@ -146,7 +153,7 @@ std::optional<fs::path> one_name_of(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
-    const fs::path absolute = fs::absolute(file, error);
+    const fs::path absolute = fs::absolute(destination_of(file), error);
     const fs::path canonical = fs::weakly_canonical(absolute, error);
     return error ? absolute.lexically_normal() : canonical;
 }

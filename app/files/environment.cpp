@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/decoding/decoder_process.h"
+#include "app/printable.h"
 
 namespace dapple {
 namespace {
@@ -30,9 +31,9 @@ EnvironmentMap read_environment(const std::filesystem::path& path) {
         decode_file(path, {.over_paper = false}, sink);
         return EnvironmentMap(std::move(sink.radiance));
     } catch (const TooManyPixels& error) {
-        throw std::runtime_error(path.string() + ": " + error.what() + "; make the map smaller first");
+        throw std::runtime_error(printable(path.string()) + ": " + error.what() + "; make the map smaller first");
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(path.string() + ": " + error.what());
+        throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
+#include "app/printable.h"
 #include "core/tile/tile_marks.h"
 #include "dapple_assets_embedded/tile_assets.h"
 
@@ -90,7 +91,7 @@ bool ends_as_tile(const std::filesystem::path& file) {
 }
 
 std::string short_tile_name(const std::string& name) {
-    return looks_like_integers(name) ? name : std::filesystem::path(name).filename().string();
+    return looks_like_integers(name) ? name : printable(std::filesystem::path(name).filename().native());
 }
 
 StoredTile load_tile(const std::string& name) {

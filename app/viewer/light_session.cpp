@@ -7,6 +7,7 @@
 #include "app/files/environment.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 #include "app/viewer/window.h"
 #include "core/image/sky.h"
 
@@ -37,7 +38,7 @@ LightSession::LightSession(const LightsSettings& first)
 
 void LightSession::open(const fs::path& map) {
     if (reading_.valid()) reading_.wait();
-    name_read_ = map.filename().string();
+    name_read_ = printable(map.filename().native());
     path_read_ = map;
     reading_ = std::async(std::launch::async, [map] { return read_map(map); });
 }

@@ -6,6 +6,7 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/printable.h"
 
 namespace dapple {
 namespace {
@@ -38,7 +39,7 @@ void Session::open_sample() {
 }
 
 void Session::open(const fs::path& path) {
-    pane_.worker().open(path.filename().string(), [path] { return read_picture(path); });
+    pane_.worker().open(printable(path.filename().native()), [path] { return read_picture(path); });
     picture_path_ = path;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -106,10 +107,19 @@ DotStream relaxed_stream(Placer& placer, const Density& density, const StreamReq
         };
         return result;
     }
-    result.for_each_piece = [bands, edges](const TakePiece& take) mutable {
+    result.for_each_piece = [bands, edges, threads = request.stipple.threads](const TakePiece& take) mutable {
+        const auto policy = threads == 1 ? std::launch::deferred : std::launch::async;
+        const auto begin = [&](std::size_t i) {
+            return std::async(policy, [&bands, &edges, i] {
+                return bands.band(i == 0 ? std::nullopt : std::optional(edges[i - 1]),
+                                  i == edges.size() ? std::nullopt : std::optional(edges[i]));
+            });
+        };
+        // While a band is taken, the next one is made, and no more than that.
+        std::future<Dots> next = begin(0);
         for (std::size_t i = 0; i <= edges.size(); ++i) {
-            const Dots band = bands.band(i == 0 ? std::nullopt : std::optional(edges[i - 1]),
-                                         i == edges.size() ? std::nullopt : std::optional(edges[i]));
+            const Dots band = next.get();
+            if (i < edges.size()) next = begin(i + 1);
             if (band.size() > 0 && !take(band)) return;
         }
     };

@@ -7,8 +7,8 @@
 
 namespace dapple {
 
-/// As many dots are held at a time, about, and those of the rims above and below; it has no say in the
-/// result.
+/// As many dots are relaxed at a time, about, and those of the rims above and below, while as many that are
+/// done are handed over; it has no say in the result.
 inline constexpr std::uint64_t kDotsAtOnce = 4'000'000;
 
 /// The dots of stream(), relaxed so many times (1 or more), without holding all of them: for each pass they

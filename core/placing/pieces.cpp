@@ -56,7 +56,8 @@ bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& e
 }
 
 // One placing on several threads. A piece that is done before its turn waits, and its thread goes on to
-// another; who does the piece whose turn it is hands over those that wait behind it too.
+// another; who does the piece whose turn it is hands over those that wait behind it too. Meanwhile the others
+// place, as far ahead as there are memories.
 class Crew {
  public:
     Crew(const Traversal& traversal, const Pieces& pieces, std::vector<PieceMemory>& memories,
@@ -73,7 +74,7 @@ class Crew {
             lock.lock();
             if (!placed) end();
             memory->state = PieceMemory::State::waits;
-            hand_over();
+            hand_over(lock);
         }
     }
 
@@ -88,7 +89,8 @@ class Crew {
     PieceMemory* claim(std::unique_lock<std::mutex>& lock) {
         const auto is_free = [](const PieceMemory& m) { return m.state == PieceMemory::State::free; };
         while (!ended_ && next_ < pieces_.ends.size()) {
-            // Somebody works on the piece whose turn it is, or it could not lie before next_: this wait ends.
+            // Somebody places the piece whose turn it is, or hands pieces over, or it could not lie before
+            // next_: this wait ends.
             const auto memory = std::ranges::find_if(memories_, is_free);
             if (memory != memories_.end()) {
                 memory->state = PieceMemory::State::is_placed;
@@ -100,27 +102,34 @@ class Crew {
         return nullptr;
     }
 
-    void hand_over() {
+    // The taker is called without the lock, by one thread at a time.
+    void hand_over(std::unique_lock<std::mutex>& lock) {
+        if (handing_over_) return;  // who does so comes to this piece too
+        handing_over_ = true;
         const auto is_next = [this](const PieceMemory& m) {
             return m.state == PieceMemory::State::waits && m.piece == turn_;
         };
         for (auto m = memories_.begin();
              !ended_ && (m = std::ranges::find_if(memories_, is_next)) != memories_.end();) {
             ++turn_;
-            if (!take(*m)) {
+            lock.unlock();
+            const bool goes_on = take(*m);
+            lock.lock();
+            if (!goes_on) {
                 end();
-                return;
+                break;
             }
             m->state = PieceMemory::State::free;
             freed_.notify_one();
         }
+        handing_over_ = false;
     }
 
     bool take(PieceMemory& memory) {
         try {
             return taker_.take(memory);
         } catch (...) {
-            error_ = std::current_exception();
+            keep_error();
             return false;
         }
     }
@@ -130,10 +139,14 @@ class Crew {
             SquareEmitter emitter(traversal_, memory.dots, memory.emitter);
             return place_piece(traversal_, pieces_, memory.piece, emitter, stop_);
         } catch (...) {
-            const std::lock_guard lock(mutex_);
-            error_ = std::current_exception();
+            keep_error();
             return false;
         }
+    }
+
+    void keep_error() {
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = std::current_exception();
     }
 
     void end() {
@@ -150,6 +163,7 @@ class Crew {
     std::mutex mutex_;
     std::condition_variable freed_;
     std::size_t next_ = 0, turn_ = 0;  // the piece to be claimed, and to be handed over
+    bool handing_over_ = false;        // somebody does
     bool ended_ = false;               // early
     std::exception_ptr error_;
 };

@@ -70,11 +70,13 @@ struct PieceMemory {
 class PieceTaker {
  public:
     virtual ~PieceTaker() = default;
-    /// Called in the order of the pieces, one at a time. False ends the placing. May throw.
+    /// Called in the order of the pieces, one at a time, by whichever thread; the others go on placing
+    /// meanwhile, as far ahead as there are memories. False ends the placing. May throw.
     virtual bool take(PieceMemory& piece) = 0;
 };
 
-/// Places every piece and hands it over. False if stopped or ended by the taker.
+/// Places every piece and hands it over. False if stopped or ended by the taker. Four memories a thread: how
+/// far placing may be ahead of the taker.
 bool hand_over_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
                       std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop);
 

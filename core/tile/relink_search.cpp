@@ -184,6 +184,11 @@ bool repeats_itself(const std::string& word) {
     return (word + word).find(word, 1) < word.size();
 }
 
+// Of a time that may be over before it begins.
+double share_of(double elapsed, double seconds) {
+    return elapsed < seconds ? elapsed / seconds : 1;
+}
+
 }  // namespace
 
 Rule aperiodic_rule() {
@@ -258,7 +263,7 @@ RelinkResult relink_search(const RelinkSettings& settings) {
         for (std::uint64_t k = 0; k < round; ++k)
             taken += links.step(random, temperature, settings.move_radius);
         progress.moves += round;
-        done = settings.clock ? (settings.clock() - begun) / settings.seconds
+        done = settings.clock ? share_of(settings.clock() - begun, settings.seconds)
                               : static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
         if (progress.moves % report_after != 0 && done < 1 && !settings.stop.stop_requested()) continue;
         links.refresh();

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "app/printable.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 
@@ -31,11 +32,12 @@ double rest_of(const Banner& banner) {
 void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     grow_old(banner);
     if (banner.message.empty()) return;
+    const std::string message = printable(banner.message);
     float unit = ImGui::GetTextLineHeight() / 15;
     float cross = ImGui::GetFrameHeight();
     ImVec2 padding{16 * unit, 10 * unit};
     float widest = std::max(100.0f, std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross);
-    ImVec2 text = ImGui::CalcTextSize(banner.message.c_str(), nullptr, false, widest);
+    ImVec2 text = ImGui::CalcTextSize(message.c_str(), nullptr, false, widest);
     float width = text.x + 2 * padding.x + cross + 8 * unit;
     ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
     ImGui::SetNextWindowSize({width, std::max(text.y, cross) + 2 * padding.y});
@@ -49,7 +51,7 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::Begin("##banner", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
     ImGui::PushTextWrapPos(padding.x + widest + unit);
-    ImGui::TextUnformatted(banner.message.c_str());
+    ImGui::TextUnformatted(message.c_str());
     ImGui::PopTextWrapPos();
     ImGui::SetCursorPos({width - padding.x - cross + 4 * unit, padding.y});
     if (ImGui::Button("x", {cross, cross})) banner.message.clear();

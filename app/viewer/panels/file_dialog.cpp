@@ -8,6 +8,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "app/printable.h"
 #include "app/viewer/shortcuts.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
@@ -154,7 +155,7 @@ std::optional<fs::path> FileDialog::draw_entries() {
             walk_to = here.parent_path();
         }
     for (const FolderEntry& entry : entries_) {
-        std::string label = entry.folder ? entry.name + "/" : entry.name;
+        std::string label = printable(entry.name) + (entry.folder ? "/" : "");
         bool is_typed = fs::path(typed_) == folder_ / entry.name;
         if (entry.folder) push_title_font();
         bool clicked = ImGui::Selectable(label.c_str(), is_typed, ImGuiSelectableFlags_AllowDoubleClick);
@@ -193,7 +194,7 @@ std::optional<fs::path> FileDialog::draw_buttons() {
     const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
-    ImGui::TextUnformatted(trouble_.c_str());
+    ImGui::TextUnformatted(printable(trouble_).c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
                     ImGui::GetStyle().WindowPadding.x);
@@ -209,7 +210,7 @@ std::optional<fs::path> FileDialog::draw_replace_question() {
     const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
     const float buttons = ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
                           ImGui::GetStyle().WindowPadding.x;
-    const std::string question = replaces_.filename().string() + " exists. Replace it?";
+    const std::string question = printable(replaces_.filename().native()) + " exists. Replace it?";
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/printable.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 
@@ -26,7 +27,7 @@ bool draw_saving_banner(const std::string& file_name, double share, glm::vec2 co
     const float inner = width - 2 * padding.x;
     ImGui::PushClipRect(text, {text.x + inner - button - 8 * unit, text.y + height}, true);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(fmt::format("Saving {}: {:.0f} %", file_name, share * 100).c_str());
+    ImGui::TextUnformatted(fmt::format("Saving {}: {:.0f} %", printable(file_name), share * 100).c_str());
     ImGui::PopClipRect();
     ImGui::SameLine();
     ImGui::SetCursorPosX(padding.x + inner - button);

@@ -1,0 +1,38 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "app/printable.h"
+
+using namespace dapple;
+
+TEST_CASE("names in any language are shown as they are") {
+    for (const std::string text : {"", "cat.png", "with space & \"quotes\" \\ %s {}", "Kätzchen.jpg",
+                                   "\xe7\x8c\xab.png", "\xf0\x9f\x90\x88.png", "\xd0\xba\xd0\xbe\xd1\x82"})
+        CHECK(printable(text) == text);
+}
+
+TEST_CASE("what would command a terminal, end the line or turn the writing round is written out") {
+    CHECK(printable("a\x1b[2Jb") == "a\\x1b[2Jb");
+    CHECK(printable("a\nb\rc\td") == "a\\nb\\rc\\td");
+    CHECK(printable(std::string("a\0b\x7f", 4)) == "a\\x00b\\x7f");
+    CHECK(printable("a\xc2\x9b"
+                    "2J") == "a\\x9b2J");                               // an escape sequence in one character
+    CHECK(printable("cat\xe2\x80\xaegnp.exe") == "cat\\u202egnp.exe");  // shown as catexe.png
+    CHECK(printable("a\xe2\x80\xa8z") == "a\\u2028z");
+}
+
+TEST_CASE("bytes that are no UTF-8 are written out, and what follows them is not lost") {
+    CHECK(printable("a\xff"
+                    "b") == "a\\xffb");
+    CHECK(printable("\xe7\x8c") == "\\xe7\\x8c");  // cut off
+    CHECK(printable("\xc3(") == "\\xc3(");
+    CHECK(printable("\xc0\xaf") == "\\xc0\\xaf");                    // a longer form of /
+    CHECK(printable("\xed\xa0\x80") == "\\xed\\xa0\\x80");           // half of a pair
+    CHECK(printable("\xf4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");  // beyond Unicode
+}
+
+TEST_CASE("what is printable stays so") {
+    const std::string once = printable("\x1b[31m\n\xff\xe2\x80\xae");
+    CHECK(printable(once) == once);
+}
