@@ -46,6 +46,7 @@ class ChildProcess {
         wait();
     }
 
+    pid_t id() const { return id_; }
     void send(int signal) { kill(id_, signal); }
 
     /// Waits until it has done what `done` looks for; false if it ends without.

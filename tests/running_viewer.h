@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -122,6 +123,21 @@ class RunningViewer {
     void wheel_up() const { run({"xdotool", "click", "4"}); }
     void wheel_down() const { run({"xdotool", "click", "5"}); }
     void key(const std::string& keys) const { run({"xdotool", "key", keys}); }
+    /// Keys and pauses just as xdotool is told, at the speed of its own.
+    void xdotool(const std::string& commands) const { run({"sh", "-c", "xdotool " + commands}); }
+    void resize(int width, int height) const {
+        xdotool("search --onlyvisible --name 'Dapple$' windowsize " + std::to_string(width) + " " +
+                std::to_string(height));
+    }
+    /// Seconds of processor time that it has used.
+    double processor_seconds() const {
+        std::ifstream file("/proc/" + std::to_string(program_.id()) + "/stat");
+        std::string word;
+        double user = 0, system = 0;
+        for (int i = 1; i <= 13; ++i) file >> word;
+        file >> user >> system;
+        return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
     int wait_for_end() { return program_.wait(); }
 
  private:

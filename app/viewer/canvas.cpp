@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include "app/viewer/keys.h"
 
 namespace dapple {
 namespace {
@@ -84,7 +85,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     } else if (rest() == 0.0) {
         draw(pixels, Fineness::full);
     }
-    auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.texture()));
+    auto texture = texture_id(picture_.texture());
     glm::vec2 far = place.corner + place.size;
     ImGui::GetBackgroundDrawList()->AddImage(texture, {place.corner.x, place.corner.y}, {far.x, far.y},
                                              {0, 1}, {1, 0});

@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr float kPanelWidth = 340;
 constexpr int kFramesAfterEvent = 3;
 constexpr double kStopsAPress = 0.5;
+constexpr double kCursorBlinks = 0.3, kLooksForMap = 0.25;  // seconds
 // How far one can zoom in: to pixels of the map that are so many of ImGui's points, and so often enlarged.
 constexpr double kLargestPixel = 32, kLeastLargest = 4;
 
@@ -45,12 +46,14 @@ class LightViewer {
     int run() {
         int frames_left = kFramesAfterEvent;
         while (!window_.should_close()) {
-            window_.wait_for_events(frames_left > 0 ? 0 : rest_of(session_.banner));
-            if (frames_left <= 0) frames_left = kFramesAfterEvent;
+            double rest = rest_of(session_.banner);
+            if (ImGui::GetIO().WantTextInput) rest = std::min(rest, kCursorBlinks);
+            if (session_.reading()) rest = std::min(rest, kLooksForMap);
+            if (window_.wait_for_events(frames_left > 0 ? 0 : rest)) frames_left = kFramesAfterEvent;
             frame();
             --frames_left;
             const ImGuiIO& io = ImGui::GetIO();
-            if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseDown[0])
+            if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || window_.input_waits())
                 frames_left = kFramesAfterEvent;
         }
         return 0;
@@ -67,7 +70,7 @@ class LightViewer {
         const float scale = ImGui::GetFontSize() / 15;
         const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
         const float panel = panel_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
-        const glm::vec2 canvas{screen.x - panel, screen.y};
+        const glm::vec2 canvas{std::max(screen.x - panel, 1.0f), std::max(screen.y, 1.0f)};
         if (panel_shown_) draw_panel({canvas.x, 0}, {panel, screen.y});
         draw_dialogs();
         draw_banner(session_.banner, {0, 0}, canvas);
@@ -215,7 +218,7 @@ class LightViewer {
 
     void draw_panel(glm::vec2 corner, glm::vec2 size) {
         ImGui::SetNextWindowPos({corner.x, corner.y});
-        ImGui::SetNextWindowSize({size.x, size.y});
+        ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
         ImGui::Begin("##panels", nullptr, kFixed);
         const LightScene* const scene = session_.scene();

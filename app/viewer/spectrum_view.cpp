@@ -1,7 +1,6 @@
 #include "app/viewer/spectrum_view.h"
 
-#include <cstdint>
-
+#include "app/viewer/keys.h"
 #include "app/viewer/panels/spectrum_panel.h"
 
 namespace dapple {
@@ -11,7 +10,7 @@ void SpectrumView::draw() {
     if (analysis_) {
         facts.analysis = &*analysis_;
         if (!analysis_->picture.empty())
-            facts.picture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.get()));
+            facts.picture = texture_id(picture_.get());
     }
     open_ = draw_spectrum_panel(facts);
 }

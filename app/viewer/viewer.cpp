@@ -127,7 +127,9 @@ Viewer::Layout Viewer::layout() const {
     const glm::vec2 panel{shown_.panels ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0, screen.y};
     const float status = shown_.panels ? kStatusHeight * scale : 0;
     const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
-    const glm::vec2 canvas{screen.x - panel.x, screen.y - status - captions};
+    // A window may be smaller than its panels.
+    const glm::vec2 canvas =
+        glm::max(glm::vec2(screen.x - panel.x, screen.y - status - captions), glm::vec2(1));
     return {{{0, 0}, canvas, window_.pixels_per_point()}, panel, {canvas.x, captions}, {canvas.x, status}};
 }
 
@@ -350,11 +352,11 @@ double Viewer::longest_rest() const {
 int Viewer::run() {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
-        bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.measuring();
-        window_.wait_for_events(restless ? 0 : longest_rest());
-        if (!restless) frames_left = kFramesAfterEvent;
+        const bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.measuring();
+        const bool happened = window_.wait_for_events(restless ? 0 : longest_rest());
+        if (happened) frames_left = kFramesAfterEvent;
         frame();
-        frames_left = input_arrived() ? kFramesAfterEvent : frames_left - 1;
+        frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
     return 0;
 }

@@ -1,11 +1,15 @@
 #pragma once
 // The desktop's window with its OpenGL context and Dear ImGui in it.
 
+#include <array>
+#include <chrono>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "app/viewer/input_queue.h"
 
 struct GLFWwindow;
 
@@ -24,8 +28,10 @@ class Window {
     void set_title(const std::string& title);
     void toggle_full_screen();
 
-    /// Sleeps until something happens or the time is over, at most a second; 0 returns at once.
-    void wait_for_events(double seconds);
+    /// Sleeps until something happens or the time is over; 0 returns at once. False: nothing happened.
+    bool wait_for_events(double seconds);
+    /// There is input that the last frame was not given: the next one has to follow at once.
+    bool input_waits() const { return !input_.empty(); }
     /// Ends another thread's wait_for_events().
     static void wake();
 
@@ -44,25 +50,18 @@ class Window {
     struct Library;  // GLFW itself
     void follow_content_scale();
     void set_smallest_size();
-    void show_short_presses();
-    void forget_short_presses();
-    void show_press_positions();
+    void hear();
+    void feed(const InputEvent& event);
 
     std::unique_ptr<Library> library_;
     GLFWwindow* window_ = nullptr;
     std::vector<std::filesystem::path> dropped_;
-    struct KeyPress {
-        int key = 0, modifiers = 0;
-    };
-    std::vector<KeyPress> pressed_;   // since the last frame
-    std::vector<int> short_presses_;  // of them, those let go already
-    // In the order of the events: where the pointer was last, and where each button went down in this frame.
+    InputQueue input_;
+    // As far as ImGui has heard.
     glm::dvec2 pointer_{0};
-    struct ButtonPress {
-        int button = 0, modifiers = 0;
-        glm::dvec2 place{0};
-    };
-    std::vector<ButtonPress> button_presses_;
+    std::chrono::steady_clock::time_point pointer_moved_{};
+    std::array<bool, 8> buttons_{};  // as many as GLFW has
+    bool damaged_ = false;           // to be drawn again, whatever the reason
     float content_scale_ = 0;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };

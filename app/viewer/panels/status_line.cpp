@@ -68,7 +68,7 @@ std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
 
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts) {
     ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
+    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     float air = (size.y - ImGui::GetTextLineHeight()) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, air});
