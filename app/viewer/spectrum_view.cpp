@@ -9,8 +9,7 @@ void SpectrumView::draw() {
     SpectrumFacts facts;
     if (analysis_) {
         facts.analysis = &*analysis_;
-        if (!analysis_->picture.empty())
-            facts.picture = texture_id(picture_.get());
+        if (!analysis_->picture.empty()) facts.picture = texture_id(picture_.get());
     }
     open_ = draw_spectrum_panel(facts);
 }

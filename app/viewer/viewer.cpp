@@ -89,6 +89,7 @@ class Viewer {
     Window window_;
     Canvas canvas_;
     Session session_;
+    const PlacedDrawing nothing_{};
     SpectrumView spectrum_;
     RepetitionMeter left_repetition_, right_repetition_;
     SidePanel side_panel_;
@@ -140,6 +141,8 @@ void Viewer::frame() {
     const auto do_this = [this](Action action) { act(action, {session_, canvas_, window_, shown_}); };
     for (const auto& path : window_.take_dropped()) session_.take_dropped(path);
     for (Action action : pressed_actions()) do_this(action);
+    if (placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
+        session_.stop_placing();
     session_.take_news(std::chrono::milliseconds(0));
     show_news();
 
@@ -263,7 +266,7 @@ void Viewer::show_news(Side side, const Pane* pane) {
     if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
         canvas_.set_picture(side, session_.picture().preview);
     if (std::exchange(seen.version, version) != version)
-        canvas_.set_drawing(side, pane ? pane->shown() : PlacedDrawing{});
+        canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
 }
 
 double Viewer::placing_seconds() const {
@@ -352,7 +355,7 @@ double Viewer::longest_rest() const {
 int Viewer::run() {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
-        const bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.measuring();
+        const bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.drawing();
         const bool happened = window_.wait_for_events(restless ? 0 : longest_rest());
         if (happened) frames_left = kFramesAfterEvent;
         frame();

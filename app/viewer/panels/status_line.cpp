@@ -13,9 +13,6 @@
 namespace dapple {
 namespace {
 
-// Someone who waits for longer wants to know for what.
-constexpr double kLongPlacing = 0.5;  // seconds
-
 float air_between() {
     return ImGui::GetTextLineHeight() * 1.4f;
 }
@@ -45,7 +42,7 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
                      4});
     if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
     if (facts.placing_seconds > kLongPlacing)
-        items.push_back({"placing ...", 7});
+        items.push_back({fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds), 7});
     else
         items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
     if (facts.steps < facts.all_steps)
