@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -50,7 +51,10 @@ class LightViewer {
             if (ImGui::GetIO().WantTextInput) rest = std::min(rest, kCursorBlinks);
             if (session_.reading()) rest = std::min(rest, kLooksForMap);
             if (window_.wait_for_events(frames_left > 0 ? 0 : rest)) frames_left = kFramesAfterEvent;
+            const auto begin = std::chrono::steady_clock::now();
             frame();
+            const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+            if (ready_) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
             --frames_left;
             const ImGuiIO& io = ImGui::GetIO();
             if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || window_.input_waits())
@@ -196,6 +200,7 @@ class LightViewer {
         if (!scene || scene->samplings() == 0) return;
         if (!std::exchange(ready_, true)) std::puts("ready");
         if (log_status_) {
+            health_.gl_errors += Window::gl_errors();
             const ImGuiIO& io = ImGui::GetIO();
             const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
             std::string line = light_status_json({.samples = scene->samples(),
@@ -205,7 +210,7 @@ class LightViewer {
                                                   .difference = scene->facts().difference,
                                                   .zoom = camera_.pixels_per_unit / camera_.canvas.x,
                                                   .saving = session_.saving()},
-                                                 mouse, widgets_);
+                                                 mouse, health_, widgets_);
             if (line != logged_) std::puts(line.c_str());
             logged_ = std::move(line);
         }
@@ -249,6 +254,7 @@ class LightViewer {
     bool asks_for_tile_ = false;
     bool help_ = false, panel_shown_ = true;
     std::string logged_;
+    HealthFacts health_;
     bool ready_ = false;
 };
 

@@ -106,6 +106,7 @@ class Viewer {
     int pictures_titled_ = 0;
     bool ready_ = false;
     std::string logged_;
+    HealthFacts health_;
 };
 
 Viewer::Viewer(const ViewerOptions& options)
@@ -334,9 +335,10 @@ void Viewer::report_outside() {
     if (!session_.placed_once()) return;
     if (!ready_) std::puts("ready");
     if (options_.log_status) {
+        health_.gl_errors += Window::gl_errors();
         const ImGuiIO& io = ImGui::GetIO();
         const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
-        std::string line = status_json(status(), session_.pane().placings(), mouse, widgets_);
+        std::string line = status_json(status(), session_.pane().placings(), mouse, health_, widgets_);
         if (line != logged_) std::puts(line.c_str());
         logged_ = std::move(line);
     }
@@ -358,7 +360,10 @@ int Viewer::run() {
         const bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.drawing();
         const bool happened = window_.wait_for_events(restless ? 0 : longest_rest());
         if (happened) frames_left = kFramesAfterEvent;
+        const auto begin = std::chrono::steady_clock::now();
         frame();
+        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+        if (ready_) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
     return 0;

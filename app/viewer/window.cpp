@@ -263,6 +263,13 @@ void Window::end_frame() {
     glfwSwapBuffers(window_);
 }
 
+int Window::gl_errors() {
+    constexpr int kMost = 100;  // a lost context says so again and again
+    int count = 0;
+    while (count < kMost && glGetError() != GL_NO_ERROR) ++count;
+    return count;
+}
+
 glm::ivec2 Window::pixels() const {
     glm::ivec2 size{0};
     glfwGetFramebufferSize(window_, &size.x, &size.y);

@@ -42,6 +42,9 @@ class Window {
     /// Draws ImGui's part and shows the frame.
     void end_frame();
 
+    /// OpenGL's errors since the last call; it waits for OpenGL, so it is for tests.
+    static int gl_errors();
+
     glm::ivec2 pixels() const;  // of the framebuffer
     /// ImGui's units (the mouse's) to framebuffer pixels.
     glm::dvec2 pixels_per_point() const;
