@@ -108,6 +108,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
     camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
     for (CanvasLook& side : look.sides) side.page_size = page_size_;
+    if (redraw == Redraw::later) return;
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         drawn_camera_ = camera_;
         drawn_look_ = look;

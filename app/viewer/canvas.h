@@ -18,6 +18,7 @@ namespace dapple {
 enum class Redraw {
     when_changed,
     always,
+    later,  // this frame is not seen
 };
 
 /// Of the split view; a view that is not split is the left side alone.

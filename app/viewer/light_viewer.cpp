@@ -192,6 +192,7 @@ class LightViewer {
         camera_ = kept_on_map(
             camera_, std::max(kLargestPixel * scene->map().width(), kLeastLargest * camera_.canvas.x));
         widgets_["Map"] = {layout.map.corner, layout.map.corner + layout.map.size};
+        if (window_.frame_is_unseen()) return;
         scene->show(layout, camera_, session_.settings);
     }
 

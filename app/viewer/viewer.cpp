@@ -157,7 +157,10 @@ void Viewer::frame() {
     if (shown_.panels) draw_status_line({0, place.size.y + captions.y}, status_size, status());
     draw_over_canvas(place);
     canvas_.handle_mouse(place);
-    canvas_.show(place, look(place), session_.settings.every_frame ? Redraw::always : Redraw::when_changed);
+    const Redraw redraw = window_.frame_is_unseen()       ? Redraw::later
+                          : session_.settings.every_frame ? Redraw::always
+                                                          : Redraw::when_changed;
+    canvas_.show(place, look(place), redraw);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y}, captions);

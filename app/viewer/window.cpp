@@ -24,6 +24,7 @@ constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
 // After a pointer has come to rest there is another frame: what it rests on may have something to say.
 constexpr double kPointerRests = 0.6;  // seconds
 constexpr double kLongestWait = 3600;
+constexpr std::chrono::milliseconds kLongestUnseen(100);
 
 std::string glfw_says() {
     const char* words = nullptr;
@@ -238,6 +239,7 @@ void Window::feed(const InputEvent& event) {
 void Window::begin_frame() {
     follow_content_scale();
     for (const InputEvent& event : input_.take_frame()) feed(event);
+    unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
@@ -252,6 +254,7 @@ void Window::begin_frame() {
 }
 
 void Window::end_frame() {
+    if (unseen_) return ImGui::EndFrame();
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glm::ivec2 size = pixels();
@@ -261,6 +264,7 @@ void Window::end_frame() {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
+    seen_ = std::chrono::steady_clock::now();
 }
 
 int Window::gl_errors() {

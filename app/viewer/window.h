@@ -32,6 +32,9 @@ class Window {
     bool wait_for_events(double seconds);
     /// There is input that the last frame was not given: the next one has to follow at once.
     bool input_waits() const { return !input_.empty(); }
+    /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
+    /// wait for long otherwise.
+    bool frame_is_unseen() const { return unseen_; }
     /// Ends another thread's wait_for_events().
     static void wake();
 
@@ -39,7 +42,7 @@ class Window {
     std::vector<std::filesystem::path> take_dropped();
 
     void begin_frame();
-    /// Draws ImGui's part and shows the frame.
+    /// Draws ImGui's part and shows the frame, unless it is one that need not be seen.
     void end_frame();
 
     /// OpenGL's errors since the last call; it waits for OpenGL, so it is for tests.
@@ -64,7 +67,9 @@ class Window {
     glm::dvec2 pointer_{0};
     std::chrono::steady_clock::time_point pointer_moved_{};
     std::array<bool, 8> buttons_{};  // as many as GLFW has
-    bool damaged_ = false;           // to be drawn again, whatever the reason
+    bool unseen_ = false;
+    std::chrono::steady_clock::time_point seen_{};  // the last frame that was
+    bool damaged_ = false;                          // to be drawn again, whatever the reason
     float content_scale_ = 0;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };
