@@ -52,9 +52,10 @@ class LightViewer {
             if (session_.reading()) rest = std::min(rest, kLooksForMap);
             if (window_.wait_for_events(frames_left > 0 ? 0 : rest)) frames_left = kFramesAfterEvent;
             const auto begin = std::chrono::steady_clock::now();
+            const bool was_ready = ready_;  // the first frame makes everything ready
             frame();
             const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-            if (ready_) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
+            if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
             --frames_left;
             const ImGuiIO& io = ImGui::GetIO();
             if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || window_.input_waits())

@@ -161,7 +161,7 @@ Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& came
     job_.reset();
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
-    const auto most = std::max(static_cast<std::size_t>(seconds / seconds_per_dot_), kFewestDots);
+    const auto most = std::max(static_cast<std::size_t>(seconds / seconds_per_quick_dot_), kFewestDots);
     job.every = std::max<std::size_t>((job.in_view + most - 1) / most, 1);
     job.tiles = std::min(job.tiles, kTilesAtOnce);
     const bool as_good =
@@ -248,7 +248,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     if (!in_steps && job.next_block > from) {
         glFinish();
         const double drawn = static_cast<double>(job.in_view) / static_cast<double>(job.every);
-        if (drawn > 1000) measured(seconds_per_dot_, std::max(passed(dots_begin) / drawn, 1e-9));
+        if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(passed(dots_begin) / drawn, 1e-9));
     }
     if (job.next_block < job.blocks.size()) return false;
     picture.bind();

@@ -123,6 +123,7 @@ class Renderer {
     std::optional<Job> job_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
+    double seconds_per_quick_dot_ = 1e-6;  // they are larger
     bool has_critical_ = false;
     bool has_colours_ = false;
     bool has_radii_ = false;

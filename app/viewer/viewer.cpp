@@ -364,9 +364,10 @@ int Viewer::run() {
         const bool happened = window_.wait_for_events(restless ? 0 : longest_rest());
         if (happened) frames_left = kFramesAfterEvent;
         const auto begin = std::chrono::steady_clock::now();
+        const bool was_ready = ready_;  // the first frame makes everything ready
         frame();
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-        if (ready_) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
+        if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
     return 0;
