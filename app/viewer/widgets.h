@@ -41,6 +41,10 @@ struct SliderRange {
     const char* tip = nullptr;              // what a mouse at rest on the row is told
 };
 
+/// Of every window that is no dialog: one that asks for the focus when it appears, in the frame in which a
+/// dialog opens, ends the program by an assertion of ImGui's.
+inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
+
 /// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
 /// window is.
 bool press_area(const char* name, ImVec2 size);
