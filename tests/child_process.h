@@ -46,6 +46,13 @@ class ChildProcess {
         wait();
     }
 
+    /// It has, and wait() will say how.
+    bool has_ended() const {
+        siginfo_t ended{};
+        waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
+        return ended.si_pid == id_;
+    }
+    pid_t id() const { return id_; }
     void send(int signal) { kill(id_, signal); }
 
     /// Waits until it has done what `done` looks for; false if it ends without.
@@ -64,11 +71,6 @@ class ChildProcess {
     }
 
  private:
-    bool has_ended() const {
-        siginfo_t ended{};
-        waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
-        return ended.si_pid == id_;
-    }
     static void redirect(const std::filesystem::path& file, int stream) {
         if (file.empty()) return;
         int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

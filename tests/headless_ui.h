@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/viewer/keys.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 
@@ -20,17 +21,22 @@ class HeadlessUi {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.DisplaySize = {400, 900};
-        io.KeyMap[ImGuiKey_Enter] = kEnter;
-        io.KeyMap[ImGuiKey_Escape] = kEscape;
+        prepare_input();
         io.UserData = &places_;
         apply_theme(1);
+#if IMGUI_VERSION_NUM < 19200
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+#else
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#endif
         frame();
         frame();  // ImGui lays windows out over two frames
     }
-    ~HeadlessUi() { ImGui::DestroyContext(); }
+    ~HeadlessUi() {
+        ImGui::DestroyContext();
+    }
     HeadlessUi(const HeadlessUi&) = delete;
     HeadlessUi& operator=(const HeadlessUi&) = delete;
 
@@ -52,14 +58,20 @@ class HeadlessUi {
         if (found == places_.end()) throw std::runtime_error("no widget called " + label);
         return found->second;
     }
-    bool has(const std::string& label) const { return places_.contains(label); }
+    bool has(const std::string& label) const {
+        return places_.contains(label);
+    }
 
     void move_to(glm::vec2 p) {
-        ImGui::GetIO().MousePos = {p.x, p.y};
+        put_mouse_position(p.x, p.y);
         frame();
     }
-    void press() { set_button(true); }
-    void release() { set_button(false); }
+    void press() {
+        set_button(true);
+    }
+    void release() {
+        set_button(false);
+    }
     void click(const std::string& label) {
         move_to(at(label, 0.5f));
         press();
@@ -79,29 +91,24 @@ class HeadlessUi {
         ImGui::GetIO().AddInputCharactersUTF8(text);
         frame();
     }
-    // GLFW's codes.
-    static constexpr int kEscape = 256, kEnter = 257;
-    void key(int code) {
-        ImGui::GetIO().KeysDown[code] = true;
+    void key(Key key) {
+        put_key(key, true);
         frame();
-        ImGui::GetIO().KeysDown[code] = false;
+        put_key(key, false);
         frame();
     }
     /// Clicks a slider with Ctrl, types a value and presses Enter.
     void enter(const std::string& label, const char* text) {
-        ImGuiIO& io = ImGui::GetIO();
         move_to(at(label, 0.3f));
-        io.KeyCtrl = true;
-        io.KeyMods = ImGuiKeyModFlags_Ctrl;
+        put_modifiers(true, false);
         press();
         release();
-        io.KeyCtrl = false;
-        io.KeyMods = 0;
+        put_modifiers(false, false);
         frame();
         frame();
-        if (!io.WantTextInput) throw std::runtime_error(label + " takes no text");
+        if (!ImGui::GetIO().WantTextInput) throw std::runtime_error(label + " takes no text");
         type(text);
-        key(kEnter);
+        key(Key::enter);
     }
     glm::vec2 at(const std::string& label, float along) const {
         WidgetPlace p = place(label);
@@ -110,9 +117,11 @@ class HeadlessUi {
 
  private:
     // So that the next click is no double-click.
-    void rest() { frame(1); }
+    void rest() {
+        frame(1);
+    }
     void set_button(bool down) {
-        ImGui::GetIO().MouseDown[0] = down;
+        put_mouse_button(0, down);
         frame();
     }
 

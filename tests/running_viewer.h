@@ -5,10 +5,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -60,7 +62,8 @@ class RunningViewer {
     explicit RunningViewer(const fs::path& working_folder = {}, std::vector<std::string> arguments = {})
         : log_(folder_ / "log"),
           program_(command(std::move(arguments)), {.folder = working_folder, .output = log_}) {
-        REQUIRE(shows([&] { return text_of(log_).starts_with("ready\n") && !status().is_null(); }));
+        REQUIRE(
+            shows([&] { return end_of_log().find("ready\n") != std::string::npos && !status().is_null(); }));
     }
 
     /// Waits until what it says is as looked for.
@@ -68,7 +71,7 @@ class RunningViewer {
 
     /// What it said last.
     json status() const {
-        const std::string log = text_of(log_);
+        const std::string log = end_of_log();
         const auto end = log.rfind("}\n");
         if (end == std::string::npos) return nullptr;
         const auto before = log.rfind('\n', end);
@@ -122,9 +125,42 @@ class RunningViewer {
     void wheel_up() const { run({"xdotool", "click", "4"}); }
     void wheel_down() const { run({"xdotool", "click", "5"}); }
     void key(const std::string& keys) const { run({"xdotool", "key", keys}); }
+    /// Keys and pauses just as xdotool is told, at the speed of its own.
+    void xdotool(const std::string& commands) const { run({"sh", "-c", "xdotool " + commands}); }
+    void resize(int width, int height) const {
+        xdotool("search --onlyvisible --name 'Dapple$' windowsize " + std::to_string(width) + " " +
+                std::to_string(height));
+    }
+    /// Seconds of processor time that it has used.
+    double processor_seconds() const {
+        std::ifstream file("/proc/" + std::to_string(program_.id()) + "/stat");
+        std::string word;
+        double user = 0, system = 0;
+        for (int i = 1; i <= 13; ++i) file >> word;
+        file >> user >> system;
+        return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
+    /// Megabytes of memory that it holds.
+    double memory() const {
+        std::ifstream file("/proc/" + std::to_string(program_.id()) + "/statm");
+        double all = 0, resident = 0;
+        file >> all >> resident;
+        return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+    }
+    bool has_ended() const { return program_.has_ended(); }
     int wait_for_end() { return program_.wait(); }
 
  private:
+    // Many times longer than one line.
+    std::string end_of_log() const {
+        constexpr std::streamoff kLongest = 1 << 17;
+        std::ifstream file(log_, std::ios::binary | std::ios::ate);
+        const std::streamoff size = file.tellg(), from = std::max<std::streamoff>(size - kLongest, 0);
+        std::string text(static_cast<std::size_t>(std::max<std::streamoff>(size - from, 0)), '\0');
+        file.seekg(from);
+        file.read(text.data(), static_cast<std::streamsize>(text.size()));
+        return text;
+    }
     static std::vector<std::string> command(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {DAPPLE_PROGRAM, "--log-status"});
         return arguments;

@@ -37,7 +37,7 @@ TEST_CASE("a press that comes in the same frame as a long way of the pointer mov
     f.ui.move_to({100, 300});
     const Camera before = f.camera;
     // A slow frame: the pointer went far and the button down before the next began.
-    ImGui::GetIO().MousePos = {300, 500};
+    put_mouse_position(300, 500);
     f.ui.press();
     CHECK(f.camera == before);
     f.ui.release();

@@ -107,10 +107,8 @@ TEST_CASE("a name without an ending gets that of the format chosen, which stays 
     CHECK(f.chosen == folder.root.path() / "out.svg");
     f.save(folder.root.path() / "out.png");
     f.ui.click("Path");
-    ImGui::GetIO().KeyMap[ImGuiKey_Backspace] = 259;
-    ImGui::GetIO().KeyMap[ImGuiKey_End] = 269;
-    f.ui.key(269);
-    for (int letter = 0; letter < 4; ++letter) f.ui.key(259);
+    f.ui.key(Key::end);
+    for (int letter = 0; letter < 4; ++letter) f.ui.key(Key::backspace);
     f.ui.click("Accept");
     CHECK(f.chosen == folder.root.path() / "out.png");
 }
@@ -136,10 +134,10 @@ TEST_CASE("Enter asks before it replaces a file, and another Enter does it") {
     DialogUi f;
     const fs::path there = folder.root.path() / "ant.png";
     f.save(there);
-    f.ui.key(HeadlessUi::kEnter);
+    f.ui.key(Key::enter);
     CHECK_FALSE(f.chosen);
     REQUIRE(f.ui.has("Replace"));
-    f.ui.key(HeadlessUi::kEnter);
+    f.ui.key(Key::enter);
     CHECK(f.chosen == there);
 }
 
@@ -149,7 +147,7 @@ TEST_CASE("Enter chooses as soon as the dialog is there") {
     f.dialog.ask_where_to_save(
         {.title = "Export", .formats = {{"SVG", ".svg"}}, .start = folder.root.path() / "new.svg"});
     while (!f.ui.has("Path")) f.ui.frame();
-    f.ui.key(HeadlessUi::kEnter);
+    f.ui.key(Key::enter);
     CHECK(f.chosen == folder.root.path() / "new.svg");
 }
 
@@ -159,7 +157,7 @@ TEST_CASE("Enter chooses the file that was clicked") {
     f.open(folder.root.path());
     f.ui.click("ant.png");
     CHECK_FALSE(f.chosen);
-    f.ui.key(HeadlessUi::kEnter);
+    f.ui.key(Key::enter);
     CHECK(f.chosen == folder.root.path() / "ant.png");
 }
 

@@ -504,7 +504,7 @@ TEST_CASE("the status line says that a placing takes long, and how long the last
     };
     CHECK(says(0, "placing 12.3 ms"));
     CHECK(says(0.2, "placing 12.3 ms"));
-    CHECK(says(0.8, "placing ..."));
+    CHECK(says(0.8, "placing, 1 s, Escape stops it"));
     CHECK_FALSE(says(0.8, "placing 12.3 ms"));
 }
 

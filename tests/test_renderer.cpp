@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "app/viewer/renderer.h"
@@ -34,8 +35,13 @@ class Picture200 {
         dots.y.push_back(static_cast<float>(y / kPixelsPerUnit));
     }
     void radius(double pixels) { look.dot_radius = pixels / kPixelsPerUnit; }
+    void set_dots(DotPieces given, const PageWindow& window = {}) {
+        pieces = std::move(given);
+        blocks = dot_blocks(pieces);
+        renderer.set_dots(pieces, blocks, window);
+    }
     Grid<glm::u8vec4> draw() {
-        renderer.set_dots(split(dots));
+        set_dots(split(dots));
         return draw_again();
     }
     Grid<glm::u8vec4> draw_again() {
@@ -49,6 +55,8 @@ class Picture200 {
     Camera camera;
     CanvasLook look;
     Dots dots;
+    DotPieces pieces;
+    std::vector<DotBlock> blocks;
 };
 
 /// Black ink on the white picture in pixels' areas.
@@ -123,14 +131,15 @@ TEST_CASE("dots have a colour each until there are other dots") {
         picture.add(50 - radius, 80);
         picture.add(150 + radius, 80);
         picture.draw();
-        picture.renderer.set_dot_colours(
-            std::array{glm::u8vec4(200, 0, 0, 255), glm::u8vec4(0, 0, 100, 255)});
+        const std::array colours{glm::u8vec4(200, 0, 0, 255), glm::u8vec4(0, 0, 100, 255)};
+        picture.renderer.set_dot_colours(colours);
         const Grid<glm::u8vec4> pixels = picture.draw_again();
         CHECK(glm::u8vec3(pixels.at(45, 80)) == glm::u8vec3(200, 0, 0));
         CHECK(glm::u8vec3(pixels.at(155, 80)) == glm::u8vec3(0, 0, 100));
         CHECK(glm::u8vec3(picture.draw().at(45, 80)) == glm::u8vec3(0, 0, 0));
         // A transparent colour hides its dot.
-        picture.renderer.set_dot_colours(std::array{glm::u8vec4(200, 0, 0, 0), glm::u8vec4(0, 0, 100, 255)});
+        const std::array hidden{glm::u8vec4(200, 0, 0, 0), glm::u8vec4(0, 0, 100, 255)};
+        picture.renderer.set_dot_colours(hidden);
         CHECK(glm::u8vec3(picture.draw_again().at(45, 80)) == glm::u8vec3(255, 255, 255));
     }
 }
@@ -197,6 +206,45 @@ TEST_CASE("a dot fades in from its critical scale on") {
     }
 }
 
+TEST_CASE("drawn in many steps the page is what it is when drawn at once, tiles and colours too") {
+    Picture200 picture;
+    picture.radius(0.6);
+    for (int i = 0; i < 30'000; ++i)
+        picture.add(i * 0.618034 - std::floor(i * 0.618034 / 200) * 200, i / 187.5);
+    std::vector<PlacedTile> tiles;
+    for (int i = 0; i < 3000; ++i)
+        tiles.push_back(
+            {.level = 2, .x = i % 60 / 30.0, .y = i / 60 / 30.0, .side = 1 / 30.0, .orientation = {}});
+    std::vector<glm::u8vec4> colours;
+    for (int i = 0; i < 30'000; ++i) colours.emplace_back(i % 256, 100, i % 77, 255);
+    picture.look.tiles = true;
+    picture.draw();
+    picture.renderer.set_dot_colours(colours);
+    picture.renderer.set_tiles(tiles);
+    const auto at_once = picture.draw_again();
+    GlFramebuffer other;
+    other.resize(kSize);
+    picture.renderer.begin(picture.camera, picture.look, {});
+    int steps = 1;
+    while (!picture.renderer.step(other, 0)) ++steps;
+    CHECK(steps > 10);
+    other.bind();
+    CHECK(read_pixels(kSize).values == at_once.values);
+}
+
+TEST_CASE("of too many dots for a quick drawing some are drawn, and the page is as dark") {
+    Picture200 picture;
+    picture.radius(0.25);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(0, 1);
+    for (int i = 0; i < 100'000; ++i) picture.add(200 * place(random), 160 * place(random));
+    const double all = ink_area(picture.draw());
+    CHECK(picture.renderer.draw_quickly(picture.framebuffer, picture.camera, picture.look, {}, 1e-9) ==
+          Fineness::quick);
+    picture.framebuffer.bind();
+    CHECK(ink_area(read_pixels(kSize)) == doctest::Approx(all).epsilon(0.05));
+}
+
 TEST_CASE("dots of a window far into the page lie where the camera says") {
     Picture200 picture;
     const double deep = 100 * 0x1p40;
@@ -206,7 +254,7 @@ TEST_CASE("dots of a window far into the page lie where the camera says") {
     picture.look.page_size = {1, 1};
     picture.dots.x = {static_cast<float>(40 / deep)};
     picture.dots.y = {static_cast<float>(30 / deep)};
-    picture.renderer.set_dots(in_one_piece(picture.dots), window);
+    picture.set_dots(in_one_piece(picture.dots), window);
     auto pixels = picture.draw_again();
     CHECK(pixels.at(140, 110).r < 5);
     CHECK(pixels.at(137, 110).r < 5);

@@ -58,9 +58,9 @@ struct Drawing {
 
 class Screen {
  public:
-    explicit Screen(const Drawing& drawing) : drawing_(drawing) {
+    explicit Screen(const Drawing& drawing) : drawing_(drawing), blocks_(dot_blocks(drawing.stippling.dots)) {
         picture.resize(kCanvas);
-        renderer.set_dots(drawing.stippling.dots);
+        renderer.set_dots(drawing.stippling.dots, blocks_);
         look.page_size = drawing.size;
         look.dot_radius = drawing.radius;
         look.ink = drawing.colours.ink;
@@ -100,6 +100,7 @@ class Screen {
 
  private:
     const Drawing& drawing_;
+    std::vector<DotBlock> blocks_;
 };
 
 }  // namespace
@@ -124,7 +125,8 @@ TEST_CASE("so it is in each channel with coloured ink on coloured paper, given t
         CHECK(screen.difference_from_file(kFitted * zoom) < 0.01);
     }
     const glm::u8vec3 ink(glm::round(drawing.colours.ink * 255.0f));
-    screen.renderer.set_dot_colours(std::vector(40'000, glm::u8vec4(ink, 255)));
+    const std::vector colours(40'000, glm::u8vec4(ink, 255));
+    screen.renderer.set_dot_colours(colours);
     screen.look.ink = {0, 1, 0};
     for (const double zoom : {0.06, 1.0, 3.3}) {
         CAPTURE(zoom);

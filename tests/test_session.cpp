@@ -359,4 +359,32 @@ TEST_CASE("another picture is not saved over the one before") {
     CHECK(session.saved_path().empty());
 }
 
+TEST_CASE("a placing that takes too long can be given up: drawing and settings are as before") {
+    Session session(DrawingSettings{}, [] {});
+    session.settings.drawing.stipple.count = 1000;
+    session.settings.drawing.relax = 0;
+    session.open_sample();
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_news(std::chrono::milliseconds(0));
+            session.order_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.pane().page().stippling.dots.size() == 1000; }));
+    session.settings.drawing.stipple.count = 30'000'000;
+    REQUIRE(brings([&] {
+        const auto since = session.pane().worker().placing_since();
+        return since && std::chrono::steady_clock::now() - *since > std::chrono::milliseconds(300);
+    }));
+    session.stop_placing();
+    CHECK(session.settings.drawing.stipple.count == 1000);
+    CHECK(brings([&] {
+        return session.pane().page_order() == session.pane().page_ordered() &&
+               !session.pane().worker().placing_since();
+    }));
+    CHECK(session.pane().page().stippling.dots.size() == 1000);
+}
+
 }  // namespace dapple

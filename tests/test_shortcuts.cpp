@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <GLFW/glfw3.h>
-
 #include <set>
 #include <string>
 
@@ -20,18 +18,14 @@ struct Keyboard {
         note_place("text");
     }};
 
-    std::vector<Action> press(int key, bool ctrl = false, bool shift = false) {
-        ImGuiIO& io = ImGui::GetIO();
-        io.KeyCtrl = ctrl;
-        io.KeyShift = shift;
-        io.KeyMods = (ctrl ? ImGuiKeyModFlags_Ctrl : 0) | (shift ? ImGuiKeyModFlags_Shift : 0);
-        io.KeysDown[key] = true;
+    std::vector<Action> press(Key key, bool ctrl = false, bool shift = false) {
+        put_modifiers(ctrl, shift);
+        put_key(key, true);
         actions.clear();
         ui.frame();
         ui.frame();  // held down: no second time
-        io.KeysDown[key] = false;
-        io.KeyCtrl = io.KeyShift = false;
-        io.KeyMods = 0;
+        put_key(key, false);
+        put_modifiers(false, false);
         ui.frame();
         return actions;
     }
@@ -43,21 +37,21 @@ using Actions = std::vector<Action>;
 
 TEST_CASE("keys do what the help says, once a press") {
     Keyboard keyboard;
-    CHECK(keyboard.press(GLFW_KEY_F) == Actions{Action::fit});
-    CHECK(keyboard.press(GLFW_KEY_0, true) == Actions{Action::one_to_one});
-    CHECK(keyboard.press(GLFW_KEY_O, true) == Actions{Action::open});
-    CHECK(keyboard.press(GLFW_KEY_T, true) == Actions{Action::open_tile});
-    CHECK(keyboard.press(GLFW_KEY_T) == Actions{Action::toggle_tiles});
-    CHECK(keyboard.press(GLFW_KEY_S, true) == Actions{Action::save});
-    CHECK(keyboard.press(GLFW_KEY_E, true) == Actions{Action::save_as});
-    CHECK(keyboard.press(GLFW_KEY_Z, true) == Actions{Action::undo});
-    CHECK(keyboard.press(GLFW_KEY_Z, true, true) == Actions{Action::redo});
-    CHECK(keyboard.press(GLFW_KEY_TAB) == Actions{Action::toggle_panels});
-    CHECK(keyboard.press(GLFW_KEY_B, true) == Actions{Action::toggle_panels});
-    CHECK(keyboard.press(GLFW_KEY_C) == Actions{Action::compare});
-    CHECK(keyboard.press(GLFW_KEY_L) == Actions{Action::loupe});
-    CHECK(keyboard.press(GLFW_KEY_F11) == Actions{Action::full_screen});
-    CHECK(keyboard.press(GLFW_KEY_O).empty());
+    CHECK(keyboard.press(Key::f) == Actions{Action::fit});
+    CHECK(keyboard.press(Key::zero, true) == Actions{Action::one_to_one});
+    CHECK(keyboard.press(Key::o, true) == Actions{Action::open});
+    CHECK(keyboard.press(Key::t, true) == Actions{Action::open_tile});
+    CHECK(keyboard.press(Key::t) == Actions{Action::toggle_tiles});
+    CHECK(keyboard.press(Key::s, true) == Actions{Action::save});
+    CHECK(keyboard.press(Key::e, true) == Actions{Action::save_as});
+    CHECK(keyboard.press(Key::z, true) == Actions{Action::undo});
+    CHECK(keyboard.press(Key::z, true, true) == Actions{Action::redo});
+    CHECK(keyboard.press(Key::tab) == Actions{Action::toggle_panels});
+    CHECK(keyboard.press(Key::b, true) == Actions{Action::toggle_panels});
+    CHECK(keyboard.press(Key::c) == Actions{Action::compare});
+    CHECK(keyboard.press(Key::l) == Actions{Action::loupe});
+    CHECK(keyboard.press(Key::f11) == Actions{Action::full_screen});
+    CHECK(keyboard.press(Key::o).empty());
 }
 
 TEST_CASE("a question mark asks for help wherever the keyboard has it") {
@@ -71,8 +65,8 @@ TEST_CASE("while text is typed, keys are letters") {
     Keyboard keyboard;
     keyboard.ui.click("text");
     REQUIRE(ImGui::GetIO().WantCaptureKeyboard);
-    CHECK(keyboard.press(GLFW_KEY_F).empty());
-    CHECK(keyboard.press(GLFW_KEY_Z, true).empty());
+    CHECK(keyboard.press(Key::f).empty());
+    CHECK(keyboard.press(Key::z, true).empty());
 }
 
 TEST_CASE("every action is in a window's help, and no help has one twice") {

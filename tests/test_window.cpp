@@ -321,6 +321,54 @@ TEST_CASE("the samples that the window exports are those of the command, to the 
     CHECK(text_of(folder / "even.json") == text_of(command));
 }
 
+TEST_CASE("a key let go quickly counts although a modifier changes meanwhile, and none ends the program") {
+    Display display;
+    RunningViewer viewer;
+    viewer.move(300, 300);
+    const double zoom = viewer.status()["zoom"];
+    for (int i = 0; i < 5; ++i)
+        viewer.xdotool("key --delay 0 ctrl+z keydown shift; sleep 0.1; xdotool keyup shift");
+    viewer.xdotool("key --delay 0 plus plus plus");
+    CHECK(viewer.shows([&] { return viewer.status()["zoom"] > zoom * 1.9; }));
+    viewer.key("ctrl+q");
+    CHECK(viewer.wait_for_end() == 0);
+}
+
+TEST_CASE("a window of any size goes on, whatever is open in it") {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{}, {"lights"}}) {
+        Display display;
+        RunningViewer viewer({}, arguments);
+        viewer.move(300, 300);
+        for (const char* keys : {"c", "l", "ctrl+e", "Escape", "F1"}) {
+            viewer.key(keys);
+            for (const auto& [width, height] : {std::pair(50, 50), {1, 1}, {1, 700}, {900, 1}, {1000, 700}}) {
+                viewer.resize(width, height);
+                viewer.xdotool("sleep 0.1");
+            }
+        }
+        viewer.resize(1280, 800);
+        viewer.move(310, 310);
+        viewer.key("Escape");  // from the help
+        viewer.key("ctrl+q");
+        CHECK(viewer.wait_for_end() == 0);
+    }
+}
+
+TEST_CASE("a window at rest uses no processor, and a key is still answered") {
+    Display display;
+    RunningViewer viewer;
+    viewer.move(300, 300);
+    for (int i = 0; i < 3; ++i) {
+        viewer.xdotool("sleep 2");
+        const double before = viewer.processor_seconds();
+        viewer.xdotool("sleep 3");
+        CHECK(viewer.processor_seconds() - before < 0.03);
+        const double zoom = viewer.status()["zoom"];
+        viewer.key("plus");
+        CHECK(viewer.shows([&] { return viewer.status()["zoom"] > zoom; }));
+    }
+}
+
 TEST_CASE("a picture that is not there ends the program with a sentence") {
     TemporaryFolder folder;
     Display display;

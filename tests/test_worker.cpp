@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <fstream>
 #include <functional>
 #include <semaphore>
 #include <stdexcept>
@@ -203,6 +204,51 @@ TEST_CASE("a worker tells since when it places, and that it does no longer") {
         worker.news();
         return !worker.placing_since();
     }));
+}
+
+TEST_CASE("an exception on a drawing's way to the window is told, and the thread goes on") {
+    std::atomic<bool> fails = true;
+    Worker worker([&] {
+        if (fails.exchange(false)) throw std::runtime_error("nobody to wake");
+    });
+    worker.open("grey.png", [] { return grey(64); });
+    worker.place(dots(500));
+    const auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
+    CHECK(failed(news.back())->message == "nobody to wake");
+    worker.place(dots(300));
+    listen(worker,
+           [](const WorkerNews& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 300; });
+}
+
+TEST_CASE("the memory of a drawing far larger than those after it goes back to the system") {
+    const auto resident_megabytes = [] {
+        std::ifstream file("/proc/self/statm");
+        double all = 0, resident = 0;
+        file >> all >> resident;
+        return resident * 4096 / (1 << 20);
+    };
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    const auto place = [&](std::uint64_t count) {
+        worker.place(dots(count));
+        auto news = listen(worker, [&](const WorkerNews& n) {
+            return placed(n) && placed(n)->drawing.stippling.dots.size() == count;
+        });
+        return std::move(std::get<PlacedNews>(news.back()).drawing);
+    };
+    constexpr std::uint64_t kMany = 8'000'000;  // 64 megabytes
+    PlacedDrawing large = place(kMany);
+    CHECK(large.blocks.size() >= kMany / kDotsPerBlock);
+    worker.recycle(std::move(large));
+    // Once more, into the memory of the first.
+    large = place(kMany + 1);
+    const double held = resident_megabytes();
+    worker.recycle(std::move(large));
+    PlacedDrawing small = place(500);
+    worker.recycle(std::move(small));
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps freed memory
+    CHECK(wait_until([&] { return resident_megabytes() < held - 50; }));
+#endif
 }
 
 TEST_CASE("a worker may end with much still to do") {

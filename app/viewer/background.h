@@ -15,7 +15,7 @@ namespace dapple {
 template <class Result>
 class Background {
  public:
-    /// Nothing if stopped; must not throw.
+    /// Nothing if stopped. Should not throw; if it does, there is no result.
     using Work = std::function<std::optional<Result>(const std::stop_token&)>;
 
     /// `wake` is called from the thread when the work is done.
@@ -49,7 +49,11 @@ class Background {
 
  private:
     void run(const Work& work, const std::stop_token& stop) {
-        std::optional<Result> result = work(stop);
+        std::optional<Result> result;
+        try {
+            result = work(stop);
+        } catch (...) {  // a thread's exception would end the program
+        }
         {
             std::scoped_lock lock(mutex_);
             busy_ = false;

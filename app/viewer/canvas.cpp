@@ -4,19 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
+
+#include "app/viewer/keys.h"
 
 namespace dapple {
 namespace {
 
 // Between two turns of a wheel, or two moves of a slider, there is less.
 constexpr double kRestSeconds = 0.15;
+// Of dots, in a frame while something moves, and in a frame in which it rests.
+constexpr double kQuickSeconds = 0.015, kStepSeconds = 0.025;
 
 }  // namespace
 
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
-    renderer.set_dots(drawing.stippling.dots, drawing.window);
+    renderer.set_dots(drawing.stippling.dots, drawing.blocks, drawing.window);
     renderer.set_dot_colours(drawing.colours);
     renderer.set_tiles(drawing.outlines, drawing.window);
     if (side == Side::left) page_size_ = drawing.page_size;
@@ -55,36 +59,65 @@ std::optional<double> Canvas::rest() const {
     return std::max(kRestSeconds - rested.count(), 0.0);
 }
 
-void Canvas::draw(const glm::ivec2& pixels, Fineness fineness) {
-    picture_.resize(pixels);
-    timer_.begin();
+Columns Canvas::columns_of(Side side, glm::ivec2 pixels) const {
     const int middle = static_cast<int>(std::lround(drawn_look_.divider * static_cast<float>(pixels.x)));
+    return side == Side::left ? Columns{0, middle} : Columns{middle, pixels.x};
+}
+
+void Canvas::draw_quickly(glm::ivec2 pixels) {
+    const auto begin = Clock::now();
+    job_side_.reset();
+    picture_.resize(pixels);
     drawn_ = Fineness::full;
+    const double seconds = drawn_look_.divider < 1 ? kQuickSeconds / 2 : kQuickSeconds;
     for (const Side side : kSides) {
         const auto index = static_cast<std::size_t>(side);
-        const Columns columns = side == Side::left ? Columns{0, middle} : Columns{middle, pixels.x};
-        const Fineness drawn =
-            renderers_[index].draw(picture_, camera_, drawn_look_.sides[index], fineness, columns);
+        const Fineness drawn = renderers_[index].draw_quickly(picture_, camera_, drawn_look_.sides[index],
+                                                              columns_of(side, pixels), seconds);
         if (drawn == Fineness::quick) drawn_ = drawn;
     }
-    timer_.end();
+    glFinish();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    draw_ms_ = 1e3 * std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void Canvas::go_on(glm::ivec2 pixels) {
+    const auto begin = Clock::now();
+    if (!job_side_) {
+        full_.resize(pixels);
+        job_seconds_ = 0;
+        job_side_ = 0;
+        for (const Side side : kSides) {
+            const auto index = static_cast<std::size_t>(side);
+            renderers_[index].begin(camera_, drawn_look_.sides[index], columns_of(side, pixels));
+        }
+    }
+    while (job_side_ && std::chrono::duration<double>(Clock::now() - begin).count() < kStepSeconds) {
+        if (!renderers_[*job_side_].step(full_, kStepSeconds)) break;
+        if (++*job_side_ == kSides.size()) job_side_.reset();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    job_seconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (job_side_) return;
+    std::swap(picture_, full_);
+    drawn_ = Fineness::full;
+    draw_ms_ = 1e3 * job_seconds_;
 }
 
 void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
-    timer_.ready(draw_ms_);
     glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
     camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
     for (CanvasLook& side : look.sides) side.page_size = page_size_;
+    if (redraw == Redraw::later) return;
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         drawn_camera_ = camera_;
         drawn_look_ = look;
-        draw(pixels, Fineness::quick);
+        draw_quickly(pixels);
         changed_ = Clock::now();
-    } else if (rest() == 0.0) {
-        draw(pixels, Fineness::full);
+    } else if (job_side_ || rest() == 0.0) {
+        go_on(pixels);
     }
-    auto texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.texture()));
+    auto texture = texture_id(picture_.texture());
     glm::vec2 far = place.corner + place.size;
     ImGui::GetBackgroundDrawList()->AddImage(texture, {place.corner.x, place.corner.y}, {far.x, far.y},
                                              {0, 1}, {1, 0});

@@ -18,6 +18,7 @@ namespace dapple {
 enum class Redraw {
     when_changed,
     always,
+    later,  // this frame is not seen
 };
 
 /// Of the split view; a view that is not split is the left side alone.
@@ -34,7 +35,7 @@ struct SplitLook {
 
 class Canvas {
  public:
-    /// The page is as large as the left side's.
+    /// The page is as large as the left side's. The drawing is looked at until the next one is set.
     void set_drawing(Side side, const PlacedDrawing& drawing);
     void set_picture(Side side, const Grid<glm::u8vec4>& picture);
 
@@ -52,21 +53,25 @@ class Canvas {
     /// Puts the drawing behind ImGui's windows.
     void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
-    /// Of the newest drawing measured.
+    /// Of the newest drawing that is whole, in milliseconds.
     double draw_ms() const { return draw_ms_; }
-    /// A measurement is under way: another frame will bring it.
-    bool measuring() const { return timer_.waiting(); }
+    /// Another frame is to follow at once: it is being drawn fully, a part in each frame, so that mouse and
+    /// keys are answered in between.
+    bool drawing() const { return job_side_.has_value(); }
     /// Seconds after which another frame will draw it fully; none if it is.
     std::optional<double> rest() const;
 
  private:
     using Clock = std::chrono::steady_clock;
 
-    void draw(const glm::ivec2& pixels, Fineness fineness);
+    Columns columns_of(Side side, glm::ivec2 pixels) const;
+    void draw_quickly(glm::ivec2 pixels);
+    void go_on(glm::ivec2 pixels);
 
     std::array<Renderer, 2> renderers_;
-    GlFramebuffer picture_;
-    GlTimer timer_;
+    GlFramebuffer picture_, full_;         // shown, and the one that is being drawn fully
+    std::optional<std::size_t> job_side_;  // the side being drawn fully
+    double job_seconds_ = 0;
     Camera camera_;
     glm::dvec2 page_size_{1, 1};
     bool fitted_ = true;  // until the person zooms or moves

@@ -50,9 +50,6 @@ void delete_texture(GLuint name) {
 void delete_framebuffer(GLuint name) {
     glDeleteFramebuffers(1, &name);
 }
-void delete_query(GLuint name) {
-    glDeleteQueries(1, &name);
-}
 
 GlProgram::GlProgram(std::string_view vertex_source, std::string_view fragment_source)
     : name_(glCreateProgram()) {
@@ -125,33 +122,6 @@ void GlFramebuffer::resize(glm::ivec2 size, Texels texels) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("The graphics driver offers no picture of " + std::to_string(size.x) +
                                  " x " + std::to_string(size.y) + " pixels to draw into.");
-}
-
-GlTimer::GlTimer() : name_(generated([](GLsizei n, GLuint* p) { glGenQueries(n, p); })) {}
-
-void GlTimer::begin() {
-    if (waiting_) return;  // the one before is still under way
-    glBeginQuery(GL_TIME_ELAPSED, name_.get());
-    measuring_ = true;
-}
-
-void GlTimer::end() {
-    if (!measuring_) return;
-    glEndQuery(GL_TIME_ELAPSED);
-    measuring_ = false;
-    waiting_ = true;
-}
-
-bool GlTimer::ready(double& milliseconds) {
-    if (!waiting_) return false;
-    GLint available = 0;
-    glGetQueryObjectiv(name_.get(), GL_QUERY_RESULT_AVAILABLE, &available);
-    if (!available) return false;
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(name_.get(), GL_QUERY_RESULT, &nanoseconds);
-    milliseconds = static_cast<double>(nanoseconds) * 1e-6;
-    waiting_ = false;
-    return true;
 }
 
 }  // namespace dapple

@@ -40,7 +40,6 @@ void delete_buffer(GLuint name);
 void delete_vertex_array(GLuint name);
 void delete_texture(GLuint name);
 void delete_framebuffer(GLuint name);
-void delete_query(GLuint name);
 
 /// Compiled and linked shaders. Throws std::runtime_error with the driver's words if they are wrong.
 class GlProgram {
@@ -113,21 +112,6 @@ class GlFramebuffer {
     GlTexture colour_;
     glm::ivec2 size_{0, 0};
     Texels texels_ = Texels::as_given;
-};
-
-/// Measures how long the graphics processor works; the answer comes a little later.
-class GlTimer {
- public:
-    GlTimer();
-    void begin();
-    void end();
-    /// True once when a measurement begun before is ready, in milliseconds.
-    bool ready(double& milliseconds);
-    bool waiting() const { return waiting_; }
-
- private:
-    GlName<delete_query> name_;
-    bool measuring_ = false, waiting_ = false;
 };
 
 }  // namespace dapple

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "app/viewer/keys.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
 #include "core/lights/direction.h"
@@ -44,7 +45,7 @@ Grid<glm::u8vec4> tone_mapped_picture(const Grid<glm::vec3>& preview, double exp
 }
 
 ImTextureID id_of(const GlTexture& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture.get()));
+    return texture_id(texture.get());
 }
 
 // 0..1, however often round.

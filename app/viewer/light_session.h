@@ -32,6 +32,8 @@ class LightSession {
 
     /// Writes the samples that the settings ask for, in the background; the name's ending says as what. One
     /// file at a time.
+    /// A map is being read; when it is there a wake may come a moment too early.
+    bool reading() const { return reading_.valid(); }
     void save(const std::filesystem::path& file);
     bool saving() const { return saving_.busy(); }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 constexpr float kPanelWidth = 340;
 constexpr int kFramesAfterEvent = 3;
 constexpr double kStopsAPress = 0.5;
+constexpr double kCursorBlinks = 0.3, kLooksForMap = 0.25;  // seconds
 // How far one can zoom in: to pixels of the map that are so many of ImGui's points, and so often enlarged.
 constexpr double kLargestPixel = 32, kLeastLargest = 4;
 
@@ -45,12 +47,18 @@ class LightViewer {
     int run() {
         int frames_left = kFramesAfterEvent;
         while (!window_.should_close()) {
-            window_.wait_for_events(frames_left > 0 ? 0 : rest_of(session_.banner));
-            if (frames_left <= 0) frames_left = kFramesAfterEvent;
+            double rest = rest_of(session_.banner);
+            if (ImGui::GetIO().WantTextInput) rest = std::min(rest, kCursorBlinks);
+            if (session_.reading()) rest = std::min(rest, kLooksForMap);
+            if (window_.wait_for_events(frames_left > 0 ? 0 : rest)) frames_left = kFramesAfterEvent;
+            const auto begin = std::chrono::steady_clock::now();
+            const bool was_ready = ready_;  // the first frame makes everything ready
             frame();
+            const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+            if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
             --frames_left;
             const ImGuiIO& io = ImGui::GetIO();
-            if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseDown[0])
+            if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || window_.input_waits())
                 frames_left = kFramesAfterEvent;
         }
         return 0;
@@ -67,7 +75,7 @@ class LightViewer {
         const float scale = ImGui::GetFontSize() / 15;
         const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
         const float panel = panel_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
-        const glm::vec2 canvas{screen.x - panel, screen.y};
+        const glm::vec2 canvas{std::max(screen.x - panel, 1.0f), std::max(screen.y, 1.0f)};
         if (panel_shown_) draw_panel({canvas.x, 0}, {panel, screen.y});
         draw_dialogs();
         draw_banner(session_.banner, {0, 0}, canvas);
@@ -185,6 +193,7 @@ class LightViewer {
         camera_ = kept_on_map(
             camera_, std::max(kLargestPixel * scene->map().width(), kLeastLargest * camera_.canvas.x));
         widgets_["Map"] = {layout.map.corner, layout.map.corner + layout.map.size};
+        if (window_.frame_is_unseen()) return;
         scene->show(layout, camera_, session_.settings);
     }
 
@@ -193,6 +202,7 @@ class LightViewer {
         if (!scene || scene->samplings() == 0) return;
         if (!std::exchange(ready_, true)) std::puts("ready");
         if (log_status_) {
+            health_.gl_errors += Window::gl_errors();
             const ImGuiIO& io = ImGui::GetIO();
             const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
             std::string line = light_status_json({.samples = scene->samples(),
@@ -202,7 +212,7 @@ class LightViewer {
                                                   .difference = scene->facts().difference,
                                                   .zoom = camera_.pixels_per_unit / camera_.canvas.x,
                                                   .saving = session_.saving()},
-                                                 mouse, widgets_);
+                                                 mouse, health_, widgets_);
             if (line != logged_) std::puts(line.c_str());
             logged_ = std::move(line);
         }
@@ -215,9 +225,9 @@ class LightViewer {
 
     void draw_panel(glm::vec2 corner, glm::vec2 size) {
         ImGui::SetNextWindowPos({corner.x, corner.y});
-        ImGui::SetNextWindowSize({size.x, size.y});
+        ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-        ImGui::Begin("##panels", nullptr, kFixed);
+        ImGui::Begin("##panels", nullptr, kNeverAsksForFocus | kFixed);
         const LightScene* const scene = session_.scene();
         push_title_font();
         ImGui::TextUnformatted(session_.name().c_str());
@@ -246,6 +256,7 @@ class LightViewer {
     bool asks_for_tile_ = false;
     bool help_ = false, panel_shown_ = true;
     std::string logged_;
+    HealthFacts health_;
     bool ready_ = false;
 };
 

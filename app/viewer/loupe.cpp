@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <string>
 
+#include "app/viewer/keys.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/theme.h"
 
@@ -140,8 +141,7 @@ void Loupe::draw(const LoupeView& view, const Camera& camera, const CanvasPlace&
     ImGui::GetForegroundDrawList()->PushClipRect(
         {place.corner.x, place.corner.y}, {place.corner.x + place.size.x, place.corner.y + place.size.y});
     draw_square(box, square->across, unit);
-    draw_card(box, words_for(*square, repetition_, view.mm_per_page_unit),
-              reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.get())), place);
+    draw_card(box, words_for(*square, repetition_, view.mm_per_page_unit), texture_id(picture_.get()), place);
     ImGui::GetForegroundDrawList()->PopClipRect();
 }
 

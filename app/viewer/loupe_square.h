@@ -21,8 +21,8 @@ struct LoupeSquare {
 
 /// The square around a place, in whole tiles of the page's grid. Of the levels it takes the deepest that the
 /// dots around that place have gone through, or a deeper one whose tiles are small enough for some dozens of
-/// them to lie side by side with few enough dots; `step` goes so many levels further. None if the place is not
-/// on the page, or if there are too few dots or whole tiles around it.
+/// them to lie side by side with few enough dots; `step` goes so many levels further. None if the place is
+/// not on the page, or if there are too few dots or whole tiles around it.
 std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t tile_size, PagePoint place,
                                         int step);
 

@@ -71,12 +71,12 @@ void Pane::take(PlacedNews& news) {
 }
 
 void Pane::clear() {
-    worker_.clear();
     page_ordered_.reset();
     page_placed_.reset();
     close_ordered_.reset();
-    page_ = {};
-    close_ = {};
+    worker_.recycle(std::exchange(page_, {}));
+    worker_.recycle(std::exchange(close_, {}));
+    worker_.clear();
     shows_close_ = false;
     ++version_;
 }

@@ -48,6 +48,9 @@ class Pane {
     const PlacedDrawing& shown() const { return shows_close_ ? close_ : page_; }
     bool shows_close() const { return shows_close_; }
 
+    /// What the whole page was ordered with last.
+    const std::optional<PlaceOrder>& page_ordered() const { return page_ordered_; }
+
     /// What the whole page was placed for last; none before the first.
     const std::optional<PlaceOrder>& page_order() const { return page_placed_; }
 

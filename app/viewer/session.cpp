@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 // A placing so short is waited for, so that dots and slider move in the same frame.
 constexpr std::chrono::milliseconds kPatience(8);
-constexpr std::chrono::milliseconds kLongPatience(2000);
+constexpr std::chrono::milliseconds kLongPatience(50);
 
 }  // namespace
 
@@ -95,11 +95,21 @@ void Session::save(const fs::path& path) {
 
 void Session::order_dots(const Zoom& zoom) {
     const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
-    if (pane_.order(page_order(), zoom, reorder)) take_news(settings.every_frame ? kLongPatience : kPatience);
+    // In every frame, but not before the last one is there: it would never be.
+    const bool waits = settings.every_frame && pane_.worker().placing_since();
+    const bool ordered = pane_.order(page_order(), zoom, waits ? Reorder::when_changed : reorder);
+    if (ordered) ordered_settings_ = settings;
+    if (ordered || waits) take_news(settings.every_frame ? kLongPatience : kPatience);
     if (settings.comparison.on)
         order_right(zoom, reorder);
     else
         forget_right();
+}
+
+void Session::stop_placing() {
+    if (!placed_settings_) return;
+    settings = *placed_settings_;
+    banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
 }
 
 void Session::forget_right() {
@@ -147,6 +157,7 @@ void Session::take(PlacedNews& news) {
         if (banner.kind == BannerKind::notice) banner = {};
     }
     if (!news.error.empty()) banner = {BannerKind::error, news.error};
+    if (news.error.empty() && news.order == pane_.page_ordered()) placed_settings_ = ordered_settings_;
     pane_.take(news);
 }
 

@@ -43,6 +43,9 @@ class Session {
     /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
     void order_dots(const Zoom& zoom);
 
+    /// Gives up a placing under way: the settings are again those of the drawing that is shown.
+    void stop_placing();
+
     /// Remembers the settings for undo, unless they are still being edited.
     void remember(bool editing) { history_.observe(settings, editing); }
     void undo() { settings = history_.undo(); }
@@ -78,6 +81,8 @@ class Session {
     void take(SavedNews& news);
     void take(CancelledNews& news);
 
+    // Of the page ordered last, and of the one placed last.
+    std::optional<ViewerSettings> ordered_settings_, placed_settings_;
     History<ViewerSettings> history_;
     std::function<void()> wake_;
     std::uint64_t most_dots_;

@@ -1,7 +1,8 @@
 #include "app/viewer/shortcuts.h"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
+
+#include "app/viewer/keys.h"
 
 namespace dapple {
 namespace {
@@ -50,10 +51,6 @@ bool typed(ImWchar letter) {
     return ImGui::GetIO().InputQueueCharacters.contains(letter);
 }
 
-bool pressed(int key) {
-    return ImGui::IsKeyPressed(key, false);
-}
-
 }  // namespace
 
 std::span<const Shortcut> shortcuts() {
@@ -66,11 +63,11 @@ std::span<const Shortcut> light_shortcuts() {
 
 bool photograph_key_down() {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && ImGui::IsKeyDown(GLFW_KEY_P);
+    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && key_down(Key::p);
 }
 
 bool escape_pressed() {
-    return pressed(GLFW_KEY_ESCAPE);
+    return key_pressed(Key::escape);
 }
 
 std::vector<Action> pressed_actions() {
@@ -82,28 +79,28 @@ std::vector<Action> pressed_actions() {
     };
     bool command = io.KeyCtrl || io.KeySuper;
     if (command) {
-        when(pressed(GLFW_KEY_O), Action::open);
-        when(pressed(GLFW_KEY_T), Action::open_tile);
-        when(pressed(GLFW_KEY_S), Action::save);
-        when(pressed(GLFW_KEY_E), Action::save_as);
-        when(pressed(GLFW_KEY_Z), io.KeyShift ? Action::redo : Action::undo);
-        when(pressed(GLFW_KEY_Y), Action::redo);
-        when(pressed(GLFW_KEY_0), Action::one_to_one);
-        when(pressed(GLFW_KEY_B), Action::toggle_panels);
-        when(pressed(GLFW_KEY_Q), Action::quit);
+        when(key_pressed(Key::o), Action::open);
+        when(key_pressed(Key::t), Action::open_tile);
+        when(key_pressed(Key::s), Action::save);
+        when(key_pressed(Key::e), Action::save_as);
+        when(key_pressed(Key::z), io.KeyShift ? Action::redo : Action::undo);
+        when(key_pressed(Key::y), Action::redo);
+        when(key_pressed(Key::zero), Action::one_to_one);
+        when(key_pressed(Key::b), Action::toggle_panels);
+        when(key_pressed(Key::q), Action::quit);
     } else {
-        when(pressed(GLFW_KEY_F), Action::fit);
-        when(pressed(GLFW_KEY_T), Action::toggle_tiles);
-        when(pressed(GLFW_KEY_C), Action::compare);
-        when(pressed(GLFW_KEY_L), Action::loupe);
-        when(pressed(GLFW_KEY_TAB), Action::toggle_panels);
+        when(key_pressed(Key::f), Action::fit);
+        when(key_pressed(Key::t), Action::toggle_tiles);
+        when(key_pressed(Key::c), Action::compare);
+        when(key_pressed(Key::l), Action::loupe);
+        when(key_pressed(Key::tab), Action::toggle_panels);
         when(typed('+'), Action::zoom_in);
         when(typed('-'), Action::zoom_out);
         when(typed('e'), Action::lighter);
         when(typed('E'), Action::darker);
     }
-    when(pressed(GLFW_KEY_F11), Action::full_screen);
-    when(pressed(GLFW_KEY_F1) || typed('?'), Action::help);
+    when(key_pressed(Key::f11), Action::full_screen);
+    when(key_pressed(Key::f1) || typed('?'), Action::help);
     return actions;
 }
 

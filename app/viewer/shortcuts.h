@@ -38,8 +38,7 @@ struct Shortcut {
 std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
 
-/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. Reads
-/// ImGui's input, in which keys are GLFW's codes.
+/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard.
 std::vector<Action> pressed_actions();
 
 /// Whether the key is held that shows the photograph in the drawing's place.

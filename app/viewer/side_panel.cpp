@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
@@ -16,11 +18,12 @@ namespace dapple {
 void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::function<void(Action)>& act,
                      glm::vec2 corner, glm::vec2 size) {
     ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
+    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("##panels", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     push_title_font();
     ImGui::TextUnformatted(session.picture().name.c_str());
     pop_title_font();

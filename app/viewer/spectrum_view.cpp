@@ -1,7 +1,6 @@
 #include "app/viewer/spectrum_view.h"
 
-#include <cstdint>
-
+#include "app/viewer/keys.h"
 #include "app/viewer/panels/spectrum_panel.h"
 
 namespace dapple {
@@ -10,8 +9,7 @@ void SpectrumView::draw() {
     SpectrumFacts facts;
     if (analysis_) {
         facts.analysis = &*analysis_;
-        if (!analysis_->picture.empty())
-            facts.picture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture_.get()));
+        if (!analysis_->picture.empty()) facts.picture = texture_id(picture_.get());
     }
     open_ = draw_spectrum_panel(facts);
 }

@@ -5,7 +5,10 @@
 namespace dapple {
 namespace {
 
-void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const WidgetPlaces& widgets) {
+void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const HealthFacts& health,
+               const WidgetPlaces& widgets) {
+    line["longest_frame_ms"] = health.longest_frame_ms;
+    line["gl_errors"] = health.gl_errors;
     line["mouse"] = {mouse.position.x, mouse.position.y};
     line["mouse_down"] = mouse.down;
     auto& places = line["widgets"] = nlohmann::ordered_json::object();
@@ -16,7 +19,7 @@ void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const Widg
 }  // namespace
 
 std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
-                        const WidgetPlaces& widgets) {
+                        const HealthFacts& health, const WidgetPlaces& widgets) {
     nlohmann::ordered_json line{
         {"dots", facts.dots},       {"duplicates", facts.duplicates}, {"scale", facts.scale},
         {"zoom", facts.zoom},       {"placings", placings},           {"place_ms", facts.place_ms},
@@ -36,17 +39,17 @@ std::string status_json(const StatusFacts& facts, std::uint64_t placings, const 
         line["loupe"] = {{"repetition", facts.loupe->repetition},
                          {"layers", facts.loupe->layers},
                          {"level", facts.loupe->level}};
-    add_input(line, mouse, widgets);
+    add_input(line, mouse, health, widgets);
     return line.dump();
 }
 
-std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
+std::string light_status_json(const LightStatus& status, const MouseFacts& mouse, const HealthFacts& health,
                               const WidgetPlaces& widgets) {
     nlohmann::ordered_json line{{"samples", status.samples},       {"samplings", status.samplings},
                                 {"sampling", status.sampling},     {"stops", status.stops},
                                 {"difference", status.difference}, {"zoom", status.zoom},
                                 {"saving", status.saving}};
-    add_input(line, mouse, widgets);
+    add_input(line, mouse, health, widgets);
     return line.dump();
 }
 

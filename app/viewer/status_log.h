@@ -12,6 +12,12 @@
 namespace dapple {
 
 /// Where the mouse was in a frame, in window coordinates, and its left button.
+/// How the program itself is.
+struct HealthFacts {
+    double longest_frame_ms = 0;  // that the window took for one, from the events it knew to showing it
+    int gl_errors = 0;
+};
+
 struct MouseFacts {
     glm::vec2 position{0};
     bool down = false;
@@ -24,7 +30,7 @@ struct MouseFacts {
 /// window coordinates. "right" is there while the split view shows dots (an unknown repetition is null),
 /// "loupe" while the lens shows something.
 std::string status_json(const StatusFacts& facts, std::uint64_t placings, const MouseFacts& mouse,
-                        const WidgetPlaces& widgets);
+                        const HealthFacts& health, const WidgetPlaces& widgets);
 
 struct LightStatus {
     std::size_t samples = 0;
@@ -39,7 +45,7 @@ struct LightStatus {
 /// The same of the window of an environment map: {"samples": .., "samplings": .., "sampling": ..,
 /// "stops": .., "difference": .., "zoom": .., "saving": .., "mouse": [x, y], "mouse_down": .., "widgets":
 /// {..}}.
-std::string light_status_json(const LightStatus& status, const MouseFacts& mouse,
+std::string light_status_json(const LightStatus& status, const MouseFacts& mouse, const HealthFacts& health,
                               const WidgetPlaces& widgets);
 
 }  // namespace dapple

@@ -89,6 +89,7 @@ class Viewer {
     Window window_;
     Canvas canvas_;
     Session session_;
+    const PlacedDrawing nothing_{};
     SpectrumView spectrum_;
     RepetitionMeter left_repetition_, right_repetition_;
     SidePanel side_panel_;
@@ -105,6 +106,7 @@ class Viewer {
     int pictures_titled_ = 0;
     bool ready_ = false;
     std::string logged_;
+    HealthFacts health_;
 };
 
 Viewer::Viewer(const ViewerOptions& options)
@@ -127,7 +129,9 @@ Viewer::Layout Viewer::layout() const {
     const glm::vec2 panel{shown_.panels ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0, screen.y};
     const float status = shown_.panels ? kStatusHeight * scale : 0;
     const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
-    const glm::vec2 canvas{screen.x - panel.x, screen.y - status - captions};
+    // A window may be smaller than its panels.
+    const glm::vec2 canvas =
+        glm::max(glm::vec2(screen.x - panel.x, screen.y - status - captions), glm::vec2(1));
     return {{{0, 0}, canvas, window_.pixels_per_point()}, panel, {canvas.x, captions}, {canvas.x, status}};
 }
 
@@ -138,6 +142,8 @@ void Viewer::frame() {
     const auto do_this = [this](Action action) { act(action, {session_, canvas_, window_, shown_}); };
     for (const auto& path : window_.take_dropped()) session_.take_dropped(path);
     for (Action action : pressed_actions()) do_this(action);
+    if (placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
+        session_.stop_placing();
     session_.take_news(std::chrono::milliseconds(0));
     show_news();
 
@@ -151,7 +157,10 @@ void Viewer::frame() {
     if (shown_.panels) draw_status_line({0, place.size.y + captions.y}, status_size, status());
     draw_over_canvas(place);
     canvas_.handle_mouse(place);
-    canvas_.show(place, look(place), session_.settings.every_frame ? Redraw::always : Redraw::when_changed);
+    const Redraw redraw = window_.frame_is_unseen()       ? Redraw::later
+                          : session_.settings.every_frame ? Redraw::always
+                                                          : Redraw::when_changed;
+    canvas_.show(place, look(place), redraw);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y}, captions);
@@ -261,7 +270,7 @@ void Viewer::show_news(Side side, const Pane* pane) {
     if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
         canvas_.set_picture(side, session_.picture().preview);
     if (std::exchange(seen.version, version) != version)
-        canvas_.set_drawing(side, pane ? pane->shown() : PlacedDrawing{});
+        canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
 }
 
 double Viewer::placing_seconds() const {
@@ -329,9 +338,10 @@ void Viewer::report_outside() {
     if (!session_.placed_once()) return;
     if (!ready_) std::puts("ready");
     if (options_.log_status) {
+        health_.gl_errors += Window::gl_errors();
         const ImGuiIO& io = ImGui::GetIO();
         const MouseFacts mouse{{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]};
-        std::string line = status_json(status(), session_.pane().placings(), mouse, widgets_);
+        std::string line = status_json(status(), session_.pane().placings(), mouse, health_, widgets_);
         if (line != logged_) std::puts(line.c_str());
         logged_ = std::move(line);
     }
@@ -350,11 +360,15 @@ double Viewer::longest_rest() const {
 int Viewer::run() {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
-        bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.measuring();
-        window_.wait_for_events(restless ? 0 : longest_rest());
-        if (!restless) frames_left = kFramesAfterEvent;
+        const bool restless = frames_left > 0 || session_.settings.every_frame || canvas_.drawing();
+        const bool happened = window_.wait_for_events(restless ? 0 : longest_rest());
+        if (happened) frames_left = kFramesAfterEvent;
+        const auto begin = std::chrono::steady_clock::now();
+        const bool was_ready = ready_;  // the first frame makes everything ready
         frame();
-        frames_left = input_arrived() ? kFramesAfterEvent : frames_left - 1;
+        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+        if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
+        frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
     return 0;
 }

@@ -29,7 +29,7 @@ bool begin_row(const char* label, Row& row) {
     row.height = ImGui::GetFrameHeight();
     row.control_x = row.start.x + std::floor(row.width * kLabelShare);
     ImGui::PushID(label);
-    ImGui::InvisibleButton("label", {row.control_x - row.start.x, row.height});
+    press_area("label", {row.control_x - row.start.x, row.height});
     bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     float text_y = row.start.y + (row.height - ImGui::GetTextLineHeight()) / 2;
     ImGui::GetWindowDrawList()->AddText({row.start.x, text_y}, ImGui::GetColorU32(ImGuiCol_Text), label);
@@ -99,7 +99,7 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
         value = std::clamp(typed, range.hard_min, range.hard_max);
         return true;
     }
-    if (ImGui::InvisibleButton("value", {width, row.height})) storage->SetInt(typing, 2);
+    if (press_area("value", {width, row.height})) storage->SetInt(typing, 2);
     const std::string text = text_of(value, range);
     ImVec2 size = ImGui::CalcTextSize(text.c_str());
     auto colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
@@ -142,6 +142,10 @@ void note_place(const char* label) {
     }
 }
 
+bool press_area(const char* name, ImVec2 size) {
+    return ImGui::InvisibleButton(name, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+}
+
 double track_position(double value, const SliderRange& range) {
     if (range.curve == SliderCurve::linear)
         return std::clamp((value - range.min) / (range.max - range.min), 0.0, 1.0);
@@ -164,7 +168,7 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     }
     float box_width = value_width(range);
     float track_width = std::max(20.0f, row.start.x + row.width - box_width - row.control_x);
-    ImGui::InvisibleButton("track", {track_width, row.height});
+    press_area("track", {track_width, row.height});
     note_place(label);
     ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -198,7 +202,7 @@ bool switch_row(const char* label, bool& value) {
     bool toggled = begin_row(label, row);
     float height = std::floor(ImGui::GetTextLineHeight() * 1.1f), width = std::floor(height * 1.8f);
     ImGui::SetCursorScreenPos({row.start.x + row.width - width, row.start.y});
-    if (ImGui::InvisibleButton("switch", {width, row.height})) toggled = true;
+    if (press_area("switch", {width, row.height})) toggled = true;
     note_place(label);
     if (toggled) value = !value;
     ImVec2 min = ImGui::GetItemRectMin();
@@ -248,7 +252,7 @@ bool segmented_row(const char* label, int& chosen, std::span<const char* const> 
         float x0 = std::floor(row.control_x + width * static_cast<float>(i));
         float x1 = std::floor(row.control_x + width * static_cast<float>(i + 1));
         ImGui::SetCursorScreenPos({x0, row.start.y});
-        if (ImGui::InvisibleButton(names[i], {x1 - x0, row.height}) && chosen != i) {
+        if (press_area(names[i], {x1 - x0, row.height}) && chosen != i) {
             chosen = i;
             changed = true;
         }
@@ -297,7 +301,7 @@ bool section(const char* title, bool open_at_first) {
     bool open = storage->GetBool(state, open_at_first);
     ImVec2 start = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight() + 3 * unit;
-    if (ImGui::InvisibleButton("title", {width, height})) storage->SetBool(state, open = !open);
+    if (press_area("title", {width, height})) storage->SetBool(state, open = !open);
     note_place(title);
     bool hot = ImGui::IsItemHovered();
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -6,7 +6,9 @@
 //
 // Double-click on the label brings the neutral value back; Ctrl+click on the track types into it.
 
+#include <imgui.h>
 #include <cstdint>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
@@ -38,6 +40,14 @@ struct SliderRange {
     bool grouped = false;                   // a whole number shown as 40,000
     const char* tip = nullptr;              // what a mouse at rest on the row is told
 };
+
+/// Of every window that is no dialog: one that asks for the focus when it appears, in the frame in which a
+/// dialog opens, ends the program by an assertion of ImGui's.
+inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
+/// window is.
+bool press_area(const char* name, ImVec2 size);
 
 /// Position 0..1 on the track of a value, clamped, and the value at a position.
 double track_position(double value, const SliderRange& range);

@@ -6,6 +6,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -18,9 +20,11 @@ namespace {
 
 constexpr int kDefaultWidth = 1280, kDefaultHeight = 800;
 constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
-// Seconds. A graphics driver's thread may read the event for which this one sleeps; then nothing else wakes
-// it.
-constexpr double kLongestWait = 1;
+
+// After a pointer has come to rest there is another frame: what it rests on may have something to say.
+constexpr double kPointerRests = 0.6;  // seconds
+constexpr double kLongestWait = 3600;
+constexpr std::chrono::milliseconds kLongestUnseen(100);
 
 std::string glfw_says() {
     const char* words = nullptr;
@@ -28,7 +32,9 @@ std::string glfw_says() {
     return words ? words : "no reason given";
 }
 
-/// GLFW names keys by their place on an American keyboard; people go by what is printed on them.
+#if IMGUI_VERSION_NUM < 18700
+/// GLFW names keys by their place on an American keyboard; people go by what is printed on them. Later
+/// releases of ImGui do this themselves.
 int printed_key(int key, int scancode) {
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT) return key;
     const char* name = glfwGetKeyName(key, scancode);
@@ -37,11 +43,14 @@ int printed_key(int key, int scancode) {
     if (name[0] >= '0' && name[0] <= '9') return name[0];
     return key;
 }
+#else
+int printed_key(int key, int) {
+    return key;
+}
+#endif
 
-void read_modifiers() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+Window& window_of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
 }  // namespace
@@ -69,29 +78,12 @@ Window::Window(const std::string& title) : library_(std::make_unique<Library>())
                                  "); `dapple render` draws into a file without one");
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    glfwSetWindowUserPointer(window_, this);
-    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-        self->dropped_.insert(self->dropped_.end(), paths, paths + count);
-    });
-
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
-        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-        if (action == GLFW_PRESS && key != GLFW_KEY_UNKNOWN)
-            self->pressed_.push_back({printed_key(key, scancode), modifiers});
-    });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))->pointer_ = {x, y};
-    });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
-        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-        if (action == GLFW_PRESS) self->button_presses_.push_back({button, modifiers, self->pointer_});
-    });
+    hear();
     set_window_icon(window_);
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     follow_content_scale();
 }
@@ -127,11 +119,20 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-void Window::wait_for_events(double seconds) {
-    if (seconds > 0)
-        glfwWaitEventsTimeout(std::min(seconds, kLongestWait));
-    else
+bool Window::wait_for_events(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    bool early = false;
+    if (seconds > 0) {
+        const std::chrono::duration<double> since_move = Clock::now() - pointer_moved_;
+        const double to_tip = kPointerRests - since_move.count();
+        const double wait = std::min({seconds, to_tip > 0 ? to_tip : seconds, kLongestWait});
+        const auto end = Clock::now() + std::chrono::duration<double>(wait);
+        glfwWaitEventsTimeout(wait);
+        early = Clock::now() < end || wait == to_tip;
+    } else {
         glfwPollEvents();
+    }
+    return std::exchange(damaged_, false) || early || input_waits() || !dropped_.empty();
 }
 
 void Window::wake() {
@@ -153,8 +154,10 @@ void Window::follow_content_scale() {
     apply_theme(scale);
     set_smallest_size();
     if (again) {
+#if IMGUI_VERSION_NUM < 19200  // later it follows by itself
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
     }
 }
 
@@ -164,53 +167,94 @@ void Window::set_smallest_size() {
                             GLFW_DONT_CARE);
 }
 
-// A key pressed and let go between two frames, which a slow frame makes likely, would go unseen: ImGui 1.86
-// looks at what is down at a frame's beginning. Such keys, and the modifiers they were pressed with, are held
-// down for one frame.
-void Window::show_short_presses() {
-    ImGuiIO& io = ImGui::GetIO();
-    const auto hold_modifiers = [&](int modifiers) {
-        if (modifiers & GLFW_MOD_CONTROL) io.KeyCtrl = true;
-        if (modifiers & GLFW_MOD_SHIFT) io.KeyShift = true;
-    };
-    for (const ButtonPress& press : button_presses_) hold_modifiers(press.modifiers);
-    for (const KeyPress& press : pressed_) {
-        hold_modifiers(press.modifiers);
-        if (io.KeysDown[press.key]) continue;
-        io.KeysDown[press.key] = true;
-        short_presses_.push_back(press.key);
+// ImGui is not told at once: see input_queue.h.
+void Window::hear() {
+    using Kind = InputEvent::Kind;
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        auto& dropped = window_of(window).dropped_;
+        dropped.insert(dropped.end(), paths, paths + count);
+    });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { window_of(window).damaged_ = true; });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { window_of(window).damaged_ = true; });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int came) {
+        window_of(window).input_.push({.kind = Kind::focus, .code = came});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int came) {
+        window_of(window).input_.push({.kind = Kind::enter, .code = came});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        window_of(window).input_.push({.kind = Kind::position, .x = x, .y = y});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
+        window_of(window).input_.push(
+            {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+        window_of(window).input_.push({.kind = Kind::wheel, .x = x, .y = y});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;  // ImGui repeats keys itself
+        window_of(window).input_.push({.kind = Kind::key,
+                                       .code = printed_key(key, scancode),
+                                       .scancode = scancode,
+                                       .down = action == GLFW_PRESS,
+                                       .modifiers = modifiers});
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
+        window_of(window).input_.push({.kind = Kind::text, .letter = letter});
+    });
+    glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
+}
+
+void Window::feed(const InputEvent& event) {
+    using Kind = InputEvent::Kind;
+    const int action = event.down ? GLFW_PRESS : GLFW_RELEASE;
+    switch (event.kind) {
+        case Kind::focus:
+            return ImGui_ImplGlfw_WindowFocusCallback(window_, event.code);
+        case Kind::enter:
+            return ImGui_ImplGlfw_CursorEnterCallback(window_, event.code);
+        case Kind::position:
+            pointer_ = {event.x, event.y};
+            pointer_moved_ = std::chrono::steady_clock::now();
+#if IMGUI_VERSION_NUM >= 18700
+            ImGui_ImplGlfw_CursorPosCallback(window_, event.x, event.y);
+#endif
+            return;
+        case Kind::button:
+            if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
+                buttons_[static_cast<std::size_t>(event.code)] = event.down;
+            return ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, action, event.modifiers);
+        case Kind::wheel:
+            return ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+        case Kind::key:
+            return ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, action, event.modifiers);
+        case Kind::text:
+            return ImGui_ImplGlfw_CharCallback(window_, event.letter);
     }
-}
-
-void Window::forget_short_presses() {
-    const bool none = pressed_.empty() && button_presses_.empty();
-    pressed_.clear();
-    button_presses_.clear();
-    if (none) return;
-    for (int key : std::exchange(short_presses_, {})) ImGui::GetIO().KeysDown[key] = false;
-    read_modifiers();
-}
-
-// ImGui 1.86 takes the pointer's place at the frame's beginning for that of a press, which after a slow frame
-// is wherever the pointer has come meanwhile.
-void Window::show_press_positions() {
-    for (const auto& [button, modifiers, place] : button_presses_)
-        if (button < ImGuiMouseButton_COUNT && ImGui::IsMouseClicked(button))
-            ImGui::GetIO().MouseClickedPos[button] = {static_cast<float>(place.x),
-                                                      static_cast<float>(place.y)};
 }
 
 void Window::begin_frame() {
     follow_content_scale();
+    for (const InputEvent& event : input_.take_frame()) feed(event);
+    unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    show_short_presses();
+#if IMGUI_VERSION_NUM < 18700
+    // It asked GLFW where the mouse is now, which may be further than this frame is to know.
+    ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsMousePosValid(&io.MousePos))
+        io.MousePos = {static_cast<float>(pointer_.x), static_cast<float>(pointer_.y)};
+    for (std::size_t button = 0; button < std::min(buttons_.size(), std::size(io.MouseDown)); ++button)
+        io.MouseDown[button] = buttons_[button];
+#endif
     ImGui::NewFrame();
-    show_press_positions();
 }
 
 void Window::end_frame() {
-    forget_short_presses();
+    if (unseen_) return ImGui::EndFrame();
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glm::ivec2 size = pixels();
@@ -220,6 +264,14 @@ void Window::end_frame() {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
+    seen_ = std::chrono::steady_clock::now();
+}
+
+int Window::gl_errors() {
+    constexpr int kMost = 100;  // a lost context says so again and again
+    int count = 0;
+    while (count < kMost && glGetError() != GL_NO_ERROR) ++count;
+    return count;
 }
 
 glm::ivec2 Window::pixels() const {

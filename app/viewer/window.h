@@ -1,11 +1,15 @@
 #pragma once
 // The desktop's window with its OpenGL context and Dear ImGui in it.
 
+#include <array>
+#include <chrono>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "app/viewer/input_queue.h"
 
 struct GLFWwindow;
 
@@ -24,8 +28,13 @@ class Window {
     void set_title(const std::string& title);
     void toggle_full_screen();
 
-    /// Sleeps until something happens or the time is over, at most a second; 0 returns at once.
-    void wait_for_events(double seconds);
+    /// Sleeps until something happens or the time is over; 0 returns at once. False: nothing happened.
+    bool wait_for_events(double seconds);
+    /// There is input that the last frame was not given: the next one has to follow at once.
+    bool input_waits() const { return !input_.empty(); }
+    /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
+    /// wait for long otherwise.
+    bool frame_is_unseen() const { return unseen_; }
     /// Ends another thread's wait_for_events().
     static void wake();
 
@@ -33,8 +42,11 @@ class Window {
     std::vector<std::filesystem::path> take_dropped();
 
     void begin_frame();
-    /// Draws ImGui's part and shows the frame.
+    /// Draws ImGui's part and shows the frame, unless it is one that need not be seen.
     void end_frame();
+
+    /// OpenGL's errors since the last call; it waits for OpenGL, so it is for tests.
+    static int gl_errors();
 
     glm::ivec2 pixels() const;  // of the framebuffer
     /// ImGui's units (the mouse's) to framebuffer pixels.
@@ -44,25 +56,20 @@ class Window {
     struct Library;  // GLFW itself
     void follow_content_scale();
     void set_smallest_size();
-    void show_short_presses();
-    void forget_short_presses();
-    void show_press_positions();
+    void hear();
+    void feed(const InputEvent& event);
 
     std::unique_ptr<Library> library_;
     GLFWwindow* window_ = nullptr;
     std::vector<std::filesystem::path> dropped_;
-    struct KeyPress {
-        int key = 0, modifiers = 0;
-    };
-    std::vector<KeyPress> pressed_;   // since the last frame
-    std::vector<int> short_presses_;  // of them, those let go already
-    // In the order of the events: where the pointer was last, and where each button went down in this frame.
+    InputQueue input_;
+    // As far as ImGui has heard.
     glm::dvec2 pointer_{0};
-    struct ButtonPress {
-        int button = 0, modifiers = 0;
-        glm::dvec2 place{0};
-    };
-    std::vector<ButtonPress> button_presses_;
+    std::chrono::steady_clock::time_point pointer_moved_{};
+    std::array<bool, 8> buttons_{};  // as many as GLFW has
+    bool unseen_ = false;
+    std::chrono::steady_clock::time_point seen_{};  // the last frame that was
+    bool damaged_ = false;                          // to be drawn again, whatever the reason
     float content_scale_ = 0;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };

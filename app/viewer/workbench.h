@@ -10,6 +10,7 @@
 
 #include "app/drawing_settings.h"
 #include "app/viewer/density_choice.h"
+#include "app/viewer/dot_blocks.h"
 #include "app/viewer/dot_colours.h"
 #include "core/drawing/pipeline.h"
 
@@ -44,6 +45,7 @@ struct PlacedDrawing {
     int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
     double dot_radius = 0;         // page units: of all, or of the largest ones
     std::vector<PlacedTile> outlines;
+    std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
     glm::dvec2 page_size{1, 1};        // page units
     PageWindow window;                 // dots and outlines are relative to its corner

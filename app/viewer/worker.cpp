@@ -1,5 +1,8 @@
 #include "app/viewer/worker.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -9,6 +12,7 @@ namespace {
 // A placing that has run for so long is stopped when another is ordered.
 constexpr std::chrono::milliseconds kLong(250);
 constexpr std::size_t kMostSpare = 2;
+constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving their memory back
 // A drawing that takes longer to settle is shown on its way.
 constexpr std::chrono::milliseconds kFrame(16);
 constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
@@ -21,6 +25,37 @@ std::string words_of_exception() {
     } catch (const std::exception& error) {
         return error.what();
     }
+}
+
+std::size_t room_of(const PlacedDrawing& drawing) {
+    std::size_t room = 0;
+    for (const Dots& piece : drawing.stippling.dots.pieces) room += piece.x.capacity();
+    return room;
+}
+
+bool far_too_large(std::size_t room, std::size_t dots) {
+    return room > kManyDots && room > 4 * dots;
+}
+
+// What was freed in small pieces stays with the C library otherwise.
+void give_memory_back() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+// What the window needs beyond the drawing, and nothing that it doesn't.
+void make_ready_for_screen(PlacedDrawing& drawing) {
+    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    // Large tiles first: see Renderer::set_tiles().
+    std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
+    if (!far_too_large(room_of(drawing), drawing.stippling.dots.size())) return;
+    for (Dots& piece : drawing.stippling.dots.pieces) {
+        for (FloatBuffer* column : {&piece.x, &piece.y, &piece.threshold, &piece.critical, &piece.radius})
+            column->shrink_to_fit();
+    }
+    drawing.colours.shrink_to_fit();
+    give_memory_back();
 }
 
 bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
@@ -103,7 +138,8 @@ std::vector<WorkerNews> Worker::news(std::chrono::milliseconds patience) {
 
 void Worker::recycle(PlacedDrawing drawing) {
     std::scoped_lock lock(mutex_);
-    if (spare_.size() < kMostSpare) spare_.push_back(std::move(drawing));
+    given_back_.push_back(std::move(drawing));
+    changed_.notify_all();
 }
 
 void Worker::publish(WorkerNews news) {
@@ -115,28 +151,64 @@ void Worker::publish(WorkerNews news) {
     wake_();
 }
 
+void Worker::tell_failure() noexcept {
+    try {
+        publish(FailedNews{words_of_exception()});
+    } catch (...) {  // there is no memory even for that, or nobody to be woken
+    }
+}
+
+void Worker::sort_given_back() {
+    std::vector<PlacedDrawing> given_back;
+    {
+        std::scoped_lock lock(mutex_);
+        given_back.swap(given_back_);
+    }
+    std::size_t freed = 0;
+    for (PlacedDrawing& drawing : given_back) {
+        const std::size_t room = room_of(drawing);
+        if (spare_.size() < kMostSpare && !far_too_large(room, last_size_))
+            spare_.push_back(std::move(drawing));
+        else
+            freed += room;
+    }
+    std::erase_if(spare_, [&](const PlacedDrawing& drawing) {
+        const bool too_large = far_too_large(room_of(drawing), last_size_);
+        if (too_large) freed += room_of(drawing);
+        return too_large;
+    });
+    given_back.clear();
+    if (freed > kManyDots) give_memory_back();
+}
+
 void Worker::run(std::stop_token stop) {
     while (true) {
         std::optional<Task> task;
-        PlaceOrder order;
+        std::optional<PlaceOrder> order;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, stop, [&] { return !tasks_.empty() || next_order_; });
+            changed_.wait(lock, stop, [&] { return !tasks_.empty() || next_order_ || !given_back_.empty(); });
             if (stop.stop_requested()) return;
             if (!tasks_.empty()) {
                 task = std::move(tasks_.front());
                 tasks_.pop_front();
-            } else {
+            } else if (next_order_) {
                 order = *std::exchange(next_order_, std::nullopt);
                 placing_stop_ = {};
                 placing_since_ = std::chrono::steady_clock::now();
                 placing_shown_ = false;
             }
         }
-        if (task)
-            std::visit([this](auto& t) { run_task(t); }, *task);
-        else if (workbench_.has_picture())
-            run_order(order);
+        // Whatever goes wrong, this thread goes on and someone is told.
+        try {
+            sort_given_back();
+            if (task)
+                std::visit([this](auto& t) { run_task(t); }, *task);
+            else if (order && workbench_.has_picture())
+                run_order(*order);
+        } catch (...) {
+            tell_failure();
+        }
         std::scoped_lock lock(mutex_);
         placing_since_.reset();
         changed_.notify_all();
@@ -182,8 +254,10 @@ void Worker::run_task(SaveTask& task) {
 void Worker::run_task(ClearTask&) {
     workbench_ = {};
     arrived_.reset();
-    std::scoped_lock lock(mutex_);
     spare_.clear();
+    last_size_ = 0;
+    sort_given_back();
+    give_memory_back();
 }
 
 void Worker::run_writes(std::stop_token stop) {
@@ -197,7 +271,11 @@ void Worker::run_writes(std::stop_token stop) {
             writes_.pop_front();
             saving_ = {task.path, 0};
         }
-        run_write(task);
+        try {
+            run_write(task);
+        } catch (...) {
+            tell_failure();
+        }
     }
 }
 
@@ -239,10 +317,10 @@ void Worker::run_order(const PlaceOrder& order) {
     {
         std::scoped_lock lock(mutex_);
         stop = placing_stop_.get_token();
-        if (!spare_.empty()) {
-            placed.drawing = std::move(spare_.back());
-            spare_.pop_back();
-        }
+    }
+    if (!spare_.empty()) {
+        placed.drawing = std::move(spare_.back());
+        spare_.pop_back();
     }
     // Steps that fit into a frame are not shown one by one.
     auto shown = std::chrono::steady_clock::now();
@@ -259,6 +337,9 @@ void Worker::run_order(const PlaceOrder& order) {
     try {
         if (!workbench_.place(order, placed.drawing, stop, unsettled) || stop.stop_requested())
             return recycle(std::move(placed.drawing));
+        last_size_ = placed.drawing.stippling.dots.size();
+        make_ready_for_screen(placed.drawing);
+        sort_given_back();
     } catch (...) {
         placed.error = words_of_exception();
         placed.drawing = {};
@@ -272,6 +353,7 @@ bool Worker::publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing) {
     PlacedNews placed;
     placed.order = order;
     placed.drawing = std::move(drawing);
+    make_ready_for_screen(placed.drawing);
     tell_tile(placed);
     placed.picture = std::exchange(arrived_, std::nullopt);
     {

@@ -92,7 +92,8 @@ class Worker {
     /// Everything since the last call. Waits up to `patience` for a placing that is under way.
     std::vector<WorkerNews> news(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
 
-    /// Gives back a drawing that is no longer needed, for its memory.
+    /// Gives back a drawing that is no longer needed: its memory is used again, or freed if that is far more
+    /// than drawings need now. Takes no time, however large it is.
     void recycle(PlacedDrawing drawing);
 
  private:
@@ -113,12 +114,14 @@ class Worker {
 
     void run(std::stop_token stop);
     void run_writes(std::stop_token stop);
+    void tell_failure() noexcept;
     void end_saving(WorkerNews outcome);
     void run_task(OpenTask& task);
     void run_task(SaveTask& task);
     void run_task(ClearTask& task);
     void run_write(const WriteTask& task);
     void run_order(const PlaceOrder& order);
+    void sort_given_back();
     bool publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing);
     void tell_tile(PlacedNews& news);
     void publish(WorkerNews news);
@@ -126,6 +129,8 @@ class Worker {
     std::function<void()> wake_;
     Workbench workbench_;                   // the thread's own
     std::optional<OpenedPicture> arrived_;  // the thread's own: waits for its dots
+    std::vector<PlacedDrawing> spare_;      // the thread's own
+    std::size_t last_size_ = 0;             // the thread's own: dots of the last drawing
     std::optional<PlaceOrder> tile_told_;   // the thread's own: the order whose tile was told last
 
     mutable std::mutex mutex_;
@@ -134,7 +139,7 @@ class Worker {
     std::deque<WriteTask> writes_;
     std::optional<PlaceOrder> next_order_, last_order_;
     std::vector<WorkerNews> news_;
-    std::vector<PlacedDrawing> spare_;
+    std::vector<PlacedDrawing> given_back_;
     std::stop_source placing_stop_, saving_stop_;
     std::optional<std::chrono::steady_clock::time_point> placing_since_;
     bool placing_shown_ = false;  // of what is under way something was told

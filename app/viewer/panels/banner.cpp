@@ -48,7 +48,8 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ThemeColour colour = banner.kind == BannerKind::error ? ThemeColour::warning : ThemeColour::accent;
     ImGui::PushStyleColor(ImGuiCol_Border, colour_of(colour));
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
-    ImGui::Begin("##banner", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    ImGui::Begin("##banner", nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
     ImGui::PushTextWrapPos(padding.x + widest + unit);
     ImGui::TextUnformatted(message.c_str());

@@ -9,6 +9,7 @@
 #include <imgui_stdlib.h>
 
 #include "app/printable.h"
+#include "app/viewer/keys.h"
 #include "app/viewer/shortcuts.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/widgets.h"
@@ -34,8 +35,7 @@ bool is_there(const fs::path& path) {
 }
 
 bool enter_pressed() {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-           ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+    return key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
 }
 
 // ".svg, .png or .csv"
@@ -238,7 +238,8 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
     float unit = ImGui::GetTextLineHeight() / 15;
     ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(660 * unit, screen.x - 20), std::min(560 * unit, screen.y - 20)});
+    ImGui::SetNextWindowSize(
+        {std::clamp(screen.x - 20, 1.0f, 660 * unit), std::clamp(screen.y - 20, 1.0f, 560 * unit)});
     if (!ImGui::BeginPopupModal(title, &open_, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
         return std::nullopt;
 

@@ -128,7 +128,7 @@ bool draw_histogram(const Histogram& histogram, Tone& tone) {
         {start.x + margin, start.y}, {start.x + width - margin, start.y + kHeight * unit}, unit};
 
     ImGui::PushID("histogram");
-    ImGui::InvisibleButton("handles", {width, (kHeight + kFoot) * unit});
+    press_area("handles", {width, (kHeight + kFoot) * unit});
     note_place("Histogram");
     const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
     const float mouse = ImGui::GetIO().MousePos.x;

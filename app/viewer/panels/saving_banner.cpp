@@ -21,7 +21,8 @@ bool draw_saving_banner(const std::string& file_name, double share, glm::vec2 co
     ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, unit);
-    ImGui::Begin("##saving", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    ImGui::Begin("##saving", nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     const float button = ImGui::CalcTextSize("Cancel").x + 24 * unit;
     const ImVec2 text = ImGui::GetCursorScreenPos();
     const float inner = width - 2 * padding.x;

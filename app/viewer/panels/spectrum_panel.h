@@ -8,7 +8,7 @@ namespace dapple {
 
 struct SpectrumFacts {
     const ViewAnalysis* analysis = nullptr;  // none yet: being measured
-    ImTextureID picture = nullptr;           // of its spectrum
+    ImTextureID picture{};           // of its spectrum
 };
 
 /// Section "Spectrum", folded at first: the spectrum of the dots on screen as a

@@ -13,9 +13,6 @@
 namespace dapple {
 namespace {
 
-// Someone who waits for longer wants to know for what.
-constexpr double kLongPlacing = 0.5;  // seconds
-
 float air_between() {
     return ImGui::GetTextLineHeight() * 1.4f;
 }
@@ -45,7 +42,7 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
                      4});
     if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
     if (facts.placing_seconds > kLongPlacing)
-        items.push_back({"placing ...", 7});
+        items.push_back({fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds), 7});
     else
         items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
     if (facts.steps < facts.all_steps)
@@ -68,14 +65,15 @@ std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
 
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts) {
     ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
+    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     float air = (size.y - ImGui::GetTextLineHeight()) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, air});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::Begin("##status", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     bool first = true;
     for (const StatusItem& item : fitting(status_items(facts), ImGui::GetContentRegionAvail().x)) {
         if (!std::exchange(first, false)) ImGui::SameLine(0, air_between());

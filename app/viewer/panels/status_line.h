@@ -8,6 +8,9 @@
 
 namespace dapple {
 
+/// Someone who waits for longer wants to know for what, in seconds.
+inline constexpr double kLongPlacing = 0.5;
+
 struct StatusFacts {
     std::uint64_t dots = 0;
     std::uint64_t duplicates = 0;  // among them
