@@ -1,7 +1,7 @@
 #pragma once
 // Dear ImGui's keyboard and mouse in one language for all of its releases: up to 1.86 keys are GLFW's codes
-// and input is written into ImGuiIO; from 1.87 on keys have names and input goes in as events. Nothing else
-// in the program asks which release it is.
+// and input is written into ImGuiIO; from 1.87 on keys have names and input goes in as events. Besides
+// this header only window.cpp asks which release it is, where it hands GLFW's events on.
 
 #include <imgui.h>
 
