@@ -219,7 +219,10 @@ TEST_CASE("PNG read with libpng is what OpenImageIO reads") {
     int files = 0;
     for (const auto& entry : fs::directory_iterator(folder.path())) {
         CAPTURE(entry.path());
+        const std::string name = entry.path().filename().string();
+        const bool has_alpha = name.starts_with("c2") || name.starts_with("c4") || name == "transparent.png";
         for (const bool over_paper : {true, false}) {
+            if (!over_paper && !has_alpha) continue;
             const DecodeRequest request{.over_paper = over_paper};
             Decoded other;
             decode_file_by(decoder_for(PictureFormat::jpeg), entry.path(), request, other);
@@ -233,7 +236,7 @@ TEST_CASE("PNG read with libpng is what OpenImageIO reads") {
                     worst = std::max(worst,
                                      static_cast<double>(std::abs(ours.pixels[i][c] - other.pixels[i][c])));
             // OpenImageIO rounds the exponent of a gamma to two digits.
-            CHECK(worst < (entry.path().filename() == "gamma.png" ? 2e-3 : 1e-4));
+            CHECK(worst < (name == "gamma.png" ? 2e-3 : 1e-4));
         }
         ++files;
     }

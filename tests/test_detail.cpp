@@ -51,6 +51,17 @@ TEST_CASE("flat parts stay flat") {
     }
 }
 
+TEST_CASE("white stays white to the bit, and black black, however wide the means") {
+    for (const double sigma : {1.0, 4.0, 7.0, 23.0}) {
+        const Grid<float> light = picture_of(150, 140, [](int x, int y) {
+            return x < 20 && y < 20 ? 0.5 : y < 70 ? 1.0 : 0.0;
+        });
+        const Grid<float> drawn = with_detail(light, 1, sigma);
+        CHECK(drawn.at(149, 10) == 1);
+        CHECK(drawn.at(149, 130) == 0);
+    }
+}
+
 TEST_CASE("a faint line on grey gains contrast, the more the higher the amount") {
     const Grid<float> light = picture_of(80, 60, [](int x, int) { return x == 40 || x == 41 ? 0.45 : 0.5; });
     const auto contrast = [&](double amount) {

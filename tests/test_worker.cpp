@@ -242,7 +242,7 @@ TEST_CASE("the memory of a drawing far larger than those after it goes back to t
     worker.recycle(std::move(large));
     // Once more, into the memory of the first.
     large = place(kMany + 1);
-    const double held = resident_megabytes();
+    [[maybe_unused]] const double held = resident_megabytes();
     worker.recycle(std::move(large));
     PlacedDrawing small = place(500);
     worker.recycle(std::move(small));

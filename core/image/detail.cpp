@@ -27,6 +27,7 @@ class SrgbTables {
             encoded_[static_cast<std::size_t>(i)] = linear_to_srgb(value);
             light_[static_cast<std::size_t>(i)] = srgb_to_linear(value);
         }
+        encoded_[kSteps] = light_[kSteps] = 1;  // white stays white, to the bit
     }
 
     // Of 0..1.
