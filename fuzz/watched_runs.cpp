@@ -32,9 +32,10 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-[[noreturn]] void work(Progress& progress, std::uint64_t end, double longest,
+[[noreturn]] void work(Progress& progress, std::uint64_t end, double seconds, double longest,
                        const std::function<void(std::uint64_t)>& run) {
-    for (; progress.run < end; ++progress.run) {
+    const auto all = Clock::now();
+    for (; progress.run < end && seconds_since(all) < seconds; ++progress.run) {
         const auto begin = Clock::now();
         itimerval timer{};
         timer.it_value.tv_sec = static_cast<time_t>(longest);
@@ -65,7 +66,8 @@ WatchedResult watched_runs(const WatchedRequest& request, const std::function<vo
         const std::uint64_t pause = std::min(end, progress.run + kRunsAtOnce);
         const pid_t child = ::fork();
         if (child < 0) throw std::runtime_error("no process can be started");
-        if (child == 0) work(progress, pause, request.longest_run_seconds, run);
+        if (child == 0)
+            work(progress, pause, request.seconds - seconds_since(begin), request.longest_run_seconds, run);
         int status = 0;
         rusage usage{};
         while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
