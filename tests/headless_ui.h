@@ -46,7 +46,7 @@ class HeadlessUi {
         ImGui::NewFrame();
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNavInputs);
         draw_();
         ImGui::End();
         ImGui::Render();

@@ -227,7 +227,7 @@ class LightViewer {
         ImGui::SetNextWindowPos({corner.x, corner.y});
         ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-        ImGui::Begin("##panels", nullptr, kNeverAsksForFocus | kFixed);
+        ImGui::Begin("##panels", nullptr, kNeverAsksForFocus | ImGuiWindowFlags_NoNavInputs | kFixed);
         const LightScene* const scene = session_.scene();
         push_title_font();
         ImGui::TextUnformatted(session_.name().c_str());

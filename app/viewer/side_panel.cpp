@@ -21,8 +21,9 @@ void SidePanel::draw(Session& session, SpectrumView& spectrum, const std::functi
     ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("##panels", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                 // Tab hides the panels: it is not to begin typing in one of their rows too.
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoTitleBar |
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     push_title_font();
     ImGui::TextUnformatted(session.picture().name.c_str());
