@@ -4,6 +4,9 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#if IMGUI_VERSION_NUM >= 18700
+#include <imgui_internal.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -167,7 +170,25 @@ void Window::set_smallest_size() {
                             GLFW_DONT_CARE);
 }
 
-// ImGui is not told at once: see input_queue.h.
+// Up to 1.86 ImGui is not told at once: see input_queue.h. Later releases keep events in their order
+// themselves, and their part for GLFW asks it which modifiers are down, which is right only at once.
+void Window::receive(const InputEvent& event) {
+#if IMGUI_VERSION_NUM < 18700
+    input_.push(event);
+#else
+    feed(event);
+    damaged_ = true;
+#endif
+}
+
+bool Window::input_waits() const {
+#if IMGUI_VERSION_NUM < 18700
+    return !input_.empty();
+#else
+    return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0;
+#endif
+}
+
 void Window::hear() {
     using Kind = InputEvent::Kind;
     glfwSetWindowUserPointer(window_, this);
@@ -179,31 +200,31 @@ void Window::hear() {
     glfwSetFramebufferSizeCallback(window_,
                                    [](GLFWwindow* window, int, int) { window_of(window).damaged_ = true; });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).input_.push({.kind = Kind::focus, .code = came});
+        window_of(window).receive({.kind = Kind::focus, .code = came});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).input_.push({.kind = Kind::enter, .code = came});
+        window_of(window).receive({.kind = Kind::enter, .code = came});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).input_.push({.kind = Kind::position, .x = x, .y = y});
+        window_of(window).receive({.kind = Kind::position, .x = x, .y = y});
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
-        window_of(window).input_.push(
+        window_of(window).receive(
             {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).input_.push({.kind = Kind::wheel, .x = x, .y = y});
+        window_of(window).receive({.kind = Kind::wheel, .x = x, .y = y});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
         if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;  // ImGui repeats keys itself
-        window_of(window).input_.push({.kind = Kind::key,
-                                       .code = printed_key(key, scancode),
-                                       .scancode = scancode,
-                                       .down = action == GLFW_PRESS,
-                                       .modifiers = modifiers});
+        window_of(window).receive({.kind = Kind::key,
+                                   .code = printed_key(key, scancode),
+                                   .scancode = scancode,
+                                   .down = action == GLFW_PRESS,
+                                   .modifiers = modifiers});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
-        window_of(window).input_.push({.kind = Kind::text, .letter = letter});
+        window_of(window).receive({.kind = Kind::text, .letter = letter});
     });
     glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
 }
@@ -239,7 +260,6 @@ void Window::feed(const InputEvent& event) {
 void Window::begin_frame() {
     follow_content_scale();
     for (const InputEvent& event : input_.take_frame()) feed(event);
-    unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
 #if IMGUI_VERSION_NUM < 18700
@@ -251,6 +271,7 @@ void Window::begin_frame() {
         io.MouseDown[button] = buttons_[button];
 #endif
     ImGui::NewFrame();
+    unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
 }
 
 void Window::end_frame() {

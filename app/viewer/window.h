@@ -31,7 +31,7 @@ class Window {
     /// Sleeps until something happens or the time is over; 0 returns at once. False: nothing happened.
     bool wait_for_events(double seconds);
     /// There is input that the last frame was not given: the next one has to follow at once.
-    bool input_waits() const { return !input_.empty(); }
+    bool input_waits() const;
     /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
     /// wait for long otherwise.
     bool frame_is_unseen() const { return unseen_; }
@@ -57,6 +57,7 @@ class Window {
     void follow_content_scale();
     void set_smallest_size();
     void hear();
+    void receive(const InputEvent& event);
     void feed(const InputEvent& event);
 
     std::unique_ptr<Library> library_;
