@@ -100,10 +100,10 @@ class HeadlessUi {
     /// Clicks a slider with Ctrl, types a value and presses Enter.
     void enter(const std::string& label, const char* text) {
         move_to(at(label, 0.3f));
-        put_modifiers(true, false);
+        put_modifiers(GLFW_MOD_CONTROL);
         press();
         release();
-        put_modifiers(false, false);
+        put_modifiers(0);
         frame();
         frame();
         if (!ImGui::GetIO().WantTextInput) throw std::runtime_error(label + " takes no text");

@@ -77,6 +77,10 @@ class RunningViewer {
         const auto before = log.rfind('\n', end);
         return json::parse(log.substr(before + 1, end - before));
     }
+    /// Waits until the dots move no more: each step of relaxing counts as a placing.
+    bool is_relaxed() {
+        return shows([&] { return status()["steps"] == status()["all_steps"]; });
+    }
     std::uint64_t dots() const { return status()["dots"]; }
     bool has(const std::string& widget) const { return status()["widgets"].contains(widget); }
 

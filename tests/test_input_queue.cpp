@@ -40,6 +40,16 @@ TEST_CASE("a key pressed and let go between two frames is down in one of them, w
                   key(GLFW_KEY_Z, false), key(GLFW_KEY_LEFT_CONTROL, false)}) == Sizes{2, 2});
 }
 
+TEST_CASE(
+    "a modifier is down from its own press to its own release, whether or not the system counts it already") {
+    for (int counted : {0, GLFW_MOD_CONTROL}) {
+        CHECK(modifiers_after(key(GLFW_KEY_RIGHT_CONTROL, true, counted)) == GLFW_MOD_CONTROL);
+        CHECK(modifiers_after(key(GLFW_KEY_LEFT_CONTROL, false, counted)) == 0);
+    }
+    CHECK(modifiers_after(key(GLFW_KEY_E, false, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) ==
+          (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT));
+}
+
 TEST_CASE("letters typed quickly share frames with their keys, and none is lost or comes too early") {
     CHECK(frames({key(GLFW_KEY_1, true), letter('1'), key(GLFW_KEY_2, true), letter('2')}) == Sizes{4});
     CHECK(frames({key(GLFW_KEY_1, true), letter('1'), key(GLFW_KEY_1, false), key(GLFW_KEY_1, true)}) ==

@@ -19,13 +19,13 @@ struct Keyboard {
     }};
 
     std::vector<Action> press(Key key, bool ctrl = false, bool shift = false) {
-        put_modifiers(ctrl, shift);
+        put_modifiers((ctrl ? GLFW_MOD_CONTROL : 0) | (shift ? GLFW_MOD_SHIFT : 0));
         put_key(key, true);
         actions.clear();
         ui.frame();
         ui.frame();  // held down: no second time
         put_key(key, false);
-        put_modifiers(false, false);
+        put_modifiers(0);
         ui.frame();
         return actions;
     }

@@ -70,6 +70,7 @@ TEST_CASE("dragging the scale slider with the mouse changes the number of dots, 
 TEST_CASE("the wheel zooms, F fits again, and neither places a dot anew") {
     Display display;
     RunningViewer viewer;
+    REQUIRE(viewer.is_relaxed());
     const double zoom = viewer.status()["zoom"];
     viewer.move(300, 300);
     viewer.wheel_up();
@@ -134,6 +135,7 @@ TEST_CASE(
         viewer.click("Tile");
         viewer.click("From a file...");
         REQUIRE(viewer.shows([&] { return viewer.has("mine.tile"); }));
+        REQUIRE(viewer.is_relaxed());
         const int placings = viewer.status()["placings"];
         viewer.click("mine.tile");
         viewer.click("Accept");
@@ -357,6 +359,7 @@ TEST_CASE("a window of any size goes on, whatever is open in it") {
 TEST_CASE("a window at rest uses no processor, and a key is still answered") {
     Display display;
     RunningViewer viewer;
+    REQUIRE(viewer.is_relaxed());
     viewer.move(300, 300);
     for (int i = 0; i < 3; ++i) {
         viewer.xdotool("sleep 2");

@@ -9,8 +9,29 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
+/// The bit of the modifier that the event's key is; 0: it is none.
+int modifier_of(const InputEvent& event) {
+    if (event.kind != Kind::key) return 0;
+    switch (event.code) {
+        case GLFW_KEY_LEFT_SHIFT:
+        case GLFW_KEY_RIGHT_SHIFT:
+            return GLFW_MOD_SHIFT;
+        case GLFW_KEY_LEFT_CONTROL:
+        case GLFW_KEY_RIGHT_CONTROL:
+            return GLFW_MOD_CONTROL;
+        case GLFW_KEY_LEFT_ALT:
+        case GLFW_KEY_RIGHT_ALT:
+            return GLFW_MOD_ALT;
+        case GLFW_KEY_LEFT_SUPER:
+        case GLFW_KEY_RIGHT_SUPER:
+            return GLFW_MOD_SUPER;
+        default:
+            return 0;
+    }
+}
+
 bool is_modifier(const InputEvent& event) {
-    return event.kind == Kind::key && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
+    return modifier_of(event) != 0;
 }
 
 /// A letter that is pressed with Ctrl does something too.
@@ -51,6 +72,11 @@ bool fit_together(const InputEvent& earlier, const InputEvent& later) {
 }
 
 }  // namespace
+
+int modifiers_after(const InputEvent& event) {
+    const int own = modifier_of(event);
+    return event.down ? event.modifiers | own : event.modifiers & ~own;
+}
 
 std::vector<InputEvent> InputQueue::take_frame() {
     std::vector<InputEvent> frame;

@@ -22,6 +22,9 @@ struct InputEvent {
     unsigned int letter = 0;  // text
 };
 
+/// GLFW's bits of the modifiers that are down after it, whether or not the system counts the event's own key.
+int modifiers_after(const InputEvent& event);
+
 class InputQueue {
  public:
     void push(const InputEvent& event) { events_.push_back(event); }

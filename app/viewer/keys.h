@@ -3,13 +3,10 @@
 // and input is written into ImGuiIO; from 1.87 on keys have names and input goes in as events. Besides
 // this header only window.cpp asks which release it is, where it hands GLFW's events on.
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <cstdint>
-
-#if IMGUI_VERSION_NUM < 18700
-#include <GLFW/glfw3.h>
-#endif
 
 namespace dapple {
 
@@ -112,7 +109,7 @@ inline ImTextureID texture_id(unsigned int gl_texture) {
     return (ImTextureID)(std::intptr_t)(gl_texture);  // whichever cast its type needs
 }
 
-// Input, as tests give it without a window. Between frames only.
+// Input, between frames. Tests give it with these without a window.
 
 /// Once for each context.
 inline void prepare_input() {
@@ -123,7 +120,7 @@ inline void prepare_input() {
     io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
     io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
 #else
-    // A test says itself what lies in which frame.
+    // What lies in which frame is decided here: by input_queue.h, and by tests.
     ImGui::GetIO().ConfigInputTrickleEventQueue = false;
 #endif
 }
@@ -136,20 +133,71 @@ inline void put_key(Key key, bool down) {
 #endif
 }
 
-inline void put_modifiers(bool ctrl, bool shift) {
+/// All that are down, as GLFW's bits.
+inline void put_modifiers(int modifiers) {
     ImGuiIO& io = ImGui::GetIO();
+    const bool ctrl = modifiers & GLFW_MOD_CONTROL, shift = modifiers & GLFW_MOD_SHIFT,
+               alt = modifiers & GLFW_MOD_ALT, super = modifiers & GLFW_MOD_SUPER;
 #if IMGUI_VERSION_NUM < 18700
     io.KeyCtrl = ctrl;
     io.KeyShift = shift;
-    io.KeyMods = (ctrl ? ImGuiKeyModFlags_Ctrl : 0) | (shift ? ImGuiKeyModFlags_Shift : 0);
-#elif IMGUI_VERSION_NUM < 18900
-    io.AddKeyEvent(ImGuiKey_ModCtrl, ctrl);
-    io.AddKeyEvent(ImGuiKey_ModShift, shift);
+    io.KeyAlt = alt;
+    io.KeySuper = super;
+    io.KeyMods = (ctrl ? ImGuiKeyModFlags_Ctrl : 0) | (shift ? ImGuiKeyModFlags_Shift : 0) |
+                 (alt ? ImGuiKeyModFlags_Alt : 0) | (super ? ImGuiKeyModFlags_Super : 0);
 #else
-    io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
-    io.AddKeyEvent(ImGuiMod_Shift, shift);
+#if IMGUI_VERSION_NUM < 18900
+    constexpr auto kCtrl = ImGuiKey_ModCtrl, kShift = ImGuiKey_ModShift, kAlt = ImGuiKey_ModAlt,
+                   kSuper = ImGuiKey_ModSuper;
+#else
+    constexpr auto kCtrl = ImGuiMod_Ctrl, kShift = ImGuiMod_Shift, kAlt = ImGuiMod_Alt,
+                   kSuper = ImGuiMod_Super;
+#endif
+    io.AddKeyEvent(kCtrl, ctrl);
+    io.AddKeyEvent(kShift, shift);
+    io.AddKeyEvent(kAlt, alt);
+    io.AddKeyEvent(kSuper, super);
 #endif
 }
+
+#if IMGUI_VERSION_NUM >= 18700
+/// ImGui's name of a key of GLFW's; None for those that it edits, walks and copies without and that mean
+/// nothing here.
+inline ImGuiKey imgui_key(int glfw_key) {
+    const auto along = [&](ImGuiKey first, int glfw_first) {
+        return static_cast<ImGuiKey>(first + (glfw_key - glfw_first));
+    };
+    if (glfw_key >= GLFW_KEY_A && glfw_key <= GLFW_KEY_Z) return along(ImGuiKey_A, GLFW_KEY_A);
+    if (glfw_key >= GLFW_KEY_0 && glfw_key <= GLFW_KEY_9) return along(ImGuiKey_0, GLFW_KEY_0);
+    if (glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_9) return along(ImGuiKey_Keypad0, GLFW_KEY_KP_0);
+    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return along(ImGuiKey_F1, GLFW_KEY_F1);
+    constexpr struct {
+        int glfw;
+        ImGuiKey imgui;
+    } kOthers[] = {
+        {GLFW_KEY_TAB, ImGuiKey_Tab},
+        {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+        {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+        {GLFW_KEY_UP, ImGuiKey_UpArrow},
+        {GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+        {GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+        {GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+        {GLFW_KEY_HOME, ImGuiKey_Home},
+        {GLFW_KEY_END, ImGuiKey_End},
+        {GLFW_KEY_INSERT, ImGuiKey_Insert},
+        {GLFW_KEY_DELETE, ImGuiKey_Delete},
+        {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+        {GLFW_KEY_SPACE, ImGuiKey_Space},
+        {GLFW_KEY_ENTER, ImGuiKey_Enter},
+        {GLFW_KEY_KP_ENTER, ImGuiKey_KeypadEnter},
+        {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+    };
+    for (const auto& key : kOthers) {
+        if (key.glfw == glfw_key) return key.imgui;
+    }
+    return ImGuiKey_None;
+}
+#endif
 
 inline void put_mouse_position(float x, float y) {
 #if IMGUI_VERSION_NUM < 18700

@@ -4,9 +4,6 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
-#if IMGUI_VERSION_NUM >= 18700
-#include <imgui_internal.h>
-#endif
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/viewer/keys.h"
 #include "app/viewer/theme.h"
 #include "app/viewer/window.h"
 #include "app/viewer/window_icon.h"
@@ -28,6 +26,8 @@ constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
 constexpr double kPointerRests = 0.6;  // seconds
 constexpr double kLongestWait = 3600;
 constexpr std::chrono::milliseconds kLongestUnseen(100);
+// Of text. A system that says more than that is mistaken, and ImGui's picture of all letters would not fit.
+constexpr float kSmallestScale = 0.5f, kLargestScale = 8;
 
 std::string glfw_says() {
     const char* words = nullptr;
@@ -35,9 +35,7 @@ std::string glfw_says() {
     return words ? words : "no reason given";
 }
 
-#if IMGUI_VERSION_NUM < 18700
-/// GLFW names keys by their place on an American keyboard; people go by what is printed on them. Later
-/// releases of ImGui do this themselves.
+/// GLFW names keys by their place on an American keyboard; people go by what is printed on them.
 int printed_key(int key, int scancode) {
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT) return key;
     const char* name = glfwGetKeyName(key, scancode);
@@ -46,11 +44,6 @@ int printed_key(int key, int scancode) {
     if (name[0] >= '0' && name[0] <= '9') return name[0];
     return key;
 }
-#else
-int printed_key(int key, int) {
-    return key;
-}
-#endif
 
 Window& window_of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -86,6 +79,9 @@ Window::Window(const std::string& title) : library_(std::make_unique<Library>())
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+#if IMGUI_VERSION_NUM >= 18700
+    prepare_input();  // earlier its part for GLFW does
+#endif
     ImGui_ImplGlfw_InitForOpenGL(window_, false);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     follow_content_scale();
@@ -150,7 +146,7 @@ void Window::follow_content_scale() {
     float scale = 1, ignored = 1;
     glfwGetWindowContentScale(window_, &scale, &ignored);
     // Where the system itself enlarges (macOS), points are not pixels and the text must not grow twice.
-    scale = std::max(0.5f, scale / static_cast<float>(pixels_per_point().x));
+    scale = std::clamp(scale / static_cast<float>(pixels_per_point().x), kSmallestScale, kLargestScale);
     if (scale == content_scale_) return;
     bool again = content_scale_ > 0;
     content_scale_ = scale;
@@ -170,23 +166,8 @@ void Window::set_smallest_size() {
                             GLFW_DONT_CARE);
 }
 
-// Up to 1.86 ImGui is not told at once: see input_queue.h. Later releases keep events in their order
-// themselves, and their part for GLFW asks it which modifiers are down, which is right only at once.
-void Window::receive(const InputEvent& event) {
-#if IMGUI_VERSION_NUM < 18700
-    input_.push(event);
-#else
-    feed(event);
-    damaged_ = true;
-#endif
-}
-
 bool Window::input_waits() const {
-#if IMGUI_VERSION_NUM < 18700
     return !input_.empty();
-#else
-    return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0;
-#endif
 }
 
 void Window::hear() {
@@ -200,38 +181,37 @@ void Window::hear() {
     glfwSetFramebufferSizeCallback(window_,
                                    [](GLFWwindow* window, int, int) { window_of(window).damaged_ = true; });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).receive({.kind = Kind::focus, .code = came});
+        window_of(window).input_.push({.kind = Kind::focus, .code = came});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).receive({.kind = Kind::enter, .code = came});
+        window_of(window).input_.push({.kind = Kind::enter, .code = came});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).receive({.kind = Kind::position, .x = x, .y = y});
+        window_of(window).input_.push({.kind = Kind::position, .x = x, .y = y});
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
-        window_of(window).receive(
+        window_of(window).input_.push(
             {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).receive({.kind = Kind::wheel, .x = x, .y = y});
+        window_of(window).input_.push({.kind = Kind::wheel, .x = x, .y = y});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
         if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;  // ImGui repeats keys itself
-        window_of(window).receive({.kind = Kind::key,
-                                   .code = printed_key(key, scancode),
-                                   .scancode = scancode,
-                                   .down = action == GLFW_PRESS,
-                                   .modifiers = modifiers});
+        window_of(window).input_.push({.kind = Kind::key,
+                                       .code = printed_key(key, scancode),
+                                       .scancode = scancode,
+                                       .down = action == GLFW_PRESS,
+                                       .modifiers = modifiers});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
-        window_of(window).receive({.kind = Kind::text, .letter = letter});
+        window_of(window).input_.push({.kind = Kind::text, .letter = letter});
     });
     glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
 }
 
 void Window::feed(const InputEvent& event) {
     using Kind = InputEvent::Kind;
-    const int action = event.down ? GLFW_PRESS : GLFW_RELEASE;
     switch (event.kind) {
         case Kind::focus:
             return ImGui_ImplGlfw_WindowFocusCallback(window_, event.code);
@@ -244,16 +224,34 @@ void Window::feed(const InputEvent& event) {
             ImGui_ImplGlfw_CursorPosCallback(window_, event.x, event.y);
 #endif
             return;
+        case Kind::text:
+            return ImGui::GetIO().AddInputCharacter(event.letter);
+#if IMGUI_VERSION_NUM < 18700
         case Kind::button:
             if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
                 buttons_[static_cast<std::size_t>(event.code)] = event.down;
-            return ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, action, event.modifiers);
+            return ImGui_ImplGlfw_MouseButtonCallback(
+                window_, event.code, event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
         case Kind::wheel:
             return ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
         case Kind::key:
-            return ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, action, event.modifiers);
-        case Kind::text:
-            return ImGui_ImplGlfw_CharCallback(window_, event.letter);
+            return ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                              event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+#else
+        // Not by ImGui's part for GLFW: that asks which modifiers are down now, which is too late.
+        case Kind::button:
+            put_modifiers(modifiers_after(event));
+            if (event.code < ImGuiMouseButton_COUNT)
+                ImGui::GetIO().AddMouseButtonEvent(event.code, event.down);
+            return;
+        case Kind::wheel:
+            return ImGui::GetIO().AddMouseWheelEvent(static_cast<float>(event.x),
+                                                     static_cast<float>(event.y));
+        case Kind::key:
+            put_modifiers(modifiers_after(event));
+            if (const ImGuiKey key = imgui_key(event.code)) ImGui::GetIO().AddKeyEvent(key, event.down);
+            return;
+#endif
     }
 }
 
@@ -302,10 +300,20 @@ glm::ivec2 Window::pixels() const {
 }
 
 glm::dvec2 Window::pixels_per_point() const {
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    if (width <= 0 || height <= 0) return {1, 1};
-    return glm::dvec2(pixels()) / glm::dvec2(width, height);
+    // The system is asked for either size at that moment, so a window that is just being resized would give
+    // any ratio: asked until nothing changed between.
+    const auto points = [&] {
+        glm::ivec2 size{0};
+        glfwGetWindowSize(window_, &size.x, &size.y);
+        return size;
+    };
+    glm::ivec2 before = points(), framebuffer = pixels();
+    for (glm::ivec2 now = points(); now != before; now = points()) {
+        before = now;
+        framebuffer = pixels();
+    }
+    if (before.x <= 0 || before.y <= 0 || framebuffer.x <= 0 || framebuffer.y <= 0) return {1, 1};
+    return glm::dvec2(framebuffer) / glm::dvec2(before);
 }
 
 }  // namespace dapple

@@ -57,7 +57,6 @@ class Window {
     void follow_content_scale();
     void set_smallest_size();
     void hear();
-    void receive(const InputEvent& event);
     void feed(const InputEvent& event);
 
     std::unique_ptr<Library> library_;
