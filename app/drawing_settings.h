@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/drawing/request.h"
+#include "core/image/colour.h"
 #include "core/image/detail.h"
-#include "core/output/colour.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {

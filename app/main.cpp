@@ -15,7 +15,6 @@
 #include "app/commands/tile.h"
 #include "app/commands/wrong_command.h"
 #include "app/printable.h"
-#include "app/viewer/light_viewer.h"
 #include "app/viewer/viewer.h"
 
 namespace {
@@ -85,7 +84,7 @@ int main(int argc, char** argv) {
             settings.tile = map->tile;
             settings.stops = map->exposure.value_or(0);
             settings.turn_degrees = map->rotation_degrees;
-            status = dapple::run_light_viewer({map->map, settings, viewer.log_status});
+            status = dapple::run_viewer(dapple::LightViewerOptions{map->map, settings, viewer.log_status});
             return;
         }
         if (!program.get_subcommands().empty()) return;

@@ -15,7 +15,7 @@
 #include "app/files/tile_library.h"
 #include "core/image/density.h"
 #include "core/image/tone.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 using namespace dapple;
 

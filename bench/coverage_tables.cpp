@@ -14,8 +14,8 @@
 
 #include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
+#include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
-#include "core/stipple.h"
 
 namespace {
 
@@ -80,7 +80,8 @@ int main() {
         for (const auto& row : tables[s]) print_row(row);
         std::vector<double> middle;
         for (int k = 0; k < kLoads; ++k) {
-            const auto [least, most] = std::ranges::minmax(tables[s], {}, [&](const auto& row) { return row[k]; });
+            const auto [least, most] =
+                std::ranges::minmax(tables[s], {}, [&](const auto& row) { return row[k]; });
             middle.push_back((least[k] + most[k]) / 2);
         }
         std::puts("// the middle between their extremes");

@@ -21,8 +21,8 @@
 #include "app/files/tile_library.h"
 #include "core/image/density.h"
 #include "core/image/tone.h"
-#include "core/output/plot.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
+#include "core/reports/plot.h"
 
 using namespace dapple;
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/viewer/keys.h"
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 

@@ -8,7 +8,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <stdexcept>
 
-#include "app/viewer/gl_objects.h"
+#include "app/viewer/canvas/gl_objects.h"
 #include "core/image/grid.h"
 
 namespace dapple {

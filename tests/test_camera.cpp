@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "app/viewer/camera.h"
-#include "core/stipple.h"
+#include "app/viewer/model/camera.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 namespace {

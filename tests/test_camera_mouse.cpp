@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/viewer/camera_mouse.h"
+#include "app/viewer/canvas/camera_mouse.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

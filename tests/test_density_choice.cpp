@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "app/viewer/density_choice.h"
-#include "app/viewer/workbench.h"
+#include "app/viewer/model/density_choice.h"
+#include "app/viewer/model/workbench.h"
 
 namespace dapple {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/viewer/dot_blocks.h"
+#include "app/viewer/model/dot_blocks.h"
 
 namespace dapple {
 

@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "app/files/tile_library.h"
-#include "app/viewer/dot_colours.h"
-#include "app/viewer/workbench.h"
-#include "core/output/colour.h"
+#include "app/viewer/model/dot_colours.h"
+#include "app/viewer/model/workbench.h"
+#include "core/image/colour.h"
 #include "tests/dot_pieces.h"
 
 namespace dapple {

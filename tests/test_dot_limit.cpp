@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "app/drawing_settings.h"
-#include "app/viewer/dot_limit.h"
+#include "app/viewer/model/dot_limit.h"
 
 using namespace dapple;
 

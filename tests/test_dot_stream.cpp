@@ -12,7 +12,7 @@
 #include "core/output/raster.h"
 #include "core/output/sheet.h"
 #include "core/output/svg.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
 #include "tests/dot_pieces.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/placing/figure8.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
 
 using namespace dapple;

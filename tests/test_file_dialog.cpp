@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "app/viewer/panels/file_dialog.h"
+#include "app/viewer/shell/file_dialog.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/viewer/history.h"
+#include "app/viewer/model/history.h"
 
 namespace dapple {
 

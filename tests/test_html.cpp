@@ -4,8 +4,8 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "core/output/html.h"
-#include "core/output/plot.h"
+#include "core/reports/html.h"
+#include "core/reports/plot.h"
 
 using namespace dapple;
 

@@ -2,7 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "app/viewer/input_queue.h"
+#include "app/viewer/shell/input_queue.h"
 
 namespace dapple {
 namespace {

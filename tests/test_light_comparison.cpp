@@ -11,7 +11,7 @@
 #include "core/image/sky.h"
 #include "core/lights/comparison.h"
 #include "core/lights/direction.h"
-#include "core/output/light_report.h"
+#include "core/reports/light_report.h"
 
 using namespace dapple;
 

@@ -1,4 +1,4 @@
-#include "core/output/light_list.h"
+#include "core/lights/light_list.h"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewer/loupe_square.h"
+#include "app/viewer/model/loupe_square.h"
 #include "tests/dot_pieces.h"
 #include "tests/point_sets.h"
 

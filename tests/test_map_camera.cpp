@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "app/viewer/map_camera.h"
+#include "app/viewer/model/map_camera.h"
 
 namespace dapple {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/drawing/pipeline.h"
 #include "core/image/auto_tone.h"
 #include "core/image/tone.h"
+#include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
-#include "core/stipple.h"
 #include "tests/dot_pieces.h"
 
 using namespace dapple;

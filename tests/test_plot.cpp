@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/plot.h"
+#include "core/reports/plot.h"
 
 using namespace dapple;
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/output/colour.h"
+#include "core/image/colour.h"
 #include "core/output/raster.h"
 
 using namespace dapple;

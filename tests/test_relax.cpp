@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
+#include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
-#include "core/stipple.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
 

@@ -10,8 +10,8 @@
 #include "core/drawing/pipeline.h"
 #include "core/drawing/relaxed_stream.h"
 #include "core/output/sheet.h"
+#include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
-#include "core/stipple.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
 

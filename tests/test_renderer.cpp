@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "app/viewer/renderer.h"
+#include "app/viewer/canvas/renderer.h"
+#include "core/image/colour.h"
 #include "core/image/tone.h"
-#include "core/output/colour.h"
 #include "tests/dot_pieces.h"
 #include "tests/offscreen_gl.h"
 

@@ -8,10 +8,10 @@
 
 #include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
-#include "app/viewer/renderer.h"
+#include "app/viewer/canvas/renderer.h"
 #include "core/image/ink.h"
 #include "core/output/raster.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 #include "tests/mean_light.h"
 #include "tests/offscreen_gl.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/files/tile_library.h"
-#include "app/viewer/export_estimate.h"
-#include "app/viewer/session.h"
+#include "app/viewer/model/export_estimate.h"
+#include "app/viewer/model/session.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "app/viewer/shortcuts.h"
+#include "app/viewer/panels/shortcuts.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "core/output/spectrum_picture.h"
+#include "core/reports/spectrum_picture.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

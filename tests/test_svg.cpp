@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/output/colour.h"
+#include "core/image/colour.h"
 #include "core/output/svg.h"
-#include "core/output/text_buffer.h"
+#include "core/text/text_buffer.h"
 
 using namespace dapple;
 

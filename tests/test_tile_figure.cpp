@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/output/tile_figure.h"
+#include "core/reports/tile_figure.h"
 #include "core/tile/relink_search.h"
 
 namespace dapple {

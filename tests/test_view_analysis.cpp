@@ -6,8 +6,8 @@
 #include <semaphore>
 #include <vector>
 
-#include "app/viewer/background.h"
-#include "app/viewer/view_analysis.h"
+#include "app/viewer/model/background.h"
+#include "app/viewer/model/view_analysis.h"
 #include "tests/dot_pieces.h"
 #include "tests/point_sets.h"
 

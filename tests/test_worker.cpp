@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/viewer/worker.h"
+#include "app/viewer/model/worker.h"
 #include "tests/wait_until.h"
 
 namespace dapple {

@@ -9,10 +9,10 @@
 
 #include "app/files/png_file.h"
 #include "app/grouped.h"
-#include "core/output/html.h"
-#include "core/output/plot.h"
 #include "core/output/raster.h"
-#include "core/output/spectrum_picture.h"
+#include "core/reports/html.h"
+#include "core/reports/plot.h"
+#include "core/reports/spectrum_picture.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {

@@ -14,7 +14,7 @@
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "core/analysis/report.h"
-#include "core/output/spectrum_picture.h"
+#include "core/reports/spectrum_picture.h"
 
 namespace dapple {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/files/tile_library.h"
 #include "app/printable.h"
 #include "core/image/sky.h"
-#include "core/output/light_report.h"
+#include "core/reports/light_report.h"
 
 namespace dapple {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/files/atomic_file.h"
 #include "app/printable.h"
 #include "app/reproduce/figures.h"
-#include "core/output/html.h"
+#include "core/reports/html.h"
 
 namespace dapple {
 namespace {

@@ -16,7 +16,7 @@
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "app/printable.h"
-#include "core/output/tile_figure.h"
+#include "core/reports/tile_figure.h"
 #include "core/tile/ranking_search.h"
 #include "core/tile/rules.h"
 #include "core/tile/tile_marks.h"

@@ -11,7 +11,7 @@
 #include "app/drawing_settings.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

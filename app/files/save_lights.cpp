@@ -11,8 +11,8 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/png_file.h"
+#include "core/lights/light_list.h"
 #include "core/lights/light_picture.h"
-#include "core/output/light_list.h"
 
 namespace dapple {
 namespace {

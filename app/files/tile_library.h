@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {

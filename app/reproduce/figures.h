@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/output/html.h"
+#include "core/reports/html.h"
 
 namespace dapple {
 

@@ -7,9 +7,9 @@
 #include "app/analysis/subject.h"
 #include "app/reproduce/figures.h"
 #include "core/analysis/report.h"
-#include "core/output/plot.h"
-#include "core/output/spectrum_picture.h"
 #include "core/output/svg.h"
+#include "core/reports/plot.h"
+#include "core/reports/spectrum_picture.h"
 
 namespace dapple {
 namespace {

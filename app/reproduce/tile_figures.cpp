@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/reproduce/figures.h"
-#include "core/output/tile_figure.h"
+#include "core/reports/tile_figure.h"
 
 namespace dapple {
 

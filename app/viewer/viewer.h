@@ -1,23 +1,33 @@
 #pragma once
-// The window: a picture in, live stippling on screen.
+// The window: a photograph stippled while sliders move, or an environment map with its samples.
 
 #include <filesystem>
 #include <optional>
 
 #include "app/drawing_settings.h"
+#include "app/viewer/model/lights_settings.h"
 
 namespace dapple {
 
 struct ViewerOptions {
     std::optional<std::filesystem::path> image;  // none: the built-in sample picture
     DrawingSettings settings;
-    /// Print a line of JSON on standard output whenever what the status line says or where the widgets are
-    /// changes. For tests and scripts that drive the window from outside.
+    /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes: see
+    /// status_log.h. For tests and scripts that drive the window from outside.
+    bool log_status = false;
+};
+
+struct LightViewerOptions {
+    std::optional<std::filesystem::path> map;  // none: a sky of our own
+    LightsSettings settings;
     bool log_status = false;
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
-/// first dots are on screen. Throws std::runtime_error if there is no display, or no such tile or picture.
+/// first dots or samples are on screen. A picture or map dropped on the window takes the place of the one
+/// shown, a tile file that of the tile. Throws std::runtime_error if there is no display, no such tile,
+/// picture or map.
 int run_viewer(const ViewerOptions& options);
+int run_viewer(const LightViewerOptions& options);
 
 }  // namespace dapple

@@ -12,14 +12,14 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/dot_stream.h"
 #include "core/drawing/request.h"
 #include "core/image/density.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
-#include "core/page.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
+#include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
-#include "core/stipple.h"
 
 namespace dapple {
 

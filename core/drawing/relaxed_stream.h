@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

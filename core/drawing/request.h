@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/image/tone.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

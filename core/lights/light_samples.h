@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/image/environment.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

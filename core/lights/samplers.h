@@ -8,7 +8,7 @@
 
 #include "core/image/environment.h"
 #include "core/lights/irradiance.h"
-#include "core/stipple.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

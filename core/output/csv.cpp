@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/output/text_buffer.h"
+#include "core/text/text_buffer.h"
 
 namespace dapple {
 

@@ -3,9 +3,9 @@
 
 #include <ostream>
 
-#include "core/dot_stream.h"
 #include "core/output/progress.h"
-#include "core/page.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
 
 namespace dapple {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "core/page.h"
 #include "core/placing/dots.h"
+#include "core/placing/page.h"
 
 namespace dapple {
 

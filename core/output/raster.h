@@ -9,9 +9,9 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/dot_stream.h"
 #include "core/image/grid.h"
-#include "core/page.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
 
 namespace dapple {
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "core/page.h"
+#include "core/placing/page.h"
 
 namespace dapple {
 

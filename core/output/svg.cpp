@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/text_buffer.h"
+#include "core/text/text_buffer.h"
 
 namespace dapple {
 namespace {

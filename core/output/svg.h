@@ -10,10 +10,10 @@
 #include <ostream>
 #include <span>
 
-#include "core/dot_stream.h"
-#include "core/output/colour.h"
+#include "core/image/colour.h"
 #include "core/output/progress.h"
-#include "core/page.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
 #include "core/placing/placer.h"
 
 namespace dapple {

@@ -12,8 +12,8 @@
 #include <stop_token>
 
 #include "core/image/density.h"
-#include "core/page.h"
 #include "core/placing/dots.h"
+#include "core/placing/page.h"
 #include "core/relaxing/dot_rows.h"
 
 namespace dapple {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/text_lines.h"
+#include "core/text/text_lines.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 

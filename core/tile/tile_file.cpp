@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/text_lines.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 

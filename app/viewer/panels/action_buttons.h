@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/viewer/shortcuts.h"
+#include "app/viewer/panels/shortcuts.h"
 
 namespace dapple {
 

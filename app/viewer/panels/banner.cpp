@@ -6,8 +6,8 @@
 #include <imgui.h>
 
 #include "app/printable.h"
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

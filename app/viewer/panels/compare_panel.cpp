@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/viewer/panels/dots_panel.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 

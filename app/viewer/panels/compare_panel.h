@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/tile_row.h"
-#include "app/viewer/viewer_settings.h"
 
 namespace dapple {
 

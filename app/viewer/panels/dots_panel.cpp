@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/grouped.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/relaxing/relax.h"
 
 namespace dapple {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/grouped.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

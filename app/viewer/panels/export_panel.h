@@ -1,20 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
-#include "app/files/save_drawing.h"
-#include "app/viewer/viewer_settings.h"
+#include "app/viewer/model/export_estimate.h"
 
 namespace dapple {
-
-/// What saving would write.
-struct ExportFacts {
-    std::uint64_t dots = 0;
-    std::optional<double> bytes;  // about; none if it cannot be written
-    std::string trouble;          // why not
-};
 
 /// The room that the options need in the file dialog.
 inline constexpr int kExportRows = 4;

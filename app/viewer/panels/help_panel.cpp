@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/viewer/theme.h"
+#include "app/viewer/widgets/theme.h"
 
 namespace dapple {
 namespace {

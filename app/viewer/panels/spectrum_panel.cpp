@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/grouped.h"
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {
@@ -130,14 +130,6 @@ void draw_distances(const NearestSummary& nearest) {
 }
 
 }  // namespace
-
-const char* repetition_in_words(double periodicity) {
-    if (periodicity >= 0.9) return "repeats itself exactly";
-    if (periodicity >= 0.5) return "repeats strongly";
-    if (periodicity >= 0.2) return "repeats in part";
-    if (periodicity >= 0.05) return "hardly repeats";
-    return "no repetition";
-}
 
 bool draw_spectrum_panel(const SpectrumFacts& facts) {
     if (!section("Spectrum", false)) return false;

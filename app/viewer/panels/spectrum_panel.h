@@ -2,21 +2,18 @@
 
 #include <imgui.h>
 
-#include "app/viewer/view_analysis.h"
+#include "app/viewer/model/view_analysis.h"
 
 namespace dapple {
 
 struct SpectrumFacts {
     const ViewAnalysis* analysis = nullptr;  // none yet: being measured
-    ImTextureID picture{};           // of its spectrum
+    ImTextureID picture{};                   // of its spectrum
 };
 
 /// Section "Spectrum", folded at first: the spectrum of the dots on screen as a
 /// picture and as a curve, how much they repeat and how far apart they are, each with a sentence that says
 /// what it means. True while it is open, for only then is there anything to measure.
 bool draw_spectrum_panel(const SpectrumFacts& facts);
-
-/// "repeats itself" .. "no repetition", for a periodicity (core/analysis/autocorrelation.h).
-const char* repetition_in_words(double periodicity);
 
 }  // namespace dapple

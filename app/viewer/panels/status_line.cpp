@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/grouped.h"
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/viewer/model/loupe_square.h"
+
 namespace dapple {
 
 /// Someone who waits for longer wants to know for what, in seconds.
@@ -29,12 +31,7 @@ struct StatusFacts {
         std::optional<double> left_repetition, repetition;
     };
     std::optional<RightSide> right{};
-    /// What the loupe found, while it shows something.
-    struct Lens {
-        double repetition = 0;  // see core/analysis/folding.h
-        int layers = 0, level = 0;
-    };
-    std::optional<Lens> loupe{};
+    std::optional<LoupeFacts> loupe{};  // while it shows something
 };
 
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.

@@ -9,9 +9,9 @@
 
 #include "app/files/tile_library.h"
 #include "app/grouped.h"
-#include "app/viewer/dot_colours.h"
-#include "app/viewer/theme.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/model/dot_colours.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 
-#include "app/viewer/tile_view.h"
+#include "app/viewer/model/tile_view.h"
 
 namespace dapple {
 

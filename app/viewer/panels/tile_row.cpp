@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/files/tile_library.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 

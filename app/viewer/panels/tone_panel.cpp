@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/viewer/panels/histogram.h"
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
 
 namespace dapple {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/viewer/widgets.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 

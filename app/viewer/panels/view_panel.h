@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/viewer/viewer_settings.h"
+#include "app/viewer/model/viewer_settings.h"
 
 namespace dapple {
 

@@ -1,0 +1,28 @@
+#pragma once
+// The mouse on a canvas: the wheel zooms at the pointer, a drag moves the page.
+
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "app/viewer/model/camera.h"
+
+namespace dapple {
+
+/// Where the canvas lies, in ImGui's points.
+struct CanvasPlace {
+    glm::vec2 corner{0}, size{1};
+    glm::dvec2 pixels_per_point{1, 1};
+};
+
+class CameraMouse {
+ public:
+    /// Moves the camera as the mouse of this frame asks, unless ImGui's windows want it or it is elsewhere: a
+    /// drag begins where the button went down, however far the pointer came in the frame before. True if it
+    /// moved.
+    bool move(Camera& camera, const CanvasPlace& place);
+
+ private:
+    std::optional<glm::vec2> held_at_;  // while dragging: where the pointer was, in points
+};
+
+}  // namespace dapple

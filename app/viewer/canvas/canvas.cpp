@@ -1,0 +1,126 @@
+#include "app/viewer/canvas/canvas.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/viewer/widgets/keys.h"
+
+namespace dapple {
+namespace {
+
+// Between two turns of a wheel, or two moves of a slider, there is less.
+constexpr double kRestSeconds = 0.15;
+// Of dots, in a frame while something moves, and in a frame in which it rests.
+constexpr double kQuickSeconds = 0.015, kStepSeconds = 0.025;
+
+}  // namespace
+
+void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
+    Renderer& renderer = renderers_[static_cast<int>(side)];
+    renderer.set_dots(drawing.stippling.dots, drawing.blocks, drawing.window);
+    renderer.set_dot_colours(drawing.colours);
+    renderer.set_tiles(drawing.outlines, drawing.window);
+    if (side == Side::left) page_size_ = drawing.page_size;
+    drawn_camera_.reset();
+}
+
+void Canvas::set_picture(Side side, const Grid<glm::u8vec4>& picture) {
+    renderers_[static_cast<int>(side)].set_picture(picture);
+    drawn_camera_.reset();
+}
+
+void Canvas::fit() {
+    fitted_ = true;
+}
+
+void Canvas::zoom_to(double pixels_per_unit) {
+    zoom(pixels_per_unit / camera_.pixels_per_unit);
+}
+
+void Canvas::zoom(double factor) {
+    camera_ = zoomed_at(camera_, camera_.canvas * 0.5, factor);
+    fitted_ = false;
+}
+
+double Canvas::enlargement() const {
+    return camera_.pixels_per_unit / fitted(camera_.canvas, page_size_).pixels_per_unit;
+}
+
+void Canvas::handle_mouse(const CanvasPlace& place) {
+    if (mouse_.move(camera_, place)) fitted_ = false;
+}
+
+std::optional<double> Canvas::rest() const {
+    if (drawn_ == Fineness::full) return std::nullopt;
+    const std::chrono::duration<double> rested = Clock::now() - changed_;
+    return std::max(kRestSeconds - rested.count(), 0.0);
+}
+
+Columns Canvas::columns_of(Side side, glm::ivec2 pixels) const {
+    const int middle = static_cast<int>(std::lround(drawn_look_.divider * static_cast<float>(pixels.x)));
+    return side == Side::left ? Columns{0, middle} : Columns{middle, pixels.x};
+}
+
+void Canvas::draw_quickly(glm::ivec2 pixels) {
+    const auto begin = Clock::now();
+    job_side_.reset();
+    picture_.resize(pixels);
+    drawn_ = Fineness::full;
+    const double seconds = drawn_look_.divider < 1 ? kQuickSeconds / 2 : kQuickSeconds;
+    for (const Side side : kSides) {
+        const auto index = static_cast<std::size_t>(side);
+        const Fineness drawn = renderers_[index].draw_quickly(picture_, camera_, drawn_look_.sides[index],
+                                                              columns_of(side, pixels), seconds);
+        if (drawn == Fineness::quick) drawn_ = drawn;
+    }
+    glFinish();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    draw_ms_ = 1e3 * std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void Canvas::go_on(glm::ivec2 pixels) {
+    const auto begin = Clock::now();
+    if (!job_side_) {
+        full_.resize(pixels);
+        job_seconds_ = 0;
+        job_side_ = 0;
+        for (const Side side : kSides) {
+            const auto index = static_cast<std::size_t>(side);
+            renderers_[index].begin(camera_, drawn_look_.sides[index], columns_of(side, pixels));
+        }
+    }
+    while (job_side_ && std::chrono::duration<double>(Clock::now() - begin).count() < kStepSeconds) {
+        if (!renderers_[*job_side_].step(full_, kStepSeconds)) break;
+        if (++*job_side_ == kSides.size()) job_side_.reset();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    job_seconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (job_side_) return;
+    std::swap(picture_, full_);
+    drawn_ = Fineness::full;
+    draw_ms_ = 1e3 * job_seconds_;
+}
+
+void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
+    glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
+    camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
+    for (CanvasLook& side : look.sides) side.page_size = page_size_;
+    if (redraw == Redraw::later) return;
+    if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
+        drawn_camera_ = camera_;
+        drawn_look_ = look;
+        draw_quickly(pixels);
+        changed_ = Clock::now();
+    } else if (job_side_ || rest() == 0.0) {
+        go_on(pixels);
+    }
+    auto texture = texture_id(picture_.texture());
+    glm::vec2 far = place.corner + place.size;
+    ImGui::GetBackgroundDrawList()->AddImage(texture, {place.corner.x, place.corner.y}, {far.x, far.y},
+                                             {0, 1}, {1, 0});
+}
+
+}  // namespace dapple

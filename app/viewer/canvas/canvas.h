@@ -1,0 +1,86 @@
+#pragma once
+// The part of the window that shows the page: keeps what was drawn as a picture and draws it again only when
+// something in it changed, so that moving over the panels costs nothing. While it goes on changing, it is
+// drawn quickly; once it rests, fully.
+
+#include <array>
+#include <chrono>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "app/viewer/canvas/camera_mouse.h"
+#include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/canvas/renderer.h"
+#include "app/viewer/model/workbench.h"
+
+namespace dapple {
+
+enum class Redraw {
+    when_changed,
+    always,
+    later,  // this frame is not seen
+};
+
+/// Of the split view; a view that is not split is the left side alone.
+enum class Side { left, right };
+inline constexpr std::array kSides{Side::left, Side::right};
+
+/// How both sides look, and where they meet.
+struct SplitLook {
+    std::array<CanvasLook, 2> sides;
+    float divider = 1;  // the left side's share of the width; 1: there is no right one
+
+    bool operator==(const SplitLook&) const = default;
+};
+
+class Canvas {
+ public:
+    /// The page is as large as the left side's. The drawing is looked at until the next one is set.
+    void set_drawing(Side side, const PlacedDrawing& drawing);
+    void set_picture(Side side, const Grid<glm::u8vec4>& picture);
+
+    void fit();
+    /// So many pixels for the page's longer side, about the middle.
+    void zoom_to(double pixels_per_unit);
+    void zoom(double factor);
+    const Camera& camera() const { return camera_; }
+    /// How many times larger than fitted.
+    double enlargement() const;
+
+    /// Wheel and drag, unless ImGui's windows want the mouse.
+    void handle_mouse(const CanvasPlace& place);
+
+    /// Puts the drawing behind ImGui's windows.
+    void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
+
+    /// Of the newest drawing that is whole, in milliseconds.
+    double draw_ms() const { return draw_ms_; }
+    /// Another frame is to follow at once: it is being drawn fully, a part in each frame, so that mouse and
+    /// keys are answered in between.
+    bool drawing() const { return job_side_.has_value(); }
+    /// Seconds after which another frame will draw it fully; none if it is.
+    std::optional<double> rest() const;
+
+ private:
+    using Clock = std::chrono::steady_clock;
+
+    Columns columns_of(Side side, glm::ivec2 pixels) const;
+    void draw_quickly(glm::ivec2 pixels);
+    void go_on(glm::ivec2 pixels);
+
+    std::array<Renderer, 2> renderers_;
+    GlFramebuffer picture_, full_;         // shown, and the one that is being drawn fully
+    std::optional<std::size_t> job_side_;  // the side being drawn fully
+    double job_seconds_ = 0;
+    Camera camera_;
+    glm::dvec2 page_size_{1, 1};
+    bool fitted_ = true;  // until the person zooms or moves
+    CameraMouse mouse_;
+    std::optional<Camera> drawn_camera_;  // none: the drawing changed
+    SplitLook drawn_look_;
+    Fineness drawn_ = Fineness::full;
+    Clock::time_point changed_;  // when it was drawn quickly last
+    double draw_ms_ = 0;
+};
+
+}  // namespace dapple

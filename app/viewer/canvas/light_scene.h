@@ -1,0 +1,56 @@
+#pragma once
+// The canvas of an environment map: the map with its samples, and two spheres in their light.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "app/viewer/canvas/camera_mouse.h"
+#include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/model/camera.h"
+#include "app/viewer/model/lit_map.h"
+
+namespace dapple {
+
+/// Where things are on the canvas, in ImGui's points.
+struct LightLayout {
+    CanvasPlace map;
+    std::array<glm::vec2, 2> spheres;  // their upper left corners
+    float sphere_side = 1;
+};
+/// The map above, twice as wide as high, the spheres in what is left below.
+LightLayout light_layout(glm::vec2 corner, glm::vec2 size);
+
+/// What is to be seen.
+struct LightsShown {
+    const LitMap& lit;
+    const SampledMap& samples;
+    const LightsSettings& settings;
+    // Numbers that change with them.
+    int map_number = 0;
+    std::uint64_t samplings = 0;
+};
+
+class LightScene {
+ public:
+    /// Behind ImGui's windows, the part of the map that the camera sees.
+    void show(const LightLayout& layout, const Camera& camera, const LightsShown& shown);
+
+ private:
+    void draw_textures(const LightsShown& shown);
+    void show_map(const CanvasPlace& place, const Camera& camera, const LightsSettings& settings) const;
+    static void show_samples(const CanvasPlace& place, const Camera& camera, const LightsShown& shown);
+
+    struct Drawn {
+        int map_number = 0;
+        std::uint64_t samplings = 0;
+        double stops = 0, turn_degrees = 0;
+        bool operator==(const Drawn&) const = default;
+    };
+    std::optional<Drawn> drawn_;
+    GlTexture map_texture_;
+    std::array<GlTexture, 2> spheres_;
+};
+
+}  // namespace dapple

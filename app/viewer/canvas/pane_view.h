@@ -1,0 +1,15 @@
+#pragma once
+// How the canvas shows a pane, and which of its dots are in view.
+
+#include "app/viewer/canvas/renderer.h"
+#include "app/viewer/model/session.h"
+#include "app/viewer/model/view_analysis.h"
+
+namespace dapple {
+
+/// `pixel_scale`: see CanvasLook.
+CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale);
+
+PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera);
+
+}  // namespace dapple

@@ -1,0 +1,461 @@
+#include "app/viewer/canvas/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <glm/common.hpp>
+#include <vector>
+
+#include "core/image/colour.h"
+#include "core/image/tone.h"
+#include "dapple_viewer_embedded/shaders.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kLevelColours = 12;                 // as in tile.vert
+constexpr GLuint kDotColour = 3, kDotRadius = 4;  // the attributes' locations, as in dot.vert
+constexpr double kLargestSprite = 256;            // samples: a guard band as wide never is too much
+
+/// Page to pixels, or samples, of a canvas.
+struct PageToPixels {
+    glm::dvec2 offset;
+    double scale;
+    glm::dvec2 canvas;
+    // Around the canvas: points are clipped by their centres, and those just outside must still show their
+    // rims.
+    double guard = 0;
+};
+
+void set_transform(const GlProgram& program, const PageToPixels& map) {
+    glUniform2f(program.uniform("page_scale"), static_cast<float>(map.scale), static_cast<float>(map.scale));
+    const glm::vec2 offset(map.offset + map.guard), canvas(map.canvas + 2 * map.guard);
+    glUniform2f(program.uniform("page_offset"), offset.x, offset.y);
+    glUniform2f(program.uniform("canvas"), canvas.x, canvas.y);
+    auto low = -static_cast<GLint>(map.guard);
+    glViewport(low, low, static_cast<GLsizei>(canvas.x), static_cast<GLsizei>(canvas.y));
+}
+
+// Where the page lies, for a fragment shader.
+void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& look) {
+    const glm::dvec2 low = to_canvas(camera, PagePoint(0)),
+                     high = to_canvas(camera, page_point(look.page_size));
+    glUniform2f(program.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
+    glUniform2f(program.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
+    glUniform1f(program.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
+}
+
+void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
+    glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
+}
+
+glm::vec3 light_of(glm::vec3 encoded) {
+    return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
+}
+
+void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor) {
+    buffer.bind();
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glVertexAttribDivisor(location, divisor);
+}
+
+/// Every n-th number of a part of a column.
+void take(FloatBuffer& to, const FloatBuffer& from, std::size_t first, std::size_t count, std::size_t every) {
+    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
+    if (every == 1) {
+        to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+        return;
+    }
+    for (std::size_t i = 0; i < count; i += every) to.push_back(from[first + i]);
+}
+
+// About so long is what is drawn between two looks at the clock.
+constexpr double kSliceSeconds = 0.008;
+constexpr std::size_t kFewestDots = 2048, kMostDotsAtOnce = 1 << 19;
+constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
+
+}  // namespace
+
+Renderer::Renderer()
+    : page_(shaders::page_vert(), shaders::page_frag()),
+      dot_(shaders::dot_vert(), shaders::dot_frag()),
+      tile_(shaders::tile_vert(), shaders::tile_frag()) {
+    dot_array_.bind();
+    column(0, dot_x_, 1, 0);
+    column(1, dot_y_, 1, 0);
+    column(2, dot_critical_, 1, 0);
+    dot_quad_array_.bind();
+    column(0, dot_x_, 1, 1);
+    column(1, dot_y_, 1, 1);
+    column(2, dot_critical_, 1, 1);
+    tile_array_.bind();
+    column(0, tiles_, 4, 1);
+    column(1, tile_facts_, 2, 1);
+    std::array<float, 2> sizes{1, 1};
+    float step = 1;
+    glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
+    glGetFloatv(GL_POINT_SIZE_GRANULARITY, &step);
+    largest_point_ = std::min<double>(sizes[1], kLargestSprite);
+    point_step_ = step;
+    std::array<GLint, 2> viewport{};
+    GLint texture = 0;
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    limits_.largest_side =
+        std::min({viewport[0], viewport[1], texture}) - 2 * static_cast<GLint>(kLargestSprite);
+}
+
+void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window) {
+    job_.reset();
+    dots_shown_ = &dots;
+    blocks_ = blocks;
+    colours_ = {};
+    has_colours_ = false;
+    const auto all_have = [&](FloatBuffer Dots::*column) {
+        return std::ranges::all_of(dots.pieces,
+                                   [&](const Dots& piece) { return (piece.*column).size() == piece.size(); });
+    };
+    dot_count_ = dots.size();
+    has_critical_ = all_have(&Dots::critical);
+    has_radii_ = dot_count_ > 0 && all_have(&Dots::radius);
+    mean_radius_ = largest_radius_ = 0;
+    for (const DotBlock& block : blocks) {
+        mean_radius_ += block.radii / static_cast<double>(dot_count_);
+        largest_radius_ = std::max<double>(largest_radius_, block.largest_radius);
+    }
+    dot_origin_ = {window.x, window.y};
+}
+
+void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
+    job_.reset();
+    has_colours_ = !colours.empty() && colours.size() == dot_count_;
+    colours_ = has_colours_ ? colours : std::span<const glm::u8vec4>();
+}
+
+void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
+    job_.reset();
+    tiles_shown_ = tiles;
+    tile_window_ = window;
+}
+
+void Renderer::set_picture(const Grid<glm::u8vec4>& picture) {
+    job_.reset();
+    has_picture_ = !picture.empty();
+    if (has_picture_) picture_.write(picture);
+}
+
+Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
+                        Fineness fineness, Columns columns) {
+    job_.reset();
+    Job job = job_of(camera, look, fineness, columns);
+    const Job finest = job_of(camera, look, Fineness::full, columns);
+    const int samples = job.grid.samples;
+    go_on(job, picture, std::numeric_limits<double>::infinity());
+    return samples == finest.grid.samples ? Fineness::full : fineness;
+}
+
+Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
+                                Columns columns, double seconds) {
+    job_.reset();
+    Job job = job_of(camera, look, Fineness::quick, columns);
+    const Job finest = job_of(camera, look, Fineness::full, columns);
+    const auto most = std::max(static_cast<std::size_t>(seconds / seconds_per_quick_dot_), kFewestDots);
+    job.every = std::max<std::size_t>((job.in_view + most - 1) / most, 1);
+    job.tiles = std::min(job.tiles, kTilesAtOnce);
+    const bool as_good =
+        job.grid.samples == finest.grid.samples && job.every == 1 && job.tiles == finest.tiles;
+    go_on(job, picture, std::numeric_limits<double>::infinity());
+    return as_good ? Fineness::full : Fineness::quick;
+}
+
+void Renderer::begin(const Camera& camera, const CanvasLook& look, Columns columns) {
+    job_ = job_of(camera, look, Fineness::full, columns);
+}
+
+bool Renderer::step(const GlFramebuffer& picture, double seconds) {
+    if (job_ && go_on(*job_, picture, seconds)) job_.reset();
+    return !job_;
+}
+
+Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fineness fineness,
+                               Columns columns) const {
+    const auto width = static_cast<int>(camera.canvas.x);
+    Job job{.camera = camera,
+            .look = look,
+            .columns = {std::max(columns.first, 0), std::min(columns.end, width)}};
+    if (job.columns.first >= job.columns.end) {
+        job.next_row = static_cast<int>(camera.canvas.y);  // nothing to draw
+        return job;
+    }
+    job.grid = dot_grid(camera, look, fineness, job.columns);
+    if (look.tiles) job.tiles = tiles_shown_.size();
+    if (job.grid.samples == 0) return job;
+    const glm::dvec2 origin = to_canvas(camera, dot_origin_);
+    const double radius = has_radii_ ? largest_radius_ : look.dot_radius;
+    const double rim = radius * camera.pixels_per_unit + 2;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const glm::dvec2 low = origin + glm::dvec2(blocks_[i].low) * camera.pixels_per_unit - rim,
+                         high = origin + glm::dvec2(blocks_[i].high) * camera.pixels_per_unit + rim;
+        if (low.x > job.columns.end || low.y > camera.canvas.y || high.x < job.columns.first || high.y < 0)
+            continue;
+        job.blocks.push_back(i);
+        job.in_view += blocks_[i].count;
+    }
+    return job;
+}
+
+// Looks at the clock only where there is an end to the time: to do so it has to wait for OpenGL.
+bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const auto passed = [](Clock::time_point since) {
+        return std::chrono::duration<double>(Clock::now() - since).count();
+    };
+    const bool in_steps = seconds < std::numeric_limits<double>::infinity();
+    const auto measured = [](double& mean, double now) { mean += 0.5 * (now - mean); };
+    const auto height = static_cast<int>(job.camera.canvas.y);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    bool goes_on = true;
+    const auto spent = [&] {
+        if (in_steps) goes_on = passed(begin) < seconds;
+        return !goes_on;
+    };
+    if (job.grid.samples > 0 && !job.prepared) {
+        prepare_dots(job);
+        if (in_steps) glFinish();
+    }
+    job.prepared = true;
+    const std::size_t from = job.next_block;
+    const auto dots_begin = Clock::now();
+    while (goes_on && job.next_block < job.blocks.size()) {
+        const auto slice = Clock::now();
+        const std::size_t before = job.next_block;
+        const auto most = static_cast<std::size_t>(kSliceSeconds / seconds_per_dot_);
+        draw_dots(job, std::clamp(most, kFewestDots, kMostDotsAtOnce));
+        if (!in_steps) continue;
+        glFinish();
+        std::size_t drawn = 0;
+        for (std::size_t i = before; i < job.next_block; ++i) drawn += blocks_[job.blocks[i]].count;
+        measured(seconds_per_dot_, std::max(passed(slice) / static_cast<double>(drawn), 1e-9));
+        spent();
+    }
+    if (!in_steps && job.next_block > from) {
+        glFinish();
+        const double drawn = static_cast<double>(job.in_view) / static_cast<double>(job.every);
+        if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(passed(dots_begin) / drawn, 1e-9));
+    }
+    if (job.next_block < job.blocks.size()) return false;
+    picture.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    while (goes_on && job.next_row < height) {
+        const auto slice = Clock::now();
+        const int most =
+            in_steps ? static_cast<int>(std::min(kSliceSeconds / seconds_per_row_, 1e6)) : height;
+        const int rows = std::clamp(most, 1, height - job.next_row);
+        glScissor(job.columns.first, job.next_row, job.columns.end - job.columns.first, rows);
+        draw_page(job);
+        job.next_row += rows;
+        if (!in_steps) continue;
+        glFinish();
+        measured(seconds_per_row_, std::max(passed(slice) / rows, 1e-7));
+        spent();
+    }
+    if (job.next_row >= height && job.columns.first < job.columns.end) {
+        glScissor(job.columns.first, 0, job.columns.end - job.columns.first, height);
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        while (goes_on && job.tiles > 0) {
+            draw_tiles(job, kTilesAtOnce / 4);
+            if (!in_steps) continue;
+            glFinish();
+            spent();
+        }
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    return job.next_row >= height && (job.tiles == 0 || job.columns.first >= job.columns.end);
+}
+
+Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
+                                     Columns columns) const {
+    const double radius = (has_radii_ ? mean_radius_ : look.dot_radius) * camera.pixels_per_unit;
+    const glm::dvec2 canvas_low(columns.first, 0), canvas_high(columns.end, camera.canvas.y);
+    const glm::dvec2 low = glm::floor(to_canvas(camera, PagePoint(0))),
+                     high = glm::ceil(to_canvas(camera, page_point(look.page_size)));
+    DotGrid grid{glm::clamp(low, canvas_low, canvas_high), glm::clamp(high, canvas_low, canvas_high), 0};
+    const glm::ivec2 size = grid.high - grid.low;
+    if (!look.dots || dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0)
+        return {grid.low, grid.low, 0};
+    grid.samples = samples_per_side(radius, size, fineness, limits_);
+    return grid;
+}
+
+void Renderer::prepare_dots(const Job& job) {
+    const glm::ivec2 size = (job.grid.high - job.grid.low) * job.grid.samples;
+    dots_.resize(size, has_colours_ ? Texels::light : Texels::cover);
+    dots_.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Renderer::attach_columns() {
+    for (const auto& [array, divisor] : {std::pair(&dot_array_, 0u), {&dot_quad_array_, 1u}}) {
+        array->bind();
+        if (has_radii_)
+            column(kDotRadius, dot_radius_, 1, divisor);
+        else
+            glDisableVertexAttribArray(kDotRadius);
+        if (!has_colours_) {
+            glDisableVertexAttribArray(kDotColour);
+            continue;
+        }
+        dot_colour_.bind();
+        glEnableVertexAttribArray(kDotColour);
+        glVertexAttribPointer(kDotColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+        glVertexAttribDivisor(kDotColour, divisor);
+    }
+}
+
+// The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
+// do: dots unite in any order.
+void Renderer::draw_dots(Job& job, std::size_t most) {
+    const Camera& camera = job.camera;
+    const CanvasLook& look = job.look;
+    const DotGrid& grid = job.grid;
+    Dots& dots = handed_over_;
+    for (FloatBuffer* numbers : {&dots.x, &dots.y, &dots.critical, &dots.radius}) numbers->clear();
+    colours_handed_over_.clear();
+    for (; job.next_block < job.blocks.size() && dots.size() < most; ++job.next_block) {
+        const DotBlock& block = blocks_[job.blocks[job.next_block]];
+        const Dots& from = dots_shown_->pieces[block.piece];
+        take(dots.x, from.x, block.first, block.count, job.every);
+        take(dots.y, from.y, block.first, block.count, job.every);
+        // Not looked at if it isn't there, but the column must be as long as the others.
+        take(dots.critical, has_critical_ ? from.critical : from.x, block.first, block.count, job.every);
+        if (has_radii_) take(dots.radius, from.radius, block.first, block.count, job.every);
+        if (has_colours_)
+            for (std::size_t i = 0; i < block.count; i += job.every)
+                colours_handed_over_.push_back(colours_[block.index + i]);
+    }
+    dot_x_.write(std::as_bytes(std::span(dots.x)));
+    dot_y_.write(std::as_bytes(std::span(dots.y)));
+    dot_critical_.write(std::as_bytes(std::span(dots.critical)));
+    if (has_radii_) dot_radius_.write(std::as_bytes(std::span(dots.radius)));
+    if (has_colours_) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
+    attach_columns();
+    // Those left away are made up for.
+    const double grow = std::sqrt(static_cast<double>(job.every));
+
+    const double scale = camera.pixels_per_unit * grid.samples;
+    const double largest = (has_radii_ ? largest_radius_ : look.dot_radius) * scale * grow;
+    const double guard = std::ceil(largest) + 1;
+    const bool sprites = 2 * guard <= largest_point_;
+    const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
+    dots_.bind();
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    dot_.use();
+    set_transform(dot_, {.offset = (to_canvas(camera, dot_origin_) - glm::dvec2(grid.low)) *
+                                   static_cast<double>(grid.samples),
+                         .scale = scale,
+                         .canvas = glm::dvec2(size),
+                         .guard = sprites ? guard : 0});
+    glUniform1f(dot_.uniform("grow"), static_cast<float>(grow));
+    glUniform1f(dot_.uniform("guard"), sprites ? static_cast<float>(guard) : 0);
+    glUniform1i(dot_.uniform("sprite"), sprites);
+    glUniform1f(dot_.uniform("point_step"), static_cast<float>(point_step_));
+    glUniform1i(dot_.uniform("coloured"), has_colours_);
+    glUniform1f(dot_.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
+    // What the shader reads where no column is attached.
+    glVertexAttrib4f(kDotColour, 1, 1, 1, 1);
+    glVertexAttrib1f(kDotRadius, static_cast<float>(look.dot_radius));
+    const auto count = static_cast<GLsizei>(dots.size());
+    if (sprites) {
+        glEnable(GL_PROGRAM_POINT_SIZE);
+        dot_array_.bind();
+        glDrawArrays(GL_POINTS, 0, count);
+    } else {
+        dot_quad_array_.bind();
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    }
+    glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void Renderer::draw_page(const Job& job) const {
+    const Camera& camera = job.camera;
+    const CanvasLook& look = job.look;
+    const DotGrid& grid = job.grid;
+    glViewport(0, 0, static_cast<GLsizei>(camera.canvas.x), static_cast<GLsizei>(camera.canvas.y));
+    page_.use();
+    set_page(page_, camera, look);
+    glUniform1f(page_.uniform("shadow"), 14 * look.pixel_scale);
+    glUniform1f(page_.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
+    glUniform1i(page_.uniform("picture"), 0);
+    glUniform1i(page_.uniform("dots"), 1);
+    glUniform1i(page_.uniform("samples"), grid.samples);
+    const int height = static_cast<int>(camera.canvas.y);
+    glUniform4i(page_.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
+                height - grid.low.y);
+    const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
+    const auto sample = [&](PagePoint point) {
+        const glm::dvec2 at =
+            (to_canvas(camera, point) - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
+        return glm::ivec2(glm::round(glm::clamp(at, glm::dvec2(0), samples)));
+    };
+    const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));
+    const int rows = static_cast<int>(samples.y);
+    glUniform4i(page_.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
+    set_colour(page_, "desk", look.desk);
+    set_colour(page_, "paper", look.paper);
+    set_colour(page_, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
+    glActiveTexture(GL_TEXTURE1);
+    dots_.bind_texture();
+    glActiveTexture(GL_TEXTURE0);
+    picture_.bind();
+    empty_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// The last ones of those that are left.
+void Renderer::draw_tiles(Job& job, std::size_t most) {
+    const std::size_t count = std::min(job.tiles, most);
+    std::vector<glm::vec4> boxes;
+    std::vector<glm::vec2> facts;
+    boxes.reserve(count);
+    facts.reserve(count);
+    // Cut off a window beyond the window: a large tile's near side would be lost in its far one's rounding.
+    const glm::dvec2 size(tile_window_.width, tile_window_.height);
+    for (std::size_t i = job.tiles; i-- > job.tiles - count;) {
+        const PlacedTile& tile = tiles_shown_[i];
+        const glm::dvec2 low(tile.x, tile.y), high = low + tile.side;
+        const glm::dvec2 cut_low = glm::max(low, -size), cut_high = glm::min(high, 2.0 * size);
+        boxes.emplace_back(cut_low.x, cut_low.y, cut_high.x, cut_high.y);
+        const bool whole = cut_low == low && cut_high == high;
+        facts.emplace_back(tile.level, whole ? tile.orientation.index : -1);
+    }
+    job.tiles -= count;
+    tiles_.write(std::as_bytes(std::span(boxes)));
+    tile_facts_.write(std::as_bytes(std::span(facts)));
+    tile_.use();
+    set_transform(tile_, {.offset = to_canvas(job.camera, PagePoint{tile_window_.x, tile_window_.y}),
+                          .scale = job.camera.pixels_per_unit,
+                          .canvas = job.camera.canvas});
+    set_page(tile_, job.camera, job.look);
+    glUniform1f(tile_.uniform("line_width"), job.look.pixel_scale);
+    std::array<glm::vec3, kLevelColours> colours;
+    for (int level = 0; level < kLevelColours; ++level) colours[level] = level_colour(level);
+    glUniform3fv(tile_.uniform("level_colours"), kLevelColours, &colours[0].x);
+    tile_array_.bind();
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 42, static_cast<GLsizei>(count));
+}
+
+}  // namespace dapple

@@ -1,0 +1,136 @@
+#pragma once
+// Draws the sheet, the picture under it, dots and tile outlines with OpenGL 3.3.
+//
+// The page is as light as in a file (core/output/raster.h): ink and paper are mixed in linear light, dots
+// that overlap unite, and what of them lies beyond the page's edges is cut off. For that the dots are first
+// drawn by themselves, with more samples than the canvas has pixels where they are small.
+//
+// Nothing here takes longer for more dots unless it is told to: a drawing goes forward in steps, as long as
+// one likes, and dots are handed to OpenGL as they are drawn, through buffers of constant size.
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/model/camera.h"
+#include "app/viewer/model/dot_blocks.h"
+#include "app/viewer/model/dot_samples.h"
+#include "core/placing/dots.h"
+#include "core/placing/placer.h"
+
+namespace dapple {
+
+/// How the drawing looks on screen; colours sRGB-encoded 0..1.
+struct CanvasLook {
+    glm::vec3 desk{0.8f}, paper{1.0f}, ink{0.0f};
+    glm::dvec2 page_size{1, 1};  // page units
+    double dot_radius = 0.002;   // page units; of dots that have none of their own
+    float picture_opacity = 0;   // 0: bare paper
+    bool dots = true;            // shown
+    bool tiles = false;          // outlines shown
+    double fade_scale = 0;       // dots fade in below this scale; 0: none does
+    float pixel_scale = 1;       // pixels of a line meant to be one pixel wide at 96 dpi
+
+    bool operator==(const CanvasLook&) const = default;
+};
+
+/// Columns of the canvas, from the first to before the end.
+struct Columns {
+    int first = 0, end = std::numeric_limits<int>::max();
+};
+
+class Renderer {
+ public:
+    Renderer();
+
+    // What is set with these three is looked at again whenever it is drawn: it has to stay until the next.
+
+    /// Positions are relative to the window's corner. Dots::critical is needed for fading in only. All pieces
+    /// have it or none, and so it is with Dots::radius. The blocks are dot_blocks() of them.
+    void set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window = {});
+    /// One colour a dot, or none for the ink; until the next set_dots().
+    void set_dot_colours(std::span<const glm::u8vec4> colours);
+    /// Large tiles before small ones: drawn last, their lines stay on top.
+    void set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window = {});
+    void set_picture(const Grid<glm::u8vec4>& picture);
+
+    std::size_t dot_count() const { return dot_count_; }
+
+    /// camera.canvas must be the picture's size. Returns full if drawn fully it would look the same.
+    Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
+                  Fineness fineness = Fineness::full, Columns columns = {});
+
+    /// The same quickly: of more dots than can be drawn in about that time (seconds), every n-th, so much
+    /// larger that the page is as dark as with all of them.
+    Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
+                          Columns columns, double seconds);
+
+    /// The same fully and in steps. Setting anything, or another drawing, ends it.
+    void begin(const Camera& camera, const CanvasLook& look, Columns columns);
+    /// Goes on with what was begun for about so many seconds. True once all of it is in the picture; columns
+    /// of others are left alone.
+    bool step(const GlFramebuffer& picture, double seconds);
+
+ private:
+    /// Where dots can be seen, and how finely.
+    struct DotGrid {
+        glm::ivec2 low, high;  // pixels of the canvas, y down
+        int samples;           // of a pixel's side; 0: there are no dots to be seen
+    };
+
+    /// A drawing under way: dots, then the page with them, then tiles.
+    struct Job {
+        Camera camera;
+        CanvasLook look;
+        Columns columns;
+        DotGrid grid{};
+        std::vector<std::size_t> blocks{};  // in view
+        std::size_t in_view = 0;            // dots in them
+        std::size_t every = 1;              // n-th dot is drawn
+        std::size_t tiles = 0;              // still to be drawn: the first ones
+        std::size_t next_block = 0;
+        int next_row = 0;
+        bool prepared = false;  // there is an empty picture for the dots
+    };
+
+    Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
+    DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
+    bool go_on(Job& job, const GlFramebuffer& picture, double seconds);
+    void prepare_dots(const Job& job);
+    void draw_dots(Job& job, std::size_t most);
+    void draw_page(const Job& job) const;
+    void draw_tiles(Job& job, std::size_t most);
+    void attach_columns();
+
+    GlProgram page_, dot_, tile_;
+    GlVertexArray empty_, dot_array_, dot_quad_array_, tile_array_;
+    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, tiles_, tile_facts_;
+    GlFramebuffer dots_;
+    GlTexture picture_;
+    PagePoint dot_origin_{0, 0};
+    PageWindow tile_window_;
+    std::size_t dot_count_ = 0;
+    const DotPieces* dots_shown_ = nullptr;
+    std::span<const DotBlock> blocks_;
+    std::span<const glm::u8vec4> colours_;
+    std::span<const PlacedTile> tiles_shown_;
+    Dots handed_over_;  // to OpenGL, when dots are drawn
+    std::vector<glm::u8vec4> colours_handed_over_;
+    std::optional<Job> job_;
+    // Measured while drawing in steps.
+    double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
+    double seconds_per_quick_dot_ = 1e-6;  // they are larger
+    bool has_critical_ = false;
+    bool has_colours_ = false;
+    bool has_radii_ = false;
+    double mean_radius_ = 0, largest_radius_ = 0;  // page units, if they have one each
+    bool has_picture_ = false;
+    double largest_point_ = 1, point_step_ = 1;
+    SampleLimits limits_;
+};
+
+}  // namespace dapple

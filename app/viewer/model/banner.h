@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace dapple {
+
+enum class BannerKind { error, notice };
+
+/// A message at the top of the canvas until the person closes it or another replaces it; a notice goes by
+/// itself after some seconds, unless the mouse is on it.
+struct Banner {
+    BannerKind kind = BannerKind::notice;
+    std::string message;   // empty: nothing is shown
+    float shown_for = -1;  // seconds; below 0: not yet
+};
+
+}  // namespace dapple

@@ -1,0 +1,38 @@
+#pragma once
+// The split view: to the right of a divider the same density with another tile, another placer or both.
+
+#include <optional>
+#include <string>
+
+#include "app/drawing_settings.h"
+#include "app/viewer/model/workbench.h"
+
+namespace dapple {
+
+enum class CompareBy {
+    scale,
+    count,  // of different dots; Figure 8 comes near it only
+};
+
+struct Comparison {
+    bool on = false;
+    PlacerKind placer = PlacerKind::exact;  // these three of the right side
+    std::string tile = "paper16";
+    std::optional<RankingOrder> ranking;
+    CompareBy by = CompareBy::scale;
+    float divider = 0.5f;  // the left side's share of the canvas, 0..1
+
+    bool operator==(const Comparison&) const = default;
+};
+
+/// Switched on or off. Where both sides would be alike the right one gets another tile: the paper's, which
+/// repeats, or the default beside the paper's.
+Comparison toggled(Comparison comparison, const DrawingSettings& left);
+
+/// What the right side places beside a left one that has been placed.
+PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stippling& placed);
+
+/// "paper16, Figure 8".
+std::string drawn_with(const PlaceOrder& order);
+
+}  // namespace dapple

@@ -1,0 +1,61 @@
+#pragma once
+// Dots in colours that show where in the subdivision they come from.
+
+#include <cstddef>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/image/colour.h"
+#include "core/placing/dots.h"
+#include "core/placing/placer.h"
+#include "core/tile/tile.h"
+
+namespace dapple {
+
+enum class DotColouring { ink, level, rank, orientation };
+
+/// Where stepping through the levels ends: this is all of them.
+inline constexpr int kDeepestStep = 8;
+
+struct DotColourChoice {
+    DotColouring colouring = DotColouring::ink;
+    int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
+    glm::vec3 ink = kBlack;            // sRGB-encoded 0..1; looked at if levels are left out only
+
+    bool operator==(const DotColourChoice&) const = default;
+};
+
+/// Whether that choice needs Dots::threshold.
+bool tells_birthplaces(const DotColourChoice& choice);
+
+/// What the colours are looked up in: the tile that the dots were placed with, and their window.
+struct DotOrigins {
+    std::size_t tile_size = 16;  // points
+    Rule rule;                   // of a Figure 8 drawing the identity: it turns no tile
+    PageWindow window;
+};
+
+/// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of
+/// the orientation of the tile it was born in. Empty for ink: all alike. A dot within a float's rounding of
+/// its tile's edge may get the neighbour's orientation.
+std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
+                                     DotColouring colouring);
+
+/// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become
+/// the ink's first. From kDeepestStep on nothing is hidden.
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
+                                               std::size_t tile_size, int deepest, glm::vec3 ink);
+
+/// Both of these, as chosen; empty: all dots in ink.
+std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
+                                        const DotColourChoice& choice);
+
+/// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,
+/// so it reads without colours too.
+glm::vec3 rank_colour(double share);
+
+/// Eight hues; the four mirrored orientations are the paler ones.
+glm::vec3 orientation_colour(Orientation orientation);
+
+}  // namespace dapple

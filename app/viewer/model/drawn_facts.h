@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/drawing_settings.h"
+
+namespace dapple {
+
+/// What the drawing on screen came to: where sliders start from when the person switches between scale and
+/// count, or from the automatic radius to a fixed one.
+struct DrawnFacts {
+    std::uint64_t dots = 0;
+    double scale = 0;
+    double dot_radius_mm = 0;
+    std::uint64_t most_dots = kMostDots;  // that the window takes on
+    Tone tone{};                          // with the values that were chosen automatically
+    int steps = 0;                        // of relaxation
+};
+
+}  // namespace dapple

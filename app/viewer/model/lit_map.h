@@ -1,0 +1,43 @@
+#pragma once
+// An environment map and the samples taken of it.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/model/lights_settings.h"
+#include "core/image/environment.h"
+#include "core/image/grid.h"
+#include "core/lights/lit_sphere.h"
+
+namespace dapple {
+
+/// How well the samples stand for the map.
+struct LightsFacts {
+    double place_ms = 0, share_ms = 0;
+    double difference = 0;  // of irradiance from the full map's, mean over normals, relative
+    double flux_error = 0;  // of the weights' sum, relative
+};
+
+/// A map and what showing it needs, made once: the irradiance takes a second.
+struct LitMap {
+    explicit LitMap(EnvironmentMap environment);
+
+    EnvironmentMap map;
+    IrradianceMap exact;
+    double natural_exposure;
+    Grid<glm::vec3> preview;  // at most 2,048 wide
+};
+
+/// A map's samples and what they light.
+struct SampledMap {
+    std::vector<glm::dvec2> places;      // on the map, 0..1
+    std::optional<IrradianceMap> found;  // none: there are no samples yet
+    LightsFacts facts;
+};
+/// Throws std::runtime_error if the tile or its samples cannot be had.
+SampledMap sampled(const LitMap& lit, const LightsSettings& settings);
+
+}  // namespace dapple

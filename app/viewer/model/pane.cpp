@@ -1,0 +1,84 @@
+#include "app/viewer/model/pane.h"
+
+#include <cmath>
+#include <utility>
+
+namespace dapple {
+namespace {
+
+// Pixels per page unit from which only what is in view is placed: before, a float on the page is as good as a
+// hundredth of a pixel.
+constexpr double kCloseZoom = 0x1p15;
+// Dots that fade in are paler than they will be; so many more of them make up for it.
+constexpr double kFadeHeadStart = 1.07;
+
+}  // namespace
+
+std::optional<CloseView> Pane::close_view(const PlaceOrder& page, const Zoom& zoom) const {
+    const bool constant_density = zoom.mode == ZoomMode::constant_density;
+    // Figure 8 places whole drawings only.
+    if (page.drawing.stipple.placer != PlacerKind::exact) return {};
+    // Relaxed dots are those of the page at any zoom.
+    const bool moved = page_.all_steps > 0;
+    if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};
+    // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
+    double scale = std::nextafter(static_cast<float>(page_.stippling.scale), INFINITY);
+    if (constant_density) scale *= kFadeHeadStart * zoom.enlargement * zoom.enlargement;
+    return CloseView{window_in_view(zoom.camera, 0.3), scale};
+}
+
+double Pane::fade_scale(const Zoom& zoom) const {
+    if (!shows_close_ || zoom.mode != ZoomMode::constant_density) return 0;
+    return page_.stippling.scale * zoom.enlargement * zoom.enlargement * kFadeHeadStart;
+}
+
+bool Pane::order(PlaceOrder page, const Zoom& zoom, Reorder reorder) {
+    const auto close = close_view(page, zoom);
+    if (!close && close_ordered_) {
+        close_ordered_.reset();
+        shows_close_ = false;
+        ++version_;
+    }
+    // The whole drawing comes first: its scale is what a close view starts from.
+    const bool is_close = close && page_ordered_ == page && page_placed_ == page;
+    if (is_close) page.close = close;
+    std::optional<PlaceOrder>& ordered = is_close ? close_ordered_ : page_ordered_;
+    if (reorder == Reorder::when_changed && ordered == page) return false;
+    ordered = page;
+    worker_.place(std::move(page));
+    return true;
+}
+
+void Pane::take(PlacedNews& news) {
+    if (news.tile) {
+        tile_ = std::move(*news.tile);
+        ++tiles_;
+    }
+    if (news.order.close) {
+        if (close_ordered_) {
+            std::swap(close_, news.drawing);
+            shows_close_ = true;
+        }
+    } else {
+        if (news.picture) shows_close_ = false;
+        std::swap(page_, news.drawing);
+        page_placed_ = news.order;
+        if (close_ordered_) close_ordered_->close = CloseView{};  // to be ordered again
+    }
+    worker_.recycle(std::move(news.drawing));
+    ++version_;
+    ++placings_;
+}
+
+void Pane::clear() {
+    page_ordered_.reset();
+    page_placed_.reset();
+    close_ordered_.reset();
+    worker_.recycle(std::exchange(page_, {}));
+    worker_.recycle(std::exchange(close_, {}));
+    worker_.clear();
+    shows_close_ = false;
+    ++version_;
+}
+
+}  // namespace dapple

@@ -1,0 +1,84 @@
+#pragma once
+// The dots of one side of the canvas: what was ordered of a worker, what came back, and what of it is shown.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "app/viewer/model/camera.h"
+#include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/model/worker.h"
+
+namespace dapple {
+
+/// How the page is looked at.
+struct Zoom {
+    ZoomMode mode = ZoomMode::drawing;
+    Camera camera;
+    double enlargement = 1;  // how many times larger than fitted into the canvas
+};
+
+enum class Reorder {
+    when_changed,
+    always,
+};
+
+class Pane {
+ public:
+    /// `wake` is called from the worker's threads whenever there is news.
+    explicit Pane(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+    Worker& worker() { return worker_; }
+    const Worker& worker() const { return worker_; }
+
+    /// Orders the page or, once that is there and the zoom is so deep that the whole page would be too coarse
+    /// or too much, what is in view of it. True if it ordered something: nothing twice, unless told to.
+    bool order(PlaceOrder page, const Zoom& zoom, Reorder reorder);
+
+    /// Takes drawing and tile out of the news.
+    void take(PlacedNews& news);
+
+    /// Forgets picture and dots and gives their memory back. The numbers below go on.
+    void clear();
+
+    /// The whole page; what is shown: that or a part of it placed for the zoom.
+    const PlacedDrawing& page() const { return page_; }
+    const PlacedDrawing& shown() const { return shows_close_ ? close_ : page_; }
+    bool shows_close() const { return shows_close_; }
+
+    /// What the whole page was ordered with last.
+    const std::optional<PlaceOrder>& page_ordered() const { return page_ordered_; }
+
+    /// What the whole page was placed for last; none before the first.
+    const std::optional<PlaceOrder>& page_order() const { return page_placed_; }
+
+    /// A number that changes with what is shown, and one of drawings that came.
+    std::uint64_t version() const { return version_; }
+    std::uint64_t placings() const { return placings_; }
+
+    /// The tile it is placed with; none before the first dots.
+    const TileView& tile() const { return tile_; }
+    /// Its size, at least 1.
+    std::size_t tile_size() const { return std::max<std::size_t>(tile_.points.size(), 1); }
+    /// How many tiles there have been.
+    int tiles() const { return tiles_; }
+
+    /// The dots fade in below this scale while they multiply with the zoom; 0: none does.
+    double fade_scale(const Zoom& zoom) const;
+
+ private:
+    std::optional<CloseView> close_view(const PlaceOrder& page, const Zoom& zoom) const;
+
+    Worker worker_;
+    std::optional<PlaceOrder> page_ordered_, page_placed_;
+    std::optional<PlaceOrder> close_ordered_;
+    PlacedDrawing page_, close_;
+    TileView tile_;
+    int tiles_ = 0;
+    bool shows_close_ = false;
+    std::uint64_t version_ = 0, placings_ = 0;
+};
+
+}  // namespace dapple

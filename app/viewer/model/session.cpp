@@ -1,0 +1,189 @@
+#include "app/viewer/model/session.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "app/files/sample.h"
+#include "app/files/save_drawing.h"
+#include "app/files/tile_library.h"
+#include "app/printable.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A placing so short is waited for, so that dots and slider move in the same frame.
+constexpr std::chrono::milliseconds kPatience(8);
+constexpr std::chrono::milliseconds kLongPatience(50);
+
+}  // namespace
+
+Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
+    : settings{.drawing = drawing},
+      history_(settings),
+      wake_(std::move(wake)),
+      most_dots_(most_dots),
+      tiles_(drawing.tile),
+      pane_(wake_) {}
+
+PlaceOrder Session::page_order() const {
+    PlaceOrder order = order_of(settings);
+    order.drawing.most_dots = most_dots_;
+    order.settled_only = settings.every_frame;
+    return order;
+}
+
+void Session::open_sample() {
+    pane_.worker().open("Still life", [] { return sample_picture(); });
+}
+
+void Session::open(const fs::path& path) {
+    pane_.worker().open(printable(path.filename().native()), [path] { return read_picture(path); });
+    picture_path_ = path;
+}
+
+void Session::open_tile(const fs::path& file) {
+    try {
+        settings.drawing.tile = tiles_.open(file);
+        banner = {};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::take_dropped(const fs::path& file) {
+    if (ends_as_tile(file))
+        open_tile(file);
+    else
+        open(file);
+}
+
+void Session::save(const fs::path& path) {
+    DrawingSettings drawn = settings.drawing;
+    DensityChoice choice = settings.density;
+    const SavingChoice saving = settings.saving;
+    const std::uint64_t most = most_dots_;
+    const auto prepare = [=](Workbench& bench, std::stop_token stop) -> Worker::Write {
+        const DrawingFormat format = drawing_format(path);
+        PlacedDrawing drawing;
+        PlaceOrder order = order_of(drawn, choice);
+        order.drawing.most_dots = most;
+        order.drawing.stipple.appearance =
+            format == DrawingFormat::csv ||
+            (format == DrawingFormat::svg && saving.order == DotOrder::priority);
+        if (!bench.place(order, drawing, stop)) return {};
+        const PageSize page = bench.plan(order).page;
+        const std::size_t tile_size = bench.pipeline().tile().tile().size();
+        const double dpi = saving.dpi;
+        const auto order_wanted =
+            format == DrawingFormat::png ? std::optional(DotOrder::recursion) : saving.order;
+        return [=, drawing = std::move(drawing)](const SavingWatch& watch) {
+            return save_drawing(path, drawn,
+                                {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+                                 .page = page,
+                                 .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
+                                 .tiles = drawing.outlines,
+                                 .tile_size = tile_size,
+                                 .dpi = dpi,
+                                 .order = order_wanted},
+                                watch);
+        };
+    };
+    pane_.worker().save(path, prepare);
+}
+
+void Session::order_dots(const Zoom& zoom) {
+    const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
+    // In every frame, but not before the last one is there: it would never be.
+    const bool waits = settings.every_frame && pane_.worker().placing_since();
+    const bool ordered = pane_.order(page_order(), zoom, waits ? Reorder::when_changed : reorder);
+    if (ordered) ordered_settings_ = settings;
+    if (ordered || waits) take_news(settings.every_frame ? kLongPatience : kPatience);
+    if (settings.comparison.on)
+        order_right(zoom, reorder);
+    else
+        forget_right();
+}
+
+void Session::stop_placing() {
+    if (!placed_settings_) return;
+    settings = *placed_settings_;
+    banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
+}
+
+void Session::forget_right() {
+    if (right_pictures_asked_ == 0) return;
+    right_->clear();
+    right_pictures_asked_ = right_pictures_ = 0;
+}
+
+void Session::order_right(const Zoom& zoom, Reorder reorder) {
+    const std::optional<PlaceOrder>& left = pane_.page_order();
+    if (!left) return;
+    if (!right_) right_.emplace(wake_);
+    // Its worker has a picture of its own, so that neither ever waits for the other.
+    if (right_pictures_asked_ != pictures_) right_->worker().open(picture_.name, picture_.read);
+    right_pictures_asked_ = pictures_;
+    right_->order(right_order(settings.comparison, *left, pane_.page().stippling), zoom, reorder);
+}
+
+const Pane* Session::right() const {
+    const bool there = settings.comparison.on && right_ && right_pictures_ == pictures_;
+    return there ? &*right_ : nullptr;
+}
+
+void Session::take_news(std::chrono::milliseconds patience) {
+    for (WorkerNews& news : pane_.worker().news(patience)) std::visit([this](auto& n) { take(n); }, news);
+    if (!right_) return;
+    for (WorkerNews& news : right_->worker().news()) {
+        if (auto* placed = std::get_if<PlacedNews>(&news)) take_right(*placed);
+        if (auto* failed = std::get_if<FailedNews>(&news)) take(*failed);
+    }
+}
+
+void Session::take_right(PlacedNews& news) {
+    if (!settings.comparison.on) return;  // too late
+    if (news.picture) right_pictures_ = right_pictures_asked_;
+    if (!news.error.empty()) banner = {BannerKind::error, news.error};
+    right_->take(news);
+}
+
+void Session::take(PlacedNews& news) {
+    if (news.picture) {
+        picture_ = std::move(*news.picture);
+        ++pictures_;
+        saved_path_.clear();  // it shows another picture
+        if (banner.kind == BannerKind::notice) banner = {};
+    }
+    if (!news.error.empty()) banner = {BannerKind::error, news.error};
+    if (news.error.empty() && news.order == pane_.page_ordered()) placed_settings_ = ordered_settings_;
+    pane_.take(news);
+}
+
+void Session::take(FailedNews& news) {
+    // The picture named on the command line: there is nothing to go on showing.
+    if (!placed_once()) throw std::runtime_error(news.message);
+    banner = {BannerKind::error, news.message};
+}
+
+void Session::take(SavedNews& news) {
+    saved_path_ = news.path;
+    banner = {BannerKind::notice, "Saved " + news.path.string()};
+}
+
+void Session::take(CancelledNews& news) {
+    banner = {BannerKind::notice, "Cancelled: " + news.path.string() + " was not written"};
+}
+
+DrawnFacts Session::drawn(const Pane& pane) const {
+    const PlacedDrawing& drawing = pane.page();
+    return {.dots = drawing.stippling.dots.size() - drawing.stippling.duplicates,
+            .scale = drawing.stippling.scale,
+            .dot_radius_mm = drawing.dot_radius * settings.drawing.width_mm / drawing.page_size.x,
+            .most_dots = most_dots_,
+            .tone = drawing.tone,
+            .steps = drawing.all_steps};
+}
+
+}  // namespace dapple

@@ -1,0 +1,98 @@
+#pragma once
+// What the window is about: a picture, the settings, the dots placed for them, and what is saved of it. Knows
+// neither panels nor OpenGL.
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/viewer/model/banner.h"
+#include "app/viewer/model/drawn_facts.h"
+#include "app/viewer/model/history.h"
+#include "app/viewer/model/pane.h"
+#include "app/viewer/model/tile_choices.h"
+#include "app/viewer/model/viewer_settings.h"
+
+namespace dapple {
+
+class Session {
+ public:
+    /// `wake` is called from other threads whenever there is news. A drawing has at most `most_dots` dots,
+    /// whatever the settings ask for.
+    Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots = kMostDots);
+
+    void open_sample();
+    void open(const std::filesystem::path& path);
+    void save(const std::filesystem::path& path);
+
+    /// Draws with a tile file from now on. If it is not one the banner says why, and nothing changes.
+    void open_tile(const std::filesystem::path& file);
+    /// A tile, if the file's name ends as theirs do, or else a picture.
+    void take_dropped(const std::filesystem::path& file);
+    /// The tiles to choose from.
+    std::span<const std::string> tiles() const { return tiles_.names(); }
+
+    /// Takes what the workers have to tell, waiting up to `patience` for a placing under way. Throws
+    /// std::runtime_error if the first picture could not be read.
+    void take_news(std::chrono::milliseconds patience);
+
+    /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
+    /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
+    void order_dots(const Zoom& zoom);
+
+    /// Gives up a placing under way: the settings are again those of the drawing that is shown.
+    void stop_placing();
+
+    /// Remembers the settings for undo, unless they are still being edited.
+    void remember(bool editing) { history_.observe(settings, editing); }
+    void undo() { settings = history_.undo(); }
+    void redo() { settings = history_.redo(); }
+
+    ViewerSettings settings;  // the panels edit them
+    Banner banner;
+
+    /// The drawing: what is edited and saved; the left side of the split view.
+    Pane& pane() { return pane_; }
+    const Pane& pane() const { return pane_; }
+    /// The right side; none unless comparing, and before its first dots.
+    const Pane* right() const;
+    bool placed_once() const { return pane_.placings() > 0; }
+
+    const OpenedPicture& picture() const { return picture_; }
+    /// How many were opened.
+    int pictures() const { return pictures_; }
+    const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
+    /// The file that this picture was saved in last; empty: none yet.
+    const std::filesystem::path& saved_path() const { return saved_path_; }
+
+    DrawnFacts drawn(const Pane& pane) const;
+
+ private:
+    /// What the whole page is ordered with.
+    PlaceOrder page_order() const;
+    void order_right(const Zoom& zoom, Reorder reorder);
+    void forget_right();
+    void take_right(PlacedNews& news);
+    void take(PlacedNews& news);
+    void take(FailedNews& news);
+    void take(SavedNews& news);
+    void take(CancelledNews& news);
+
+    // Of the page ordered last, and of the one placed last.
+    std::optional<ViewerSettings> ordered_settings_, placed_settings_;
+    History<ViewerSettings> history_;
+    std::function<void()> wake_;
+    std::uint64_t most_dots_;
+    TileChoices tiles_;
+    Pane pane_;
+    std::optional<Pane> right_;  // once it was asked for
+    int right_pictures_asked_ = 0, right_pictures_ = 0;
+    OpenedPicture picture_;
+    int pictures_ = 0;
+    std::filesystem::path picture_path_, saved_path_;
+};
+
+}  // namespace dapple

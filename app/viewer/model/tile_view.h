@@ -1,0 +1,21 @@
+#pragma once
+// A tile as the window shows it.
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "core/placing/stipple.h"
+
+namespace dapple {
+
+struct TileView {
+    std::string name;
+    Rule rule;                      // how the tile is turned in each of its quadrants
+    std::vector<glm::vec2> points;  // in the unit square, y down, in the order in which they appear
+};
+
+/// The tile's own points in the order that the placer gives them; Figure 8 has one of its own.
+TileView view_of(std::string name, RankedTile& tile, PlacerKind placer);
+
+}  // namespace dapple

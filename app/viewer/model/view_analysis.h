@@ -1,0 +1,79 @@
+#pragma once
+// What is measured of the dots on screen: few enough of them that the answer is there in a moment.
+
+#include <cstddef>
+#include <functional>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/analysis/autocorrelation.h"
+#include "core/analysis/distances.h"
+#include "core/analysis/domain.h"
+#include "core/analysis/spectrum.h"
+#include "core/image/grid.h"
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+inline constexpr std::size_t kMostAnalysed = 50'000;
+
+/// A part of the page, in the frame and unit of the dots.
+struct ViewRectangle {
+    glm::dvec2 corner{0, 0}, size{1, 1};
+};
+
+/// The dots to measure: all in view or, of too many, those in the middle. A thinned set would have another
+/// spectrum; a cut-out has the same.
+struct PointsInView {
+    std::vector<glm::dvec2> points;  // from the domain's corner
+    Domain domain{1, 1, Topology::window};
+    bool all = true;  // nothing was left away
+};
+
+/// Of a million dots it takes some milliseconds. No points if the rectangle is empty.
+PointsInView points_in_view(const DotPieces& dots, const ViewRectangle& view,
+                            std::size_t most = kMostAnalysed);
+
+/// Leaves one of those that lie within a thousandth of the mean spacing of one another. Sorts them.
+void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain);
+
+enum class Measure {
+    everything,
+    repetition,  // ViewAnalysis::periodicity alone, which is quicker
+};
+
+struct ViewAnalysisRequest {
+    PointsInView view;
+    std::size_t tile_size = 16;   // points
+    bool has_duplicates = false;  // as Figure 8 emits them: each dot is to count once
+    Measure measure = Measure::everything;
+};
+
+struct ViewAnalysis {
+    std::size_t dots = 0;       // measured
+    bool all = true;            // in view
+    Grid<glm::u8vec4> picture;  // the spectrum, see spectrum_picture()
+    std::vector<Ring> radial_power;
+    double low_frequency_power = 0;  // mean power below half a wave a spacing
+    Peaks peaks{};
+    NearestSummary nearest{};
+    /// Of the tiles that the mean density makes: the side 2^-level of the last level whose tiles are all
+    /// there. None if fewer than two such tiles fit into the view.
+    std::optional<Periodicity> periodicity{};
+    std::string error{};  // why nothing could be measured
+};
+
+/// "repeats itself" .. "no repetition", for a periodicity.
+const char* repetition_in_words(double periodicity);
+
+/// Uses one processor, about a third of a second for kMostAnalysed dots. Nothing if stopped.
+std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_token stop = {});
+
+/// The same for Background: what it throws comes back as ViewAnalysis::error.
+std::function<std::optional<ViewAnalysis>(const std::stop_token&)> analysis_work(ViewAnalysisRequest request);
+
+}  // namespace dapple

@@ -1,0 +1,53 @@
+#pragma once
+// All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
+
+#include <optional>
+
+#include "app/drawing_settings.h"
+#include "app/viewer/model/comparison.h"
+#include "app/viewer/model/density_choice.h"
+#include "app/viewer/model/dot_colours.h"
+#include "core/placing/dot_order.h"
+
+namespace dapple {
+
+enum class ZoomMode {
+    drawing,           // dots grow with the page
+    constant_density,  // dots keep their size on screen, and more of them appear
+};
+
+/// The lens over the canvas; see loupe_square().
+struct LoupeChoice {
+    bool on = false;
+    int step = 0;  // levels deeper than its own choice
+
+    bool operator==(const LoupeChoice&) const = default;
+};
+
+/// How the drawing is saved, beside how it looks.
+struct SavingChoice {
+    std::optional<DotOrder> order = {};  // in an SVG or a table; none: the usual one
+    double dpi = 300;                    // of a PNG
+
+    bool operator==(const SavingChoice&) const = default;
+};
+
+struct ViewerSettings {
+    DrawingSettings drawing;
+    DensityChoice density = {};
+    float picture_opacity = 0;  // of the photograph under the dots, 0..1
+    ZoomMode zoom_mode = ZoomMode::drawing;
+    DotColouring colouring = DotColouring::ink;
+    int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
+    Comparison comparison = {};
+    LoupeChoice loupe = {};
+    SavingChoice saving = {};
+    bool every_frame = false;  // place anew and draw without rest, to see the honest cost
+
+    bool operator==(const ViewerSettings&) const = default;
+};
+
+/// What the whole page is ordered with.
+PlaceOrder order_of(const ViewerSettings& settings);
+
+}  // namespace dapple

@@ -1,0 +1,133 @@
+#include "app/viewer/model/workbench.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "app/files/tile_library.h"
+
+namespace dapple {
+
+PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& density) {
+    return {.drawing = request_of(settings),
+            .tile = tile_in_use(settings),
+            .ranking = settings.ranking,
+            .outlines = settings.show_tiles,
+            .density = density};
+}
+
+void Workbench::set_picture(Grid<float> light) {
+    pipeline_.set_light(std::move(light));
+}
+
+DrawingPlan Workbench::plan(const PlaceOrder& order) {
+    if (std::exchange(choice_, order.density) != order.density) {
+        if (choice_.source == DensitySource::photograph)
+            pipeline_.set_plain({});
+        else
+            pipeline_.set_plain(plain_density(choice_));
+    }
+    TileKey key{order.tile, order.ranking};
+    if (tile_key_ != key) {
+        tile_key_.reset();
+        pipeline_.set_tile(tile_named(order.tile, order.ranking));
+        tile_key_ = std::move(key);
+    }
+    DrawingRequest request = order.drawing;
+    if (tells_birthplaces(order.colours)) request.stipple.appearance = true;
+    return pipeline_.plan(request);
+}
+
+namespace {
+
+// Mean over a window by so many samples along each side, times the window's area.
+double density_in(const Density& page, const PageWindow& window) {
+    constexpr int kSamples = 64;
+    double sum = 0;
+    for (int y = 0; y < kSamples; ++y)
+        for (int x = 0; x < kSamples; ++x)
+            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
+                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
+    return sum / (kSamples * kSamples) * window.width * window.height;
+}
+
+bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
+                 const std::stop_token& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    // A window may be as small as 2^-41 of the page.
+    const double most = static_cast<double>(order.drawing.most_dots);
+    const double limit = most / (16 * std::max(density_in(*plan.density, order.close->window), 1e-200));
+    const PlacingRequest request{.scale = std::min(order.close->scale, limit),
+                                 .window = order.close->window,
+                                 .appearance = true,
+                                 .threads = order.drawing.stipple.threads};
+    Placer& placer = pipeline.tile().placer();
+    drawing.stippling.scale = request.scale;
+    drawing.stippling.duplicates = 0;
+    if (!placer.place(*plan.density, request, drawing.stippling.dots, stop)) return false;
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+    drawing.stippling.place_ms = passed.count();
+    drawing.steps = drawing.all_steps = 0;
+    drawing.relax_ms = 0;
+    drawing.outlines.clear();
+    if (order.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, request);
+    return true;
+}
+
+bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
+                const std::stop_token& stop, const auto& finish, const Unsettled& unsettled) {
+    DrawingWatch watch{.stop = stop, .step = {}};
+    if (unsettled) {
+        watch.step = [&](const Drawn& drawn, const std::function<DotPieces()>& dots) {
+            return unsettled([&] {
+                PlacedDrawing now;
+                now.stippling.dots = dots();
+                now.stippling.scale = drawn.stippling.scale;
+                now.stippling.place_ms = drawn.stippling.place_ms;
+                now.steps = drawn.steps;
+                now.all_steps = plan.steps;
+                now.relax_ms = drawn.relax_ms;
+                if (order.outlines) now.outlines = pipeline.outlines(plan, drawn.stippling.scale);
+                finish(now);
+                return now;
+            });
+        };
+    }
+    Drawn drawn{.stippling = std::move(drawing.stippling)};
+    if (!pipeline.draw(plan, drawn, watch)) return false;
+    drawing.stippling = std::move(drawn.stippling);
+    drawing.steps = drawn.steps;
+    drawing.all_steps = plan.steps;
+    drawing.relax_ms = drawn.relax_ms;
+    drawing.outlines.clear();
+    if (order.outlines) drawing.outlines = pipeline.outlines(plan, drawing.stippling.scale);
+    return true;
+}
+
+}  // namespace
+
+bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop,
+                      const Unsettled& unsettled) {
+    const DrawingPlan made = plan(order);
+    const Density& page = *made.density;
+    // Figure 8 turns no tile.
+    const bool turns = order.drawing.stipple.placer == PlacerKind::exact;
+    const Tile& tile = pipeline_.tile().tile();
+    const auto finish = [&](PlacedDrawing& placed) {
+        placed.tone = made.tone;
+        placed.tone_ms = pipeline_.tone_ms();
+        placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
+        placed.window = order.close ? order.close->window : PageWindow{};
+        placed.dot_radius = made.radius(placed.stippling.scale);
+        placed.colours = chosen_colours(
+            placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, order.colours);
+    };
+    if (!(order.close ? place_close(pipeline_, made, order, drawing, stop)
+                      : place_page(pipeline_, made, order, drawing, stop, finish, unsettled)))
+        return false;
+    finish(drawing);
+    return true;
+}
+
+}  // namespace dapple

@@ -1,0 +1,107 @@
+#include "app/viewer/panels/shortcuts.h"
+
+#include <imgui.h>
+
+#include "app/viewer/widgets/keys.h"
+
+namespace dapple {
+namespace {
+
+constexpr Shortcut kShortcuts[] = {
+    {Action::open, "Ctrl+O", "Open a picture"},
+    {Action::open_tile, "Ctrl+T", "Open a tile"},
+    {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
+    {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PNG or CSV"},
+    {Action::undo, "Ctrl+Z", "Undo"},
+    {Action::redo, "Ctrl+Y", "Redo"},
+    {Action::fit, "F", "Fit the page into the window"},
+    {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"},
+    {Action::zoom_in, "+", "Zoom in"},
+    {Action::zoom_out, "-", "Zoom out"},
+    {Action::toggle_tiles, "T", "Tile boundaries"},
+    {Action::compare, "C", "Split view: beside another tile or placer"},
+    {Action::loupe, "L", "Loupe: tiles laid on one another"},
+    {Action::photograph, "P, held", "The photograph instead of its dots"},
+    {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panels"},
+    {Action::full_screen, "F11", "Full screen"},
+    {Action::help, "?, F1", "These keys"},
+    {Action::quit, "Ctrl+Q", "Quit"},
+};
+
+constexpr Shortcut kLightShortcuts[] = {
+    {Action::open, "Ctrl+O", "Open a map"},
+    {Action::open_tile, "Ctrl+T", "Open a tile"},
+    {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
+    {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
+    {Action::undo, "Ctrl+Z", "Undo"},
+    {Action::redo, "Ctrl+Y", "Redo"},
+    {Action::fit, "F", "Fit the map into the window"},
+    {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"},
+    {Action::zoom_in, "+", "Zoom in"},
+    {Action::zoom_out, "-", "Zoom out"},
+    {Action::lighter, "E", "Half a stop lighter"},
+    {Action::darker, "Shift+E", "Half a stop darker"},
+    {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panel"},
+    {Action::full_screen, "F11", "Full screen"},
+    {Action::help, "?, F1", "These keys"},
+    {Action::quit, "Ctrl+Q", "Quit"},
+};
+
+bool typed(ImWchar letter) {
+    return ImGui::GetIO().InputQueueCharacters.contains(letter);
+}
+
+}  // namespace
+
+std::span<const Shortcut> shortcuts() {
+    return kShortcuts;
+}
+
+std::span<const Shortcut> light_shortcuts() {
+    return kLightShortcuts;
+}
+
+bool photograph_key_down() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && key_down(Key::p);
+}
+
+bool escape_pressed() {
+    return key_pressed(Key::escape);
+}
+
+std::vector<Action> pressed_actions() {
+    const ImGuiIO& io = ImGui::GetIO();
+    std::vector<Action> actions;
+    if (io.WantCaptureKeyboard) return actions;
+    auto when = [&](bool asked, Action action) {
+        if (asked) actions.push_back(action);
+    };
+    bool command = io.KeyCtrl || io.KeySuper;
+    if (command) {
+        when(key_pressed(Key::o), Action::open);
+        when(key_pressed(Key::t), Action::open_tile);
+        when(key_pressed(Key::s), Action::save);
+        when(key_pressed(Key::e), Action::save_as);
+        when(key_pressed(Key::z), io.KeyShift ? Action::redo : Action::undo);
+        when(key_pressed(Key::y), Action::redo);
+        when(key_pressed(Key::zero), Action::one_to_one);
+        when(key_pressed(Key::b), Action::toggle_panels);
+        when(key_pressed(Key::q), Action::quit);
+    } else {
+        when(key_pressed(Key::f), Action::fit);
+        when(key_pressed(Key::t), Action::toggle_tiles);
+        when(key_pressed(Key::c), Action::compare);
+        when(key_pressed(Key::l), Action::loupe);
+        when(key_pressed(Key::tab), Action::toggle_panels);
+        when(typed('+'), Action::zoom_in);
+        when(typed('-'), Action::zoom_out);
+        when(typed('e'), Action::lighter);
+        when(typed('E'), Action::darker);
+    }
+    when(key_pressed(Key::f11), Action::full_screen);
+    when(key_pressed(Key::f1) || typed('?'), Action::help);
+    return actions;
+}
+
+}  // namespace dapple

@@ -1,0 +1,38 @@
+#pragma once
+// The column of panels beside the canvas.
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "app/viewer/model/session.h"
+#include "app/viewer/panels/shortcuts.h"
+#include "app/viewer/panels/spectrum_panel.h"
+#include "app/viewer/panels/tile_panel.h"
+
+namespace dapple {
+
+/// What the column begins with.
+struct SidePanelTitle {
+    std::string name, description;
+};
+
+/// Begins the column in a rectangle: title and buttons, which call `act`. What follows is drawn below.
+void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& title,
+                      const std::function<void(Action)>& act);
+void end_side_panel();
+
+/// That of a drawing, from the picture's name down to the tile.
+class SidePanel {
+ public:
+    /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`. True while
+    /// the spectrum's section is open: see draw_spectrum_panel().
+    bool draw(Session& session, const SpectrumFacts& spectrum, const std::function<void(Action)>& act,
+              glm::vec2 corner, glm::vec2 size);
+
+ private:
+    TilePanelState tile_;
+    int tiles_seen_ = 0;
+};
+
+}  // namespace dapple

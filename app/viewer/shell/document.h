@@ -1,0 +1,63 @@
+#pragma once
+// What the window is about: the drawing of a photograph, or an environment map with its samples. The shell
+// owns the window, its dialogs and the loop, and asks the document for the rest.
+
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/viewer/panels/shortcuts.h"
+#include "app/viewer/shell/file_dialog.h"
+
+namespace dapple {
+
+class Window;
+
+/// What a document draws itself into: the canvas to the left, the panels beside it.
+struct Frame {
+    Window& window;
+    glm::vec2 canvas{1};  // in ImGui's points, from the upper left corner
+    glm::vec2 panels{0};  // their size; not shown if they have no width
+    glm::dvec2 pixels_per_point{1};
+    const std::function<void(Action)>& act;  // for buttons
+};
+
+class Document {
+ public:
+    virtual ~Document() = default;
+
+    virtual std::span<const Shortcut> shortcuts() const = 0;
+
+    virtual void open(const std::filesystem::path& file) = 0;
+    virtual void open_tile(const std::filesystem::path& file) = 0;
+    virtual void take_dropped(const std::filesystem::path& file) = 0;
+    virtual void save(const std::filesystem::path& file) = 0;
+
+    // What the dialogs for these ask.
+    virtual OpenQuestion what_to_open() const = 0;
+    /// The tile in use, as tile_named() takes it.
+    virtual const std::string& tile() const = 0;
+    /// None: there is nothing to save yet.
+    virtual std::optional<SaveQuestion> where_to_save() const = 0;
+    /// For a format of where_to_save().
+    virtual void draw_saving_options(std::size_t format) = 0;
+
+    /// Does what the shell does not do itself: open, save, panels, help, the window.
+    virtual void act(Action action, const Frame& frame) = 0;
+
+    /// Takes what came from the background, draws panels and canvas. Throws std::runtime_error if what it was
+    /// to show first cannot be read.
+    virtual void draw(const Frame& frame) = 0;
+
+    /// Seconds without an event after which it is to be drawn all the same; 0: at once.
+    virtual double rest() const = 0;
+
+    /// For scripts that drive the window, see status_log.h; none before something is shown.
+    virtual std::optional<nlohmann::ordered_json> status() const = 0;
+};
+
+}  // namespace dapple

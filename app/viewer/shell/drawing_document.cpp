@@ -1,0 +1,314 @@
+#include "app/viewer/shell/drawing_document.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/viewer/canvas/pane_view.h"
+#include "app/viewer/canvas/split_divider.h"
+#include "app/viewer/model/dot_limit.h"
+#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/window.h"
+#include "app/viewer/widgets/keys.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kStatusHeight = 30;  // at 96 dpi
+
+// Of files that hold pictures; others are opened as well if they do.
+const std::vector<std::string> kPictures{".png",  ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr",
+                                         ".webp", ".gif", ".bmp",  ".tga", ".psd",  ".ppm", ".pgm",
+                                         ".pnm",  ".jp2", ".heic", ".dpx", ".fits", ".ico", ".pic"};
+
+void toggle(bool& value) {
+    value = !value;
+}
+
+}  // namespace
+
+DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const DrawingSettings& settings)
+    : session_(settings, &Window::wake, most_dots_in(available_memory())),
+      spectrum_(Measure::everything, &Window::wake),
+      left_repetition_(Measure::repetition, &Window::wake),
+      right_repetition_(Measure::repetition, &Window::wake) {
+    if (image)
+        session_.open(*image);
+    else
+        session_.open_sample();
+}
+
+std::span<const Shortcut> DrawingDocument::shortcuts() const {
+    return dapple::shortcuts();
+}
+
+OpenQuestion DrawingDocument::what_to_open() const {
+    const fs::path& path = session_.picture_path();
+    return {"Open a picture", kPictures, path.empty() ? fs::current_path() : path};
+}
+
+std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
+    const fs::path& saved = session_.saved_path();
+    const fs::path name = fs::path(session_.picture().name).stem().concat(".svg");
+    // In the order of DrawingFormat.
+    return SaveQuestion{.title = "Export the drawing",
+                        .formats = {{"SVG", ".svg"}, {"PNG", ".png"}, {"CSV", ".csv"}},
+                        .start = saved.empty() ? fs::current_path() / name : saved,
+                        .own_file = saved,
+                        .option_rows = kExportRows};
+}
+
+void DrawingDocument::draw_saving_options(std::size_t format) {
+    const auto kind = static_cast<DrawingFormat>(format);
+    draw_export_panel(session_.settings, kind, estimate_.facts(session_.pane(), session_.settings, kind));
+}
+
+void DrawingDocument::act(Action action, const Frame&) {
+    ViewerSettings& settings = session_.settings;
+    switch (action) {
+        case Action::undo:
+            return session_.undo();
+        case Action::redo:
+            return session_.redo();
+        case Action::fit:
+            return canvas_.fit();
+        case Action::one_to_one:
+            return canvas_.zoom_to(session_.picture().longer_side);
+        case Action::zoom_in:
+            return canvas_.zoom(1.25);
+        case Action::zoom_out:
+            return canvas_.zoom(0.8);
+        case Action::toggle_tiles:
+            return toggle(settings.drawing.show_tiles);
+        case Action::compare:
+            settings.comparison = toggled(settings.comparison, settings.drawing);
+            return;
+        case Action::loupe:
+            return toggle(settings.loupe.on);
+        default:  // the photograph, while its key is held; or of environment maps
+            return;
+    }
+}
+
+DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
+    const float scale = ImGui::GetFontSize() / 15;
+    const float status = frame.panels.x > 0 ? kStatusHeight * scale : 0;
+    const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
+    // A window may be smaller than its panels.
+    const glm::vec2 canvas{frame.canvas.x, std::max(frame.canvas.y - status - captions, 1.0f)};
+    return {{{0, 0}, canvas, frame.pixels_per_point}, {canvas.x, captions}, {canvas.x, status}};
+}
+
+void DrawingDocument::draw(const Frame& frame) {
+    frame_rate_.frame(FrameRate::Clock::now());
+    if (placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
+        session_.stop_placing();
+    session_.take_news(std::chrono::milliseconds(0));
+    show_news(frame.window);
+
+    const auto [place, captions, status_size] = layout(frame);
+    const bool panels = frame.panels.x > 0;
+    spectrum_open_ =
+        panels && side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels);
+    draw_split(place);
+    session_.remember(ImGui::IsAnyItemActive());
+    session_.order_dots(zoom());
+    show_news(frame.window);
+    if (panels) draw_status_line({0, place.size.y + captions.y}, status_size, facts());
+    draw_over_canvas(place);
+    canvas_.handle_mouse(place);
+    const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
+                          : session_.settings.every_frame ? Redraw::always
+                                                          : Redraw::when_changed;
+    canvas_.show(place, look(place), redraw);
+    if (const Pane* right = session_.right())
+        draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
+                           session_.settings.comparison.divider, {0, place.size.y}, captions);
+    draw_loupe(place);
+    measure_dots();
+}
+
+void DrawingDocument::draw_over_canvas(const CanvasPlace& place) {
+    draw_banner(session_.banner, place.corner, place.size);
+    Worker& worker = session_.pane().worker();
+    if (const auto saving = worker.saving())
+        if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
+            worker.cancel_saving();
+}
+
+void DrawingDocument::draw_split(const CanvasPlace& place) {
+    Comparison& comparison = session_.settings.comparison;
+    if (comparison.on) draw_split_divider(comparison.divider, place);
+}
+
+std::size_t DrawingDocument::compared_tile_size() const {
+    const std::size_t left = session_.pane().tile_size();
+    const Pane* right = session_.right();
+    return right ? std::min(left, right->tile_size()) : left;
+}
+
+void DrawingDocument::draw_loupe(const CanvasPlace& place) {
+    const ViewerSettings& settings = session_.settings;
+    if (!settings.loupe.on || !session_.placed_once()) return loupe_.hide();
+    const Pane *pane = &session_.pane(), *right = session_.right();
+    const float divider = place.corner.x + place.size.x * settings.comparison.divider;
+    const bool on_right = right && ImGui::GetIO().MousePos.x >= divider;
+    const std::size_t size = compared_tile_size();
+    if (on_right) pane = right;
+    loupe_.draw({.shown = pane->shown(),
+                 .side = on_right ? Side::right : Side::left,
+                 .version = pane->version(),
+                 .tile_size = size,
+                 .step = settings.loupe.step,
+                 .ink = settings.drawing.ink,
+                 .paper = settings.drawing.paper,
+                 .mm_per_page_unit = settings.drawing.width_mm / pane->page().page_size.x},
+                canvas_.camera(), place);
+}
+
+SplitLook DrawingDocument::look(const CanvasPlace& place) const {
+    const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
+    SplitLook look;
+    look.sides[0] = look.sides[1] = look_of(session_, session_.pane(), zoom(), pixel_scale);
+    if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
+    if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
+    if (photograph_key_down()) {
+        for (CanvasLook& side : look.sides) {
+            side.picture_opacity = 1;
+            side.dots = false;
+        }
+    }
+    return look;
+}
+
+SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) const {
+    const Stippling& stippling = pane.page().stippling;
+    const PlaceOrder order = pane.page_order().value_or(PlaceOrder{});
+    SideCaption caption;
+    caption.title = drawn_with(order);
+    if (&pane == &session_.pane()) caption.title += " - this side is saved";
+    caption.facts = {dots_in_words({.dots = stippling.dots.size(),
+                                    .duplicates = stippling.duplicates,
+                                    .figure8 = order.drawing.stipple.placer == PlacerKind::figure8})};
+    if (const auto value = meter.periodicity())
+        caption.facts.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
+                                            std::clamp(*value, 0.0, 1.0)));
+    return caption;
+}
+
+void DrawingDocument::show_news(Window& window) {
+    if (std::exchange(pictures_titled_, session_.pictures()) != session_.pictures()) {
+        canvas_.fit();
+        window.set_title(session_.picture().name + " - Dapple");
+    }
+    show_news(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
+    show_news(Side::right, session_.right());
+}
+
+void DrawingDocument::show_news(Side side, const Pane* pane) {
+    SeenSide& seen = seen_[static_cast<int>(side)];
+    const std::uint64_t version = pane ? pane->version() : 0;
+    if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
+        canvas_.set_picture(side, session_.picture().preview);
+    if (std::exchange(seen.version, version) != version)
+        canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
+}
+
+double DrawingDocument::placing_seconds() const {
+    std::chrono::duration<double> longest{0};
+    for (const Pane* pane : {&session_.pane(), session_.right()}) {
+        if (!pane) continue;
+        if (const auto since = pane->worker().placing_since())
+            longest =
+                std::max<std::chrono::duration<double>>(longest, std::chrono::steady_clock::now() - *since);
+    }
+    return longest.count();
+}
+
+StatusFacts DrawingDocument::facts() const {
+    const Pane& pane = session_.pane();
+    const Stippling& stippling = pane.shown().stippling;
+    return {.dots = stippling.dots.size(),
+            .duplicates = stippling.duplicates,
+            .figure8 = session_.settings.drawing.stipple.placer == PlacerKind::figure8,
+            .scale = stippling.scale,
+            .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
+            .place_ms = stippling.place_ms,
+            .relax_ms = pane.shown().relax_ms,
+            .steps = pane.shown().steps,
+            .all_steps = pane.shown().all_steps,
+            .draw_ms = canvas_.draw_ms(),
+            .placing_seconds = placing_seconds(),
+            .frames_per_second = frame_rate_.per_second(),
+            .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
+            .right = right_facts(),
+            .loupe = loupe_.facts()};
+}
+
+std::optional<StatusFacts::RightSide> DrawingDocument::right_facts() const {
+    const Pane* right = session_.right();
+    if (!right) return std::nullopt;
+    const Stippling& stippling = right->shown().stippling;
+    return StatusFacts::RightSide{.dots = stippling.dots.size(),
+                                  .duplicates = stippling.duplicates,
+                                  .scale = stippling.scale,
+                                  .divider = session_.settings.comparison.divider,
+                                  .left_repetition = left_repetition_.periodicity(),
+                                  .repetition = right_repetition_.periodicity()};
+}
+
+ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_t tile_size) const {
+    return {.view = points_on_screen(pane.shown(), canvas_.camera()),
+            .tile_size = tile_size,
+            .has_duplicates = pane.page().stippling.duplicates > 0};
+}
+
+SpectrumFacts DrawingDocument::spectrum() {
+    const std::optional<ViewAnalysis>& analysis = spectrum_.analysis();
+    if (!analysis) return {};
+    const bool has_picture = !analysis->picture.empty();
+    if (std::exchange(spectrum_drawn_, spectrum_.analyses()) != spectrum_.analyses() && has_picture)
+        spectrum_picture_.write(analysis->picture);
+    return {&*analysis, has_picture ? texture_id(spectrum_picture_.get()) : ImTextureID{}};
+}
+
+void DrawingDocument::measure_dots() {
+    if (!session_.placed_once()) return;
+    const Pane& pane = session_.pane();
+    const Camera& camera = canvas_.camera();
+    if (spectrum_open_)
+        spectrum_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, pane.tile_size()); });
+    else
+        spectrum_.stop();
+    const Pane* right = session_.right();
+    if (!right) return;
+    const std::size_t size = compared_tile_size();
+    left_repetition_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, size); });
+    right_repetition_.update({right->placings(), camera}, [&] { return dots_on_screen(*right, size); });
+}
+
+std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
+    if (!session_.placed_once()) return std::nullopt;
+    return status_json(facts(), session_.pane().placings());
+}
+
+double DrawingDocument::rest() const {
+    constexpr double kLookForPlacing = 0.25;
+    if (session_.settings.every_frame || canvas_.drawing()) return 0;
+    const double longest = placing_seconds() > 0 ? kLookForPlacing : 60;
+    return std::min({longest, rest_of(session_.banner), canvas_.rest().value_or(longest)});
+}
+
+}  // namespace dapple

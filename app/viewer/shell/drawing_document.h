@@ -1,0 +1,85 @@
+#pragma once
+// The drawing of a photograph in the window: its canvas, its panels, and what is told about it.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "app/viewer/canvas/canvas.h"
+#include "app/viewer/canvas/loupe.h"
+#include "app/viewer/model/export_estimate.h"
+#include "app/viewer/model/session.h"
+#include "app/viewer/model/view_meter.h"
+#include "app/viewer/panels/side_captions.h"
+#include "app/viewer/panels/side_panel.h"
+#include "app/viewer/panels/spectrum_panel.h"
+#include "app/viewer/panels/status_line.h"
+#include "app/viewer/shell/document.h"
+#include "app/viewer/shell/frame_rate.h"
+
+namespace dapple {
+
+class DrawingDocument : public Document {
+ public:
+    /// Needs the window to be there. Without an image it draws the built-in sample.
+    DrawingDocument(const std::optional<std::filesystem::path>& image, const DrawingSettings& settings);
+
+    std::span<const Shortcut> shortcuts() const override;
+    void open(const std::filesystem::path& file) override { session_.open(file); }
+    void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
+    void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
+    void save(const std::filesystem::path& file) override { session_.save(file); }
+    OpenQuestion what_to_open() const override;
+    const std::string& tile() const override { return session_.settings.drawing.tile; }
+    std::optional<SaveQuestion> where_to_save() const override;
+    void draw_saving_options(std::size_t format) override;
+    void act(Action action, const Frame& frame) override;
+    void draw(const Frame& frame) override;
+    double rest() const override;
+    std::optional<nlohmann::ordered_json> status() const override;
+
+ private:
+    /// The captions lie below the canvas, and below them the status line.
+    struct Layout {
+        CanvasPlace canvas;
+        glm::vec2 captions, status;
+    };
+    Layout layout(const Frame& frame) const;
+    Zoom zoom() const { return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()}; }
+    void draw_over_canvas(const CanvasPlace& place);
+    void draw_split(const CanvasPlace& place);
+    void draw_loupe(const CanvasPlace& place);
+    SplitLook look(const CanvasPlace& place) const;
+    /// Both sides are measured by the smaller tile, so that they compare.
+    std::size_t compared_tile_size() const;
+    SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
+    void show_news(Window& window);
+    void show_news(Side side, const Pane* pane);
+    StatusFacts facts() const;
+    double placing_seconds() const;
+    std::optional<StatusFacts::RightSide> right_facts() const;
+    SpectrumFacts spectrum();
+    void measure_dots();
+    ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
+
+    Canvas canvas_;
+    Session session_;
+    const PlacedDrawing nothing_{};
+    ViewMeter spectrum_, left_repetition_, right_repetition_;
+    GlTexture spectrum_picture_;
+    int spectrum_drawn_ = 0;  // the number of the analysis that it shows
+    bool spectrum_open_ = false;
+    SidePanel side_panel_;
+    Loupe loupe_;
+    FrameRate frame_rate_;
+    ExportEstimate estimate_;
+
+    struct SeenSide {
+        int pictures = 0;
+        std::uint64_t version = 0;
+    };
+    std::array<SeenSide, 2> seen_;  // by the canvas
+    int pictures_titled_ = 0;
+};
+
+}  // namespace dapple

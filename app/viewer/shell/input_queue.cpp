@@ -1,0 +1,95 @@
+#include "app/viewer/shell/input_queue.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace dapple {
+namespace {
+
+using Kind = InputEvent::Kind;
+
+/// The bit of the modifier that the event's key is; 0: it is none.
+int modifier_of(const InputEvent& event) {
+    if (event.kind != Kind::key) return 0;
+    switch (event.code) {
+        case GLFW_KEY_LEFT_SHIFT:
+        case GLFW_KEY_RIGHT_SHIFT:
+            return GLFW_MOD_SHIFT;
+        case GLFW_KEY_LEFT_CONTROL:
+        case GLFW_KEY_RIGHT_CONTROL:
+            return GLFW_MOD_CONTROL;
+        case GLFW_KEY_LEFT_ALT:
+        case GLFW_KEY_RIGHT_ALT:
+            return GLFW_MOD_ALT;
+        case GLFW_KEY_LEFT_SUPER:
+        case GLFW_KEY_RIGHT_SUPER:
+            return GLFW_MOD_SUPER;
+        default:
+            return 0;
+    }
+}
+
+bool is_modifier(const InputEvent& event) {
+    return modifier_of(event) != 0;
+}
+
+/// A letter that is pressed with Ctrl does something too.
+bool does_something(const InputEvent& event) {
+    if (event.kind == Kind::button) return event.down;
+    if (event.kind != Kind::key || !event.down || is_modifier(event)) return false;
+    const bool letter = event.code >= GLFW_KEY_SPACE && event.code <= GLFW_KEY_GRAVE_ACCENT;
+    return !letter || (event.modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER | GLFW_MOD_ALT));
+}
+
+/// Looked at together with the modifiers.
+bool is_modified(const InputEvent& event) {
+    return (event.kind == Kind::key && event.down && !is_modifier(event)) || event.kind == Kind::wheel ||
+           (event.kind == Kind::button && event.down);
+}
+
+/// Whether one frame can tell what is meant by both.
+bool fit_together(const InputEvent& earlier, const InputEvent& later) {
+    const bool same_switch = (later.kind == Kind::key || later.kind == Kind::button) &&
+                             earlier.kind == later.kind && earlier.code == later.code;
+    if (same_switch) return false;
+    if (is_modifier(later) && is_modified(earlier)) return false;
+    switch (later.kind) {
+        case Kind::focus:
+            return false;  // ImGui forgets then what is down
+        case Kind::enter:
+        case Kind::position:
+            return earlier.kind != Kind::button && earlier.kind != Kind::wheel;
+        case Kind::button:
+            return earlier.kind != Kind::wheel && !does_something(earlier) && earlier.kind != Kind::text;
+        case Kind::wheel:
+            return earlier.kind != Kind::button;
+        case Kind::key:
+        case Kind::text:
+            return !does_something(earlier) && earlier.kind != Kind::focus;
+    }
+    return true;
+}
+
+}  // namespace
+
+int modifiers_after(const InputEvent& event) {
+    const int own = modifier_of(event);
+    return event.down ? event.modifiers | own : event.modifiers & ~own;
+}
+
+std::vector<InputEvent> InputQueue::take_frame() {
+    std::vector<InputEvent> frame;
+    while (!events_.empty()) {
+        const InputEvent& next = events_.front();
+        if (!std::ranges::all_of(frame, [&](const InputEvent& e) { return fit_together(e, next); })) break;
+        // Of many moves the last one counts.
+        if (next.kind == Kind::position && !frame.empty() && frame.back().kind == Kind::position)
+            frame.pop_back();
+        frame.push_back(next);
+        events_.pop_front();
+    }
+    return frame;
+}
+
+}  // namespace dapple

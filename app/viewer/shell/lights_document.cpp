@@ -1,0 +1,155 @@
+#include "app/viewer/shell/lights_document.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "app/viewer/model/map_camera.h"
+#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/panels/side_panel.h"
+#include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/window.h"
+#include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kStopsAPress = 0.5;
+// How far one can zoom in: to pixels of the map that are so many of ImGui's points, and so often enlarged.
+constexpr double kLargestPixel = 32, kLeastLargest = 4;
+
+}  // namespace
+
+LightsDocument::LightsDocument(const std::optional<fs::path>& map, const LightsSettings& settings)
+    : session_(settings, &Window::wake) {
+    if (map)
+        session_.open(*map);
+    else
+        session_.open_sky();
+}
+
+std::span<const Shortcut> LightsDocument::shortcuts() const {
+    return light_shortcuts();
+}
+
+OpenQuestion LightsDocument::what_to_open() const {
+    const fs::path& path = session_.map_path();
+    return {"Open an environment map", {".hdr", ".exr"}, path.empty() ? fs::current_path() : path};
+}
+
+std::optional<SaveQuestion> LightsDocument::where_to_save() const {
+    if (!session_.lit()) return std::nullopt;
+    const fs::path& saved = session_.saved_path();
+    const fs::path name = fs::path(session_.name()).stem().concat(".json");
+    // In the order of LightFile.
+    return SaveQuestion{.title = "Export the samples",
+                        .formats = {{"JSON", ".json"},
+                                    {"CSV", ".csv"},
+                                    {"pbrt", ".pbrt"},
+                                    {"Mitsuba", ".xml"},
+                                    {"PNG", ".png"}},
+                        .start = saved.empty() ? fs::current_path() / name : saved,
+                        .own_file = saved,
+                        .option_rows = kLightExportRows};
+}
+
+void LightsDocument::draw_saving_options(std::size_t format) {
+    draw_light_export_panel(session_.settings, static_cast<LightFile>(format));
+}
+
+void LightsDocument::act(Action action, const Frame& frame) {
+    switch (action) {
+        case Action::undo:
+            return session_.undo();
+        case Action::redo:
+            return session_.redo();
+        case Action::fit:
+            camera_ = fitted_to_map(camera_.canvas);
+            return;
+        case Action::one_to_one:
+            if (const LitMap* lit = session_.lit()) zoom_to(lit->map.width() / frame.pixels_per_point.x);
+            return;
+        case Action::zoom_in:
+            return zoom_to(camera_.pixels_per_unit * 1.25);
+        case Action::zoom_out:
+            return zoom_to(camera_.pixels_per_unit * 0.8);
+        case Action::lighter:
+            session_.settings.stops += kStopsAPress;
+            return;
+        case Action::darker:
+            session_.settings.stops -= kStopsAPress;
+            return;
+        default:  // of drawings
+            return;
+    }
+}
+
+void LightsDocument::zoom_to(double pixels_per_unit) {
+    camera_ = zoomed_at(camera_, camera_.canvas / 2.0, pixels_per_unit / camera_.pixels_per_unit);
+}
+
+void LightsDocument::draw(const Frame& frame) {
+    session_.take_news();
+    if (frame.panels.x > 0) draw_panels(frame);
+    draw_banner(session_.banner, {0, 0}, frame.canvas);
+    session_.remember(ImGui::IsAnyItemActive());
+    show_canvas(frame);
+}
+
+void LightsDocument::draw_panels(const Frame& frame) {
+    std::string size;
+    if (const LitMap* lit = session_.lit())
+        size = std::to_string(lit->map.width()) + " x " + std::to_string(lit->map.height()) + " pixels";
+    begin_side_panel({frame.canvas.x, 0}, frame.panels, {session_.name(), size}, frame.act);
+    std::optional<LightsFacts> facts;
+    if (session_.samples().found) facts = session_.samples().facts;
+    draw_lights_panel(session_.settings, facts,
+                      {session_.tiles(), [&frame] { frame.act(Action::open_tile); }});
+    end_side_panel();
+}
+
+void LightsDocument::show_canvas(const Frame& frame) {
+    const LitMap* const lit = session_.lit();
+    if (!lit) {
+        ImGui::GetBackgroundDrawList()->AddText({16, 16}, colour_of(ThemeColour::quiet),
+                                                "Reading the map...");
+        return;
+    }
+    const LightLayout layout = light_layout({0, 0}, frame.canvas);
+    if (std::exchange(map_fitted_, session_.maps()) != session_.maps()) {
+        camera_ = fitted_to_map(layout.map.size);
+        frame.window.set_title(session_.name() + " - Dapple");
+    }
+    camera_ = resized_on_map(camera_, layout.map.size);
+    mouse_.move(camera_, layout.map);
+    camera_ =
+        kept_on_map(camera_, std::max(kLargestPixel * lit->map.width(), kLeastLargest * camera_.canvas.x));
+    note_place("Map", {layout.map.corner, layout.map.corner + layout.map.size});
+    if (frame.window.frame_is_unseen() || !session_.samples().found) return;
+    scene_.show(layout, camera_,
+                {*lit, session_.samples(), session_.settings, session_.maps(), session_.samplings()});
+}
+
+double LightsDocument::rest() const {
+    return rest_of(session_.banner);
+}
+
+std::optional<nlohmann::ordered_json> LightsDocument::status() const {
+    if (!session_.samples().found) return std::nullopt;
+    return status_json({.samples = session_.samples().places.size(),
+                        .samplings = session_.samplings(),
+                        .sampling = session_.sampling(),
+                        .stops = session_.settings.stops,
+                        .difference = session_.samples().facts.difference,
+                        .zoom = camera_.pixels_per_unit / camera_.canvas.x,
+                        .saving = session_.saving()});
+}
+
+}  // namespace dapple

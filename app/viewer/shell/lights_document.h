@@ -1,0 +1,44 @@
+#pragma once
+// An environment map in the window: its samples over it, and how well they light a sphere.
+
+#include <optional>
+
+#include "app/viewer/canvas/camera_mouse.h"
+#include "app/viewer/canvas/light_scene.h"
+#include "app/viewer/model/light_session.h"
+#include "app/viewer/shell/document.h"
+
+namespace dapple {
+
+class LightsDocument : public Document {
+ public:
+    /// Needs the window to be there. Without a map it shows a sky of our own.
+    LightsDocument(const std::optional<std::filesystem::path>& map, const LightsSettings& settings);
+
+    std::span<const Shortcut> shortcuts() const override;
+    void open(const std::filesystem::path& file) override { session_.open(file); }
+    void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
+    void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
+    void save(const std::filesystem::path& file) override { session_.save(file); }
+    OpenQuestion what_to_open() const override;
+    const std::string& tile() const override { return session_.settings.tile; }
+    std::optional<SaveQuestion> where_to_save() const override;
+    void draw_saving_options(std::size_t format) override;
+    void act(Action action, const Frame& frame) override;
+    void draw(const Frame& frame) override;
+    double rest() const override;
+    std::optional<nlohmann::ordered_json> status() const override;
+
+ private:
+    void zoom_to(double pixels_per_unit);
+    void draw_panels(const Frame& frame);
+    void show_canvas(const Frame& frame);
+
+    LightSession session_;
+    LightScene scene_;
+    Camera camera_;
+    CameraMouse mouse_;
+    int map_fitted_ = 0;  // the number of the map that the camera was fitted to
+};
+
+}  // namespace dapple

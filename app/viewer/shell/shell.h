@@ -1,0 +1,41 @@
+#pragma once
+// The window around a document: its loop, keys, dialogs and reports.
+
+#include <memory>
+#include <string>
+
+#include "app/viewer/shell/document.h"
+#include "app/viewer/shell/file_dialog.h"
+#include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/window.h"
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+
+class Shell {
+ public:
+    /// Opens the window. Throws std::runtime_error if there is no display.
+    explicit Shell(bool log_status);
+
+    /// Shows a document until the window is closed, and returns the exit status.
+    int run(std::unique_ptr<Document> document);
+
+ private:
+    void frame(Document& document);
+    void act(Action action, Document& document, const Frame& frame);
+    void ask_where_to_save(const Document& document);
+    void draw_dialogs(Document& document);
+    void report_outside(const Document& document);
+
+    bool log_status_;
+    WidgetPlaces widgets_;
+    Window window_;
+    FileDialog dialog_;
+    bool asks_for_tile_ = false;  // of use while the dialog is open and does not save
+    bool panels_shown_ = true, help_shown_ = false;
+    bool ready_ = false;
+    std::string logged_;
+    HealthFacts health_;
+};
+
+}  // namespace dapple

@@ -1,0 +1,319 @@
+#include <epoxy/gl.h>
+// epoxy before GLFW
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "app/viewer/shell/window.h"
+#include "app/viewer/shell/window_icon.h"
+#include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/theme.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kDefaultWidth = 1280, kDefaultHeight = 800;
+constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
+
+// After a pointer has come to rest there is another frame: what it rests on may have something to say.
+constexpr double kPointerRests = 0.6;  // seconds
+constexpr double kLongestWait = 3600;
+constexpr std::chrono::milliseconds kLongestUnseen(100);
+// Of text. A system that says more than that is mistaken, and ImGui's picture of all letters would not fit.
+constexpr float kSmallestScale = 0.5f, kLargestScale = 8;
+
+std::string glfw_says() {
+    const char* words = nullptr;
+    glfwGetError(&words);
+    return words ? words : "no reason given";
+}
+
+/// GLFW names keys by their place on an American keyboard; people go by what is printed on them.
+int printed_key(int key, int scancode) {
+    if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT) return key;
+    const char* name = glfwGetKeyName(key, scancode);
+    if (!name || name[0] == 0 || name[1] != 0) return key;
+    if (name[0] >= 'a' && name[0] <= 'z') return name[0] - 'a' + GLFW_KEY_A;
+    if (name[0] >= '0' && name[0] <= '9') return name[0];
+    return key;
+}
+
+Window& window_of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+}  // namespace
+
+struct Window::Library {
+    Library() {
+        if (!glfwInit())
+            throw std::runtime_error("no window can be opened (" + glfw_says() +
+                                     "); `dapple render` draws into a file without one");
+    }
+    ~Library() { glfwTerminate(); }
+};
+
+Window::Window(const std::string& title) : library_(std::make_unique<Library>()) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+#ifdef __APPLE__
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+#endif
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(kDefaultWidth, kDefaultHeight, title.c_str(), nullptr, nullptr);
+    if (!window_)
+        throw std::runtime_error("no window with OpenGL 3.3 can be opened (" + glfw_says() +
+                                 "); `dapple render` draws into a file without one");
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    hear();
+    set_window_icon(window_);
+
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+#if IMGUI_VERSION_NUM >= 18700
+    prepare_input();  // earlier its part for GLFW does
+#endif
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    follow_content_scale();
+}
+
+Window::~Window() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(window_);
+}
+
+bool Window::should_close() const {
+    return glfwWindowShouldClose(window_);
+}
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::toggle_full_screen() {
+    if (glfwGetWindowMonitor(window_)) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_corner_.x, windowed_corner_.y, windowed_size_.x,
+                             windowed_size_.y, GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    glfwGetWindowPos(window_, &windowed_corner_.x, &windowed_corner_.y);
+    glfwGetWindowSize(window_, &windowed_size_.x, &windowed_size_.y);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool Window::wait_for_events(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    bool early = false;
+    if (seconds > 0) {
+        const std::chrono::duration<double> since_move = Clock::now() - pointer_moved_;
+        const double to_tip = kPointerRests - since_move.count();
+        const double wait = std::min({seconds, to_tip > 0 ? to_tip : seconds, kLongestWait});
+        const auto end = Clock::now() + std::chrono::duration<double>(wait);
+        glfwWaitEventsTimeout(wait);
+        early = Clock::now() < end || wait == to_tip;
+    } else {
+        glfwPollEvents();
+    }
+    return std::exchange(damaged_, false) || early || input_waits() || !dropped_.empty();
+}
+
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
+std::vector<std::filesystem::path> Window::take_dropped() {
+    return std::exchange(dropped_, {});
+}
+
+void Window::follow_content_scale() {
+    float scale = 1, ignored = 1;
+    glfwGetWindowContentScale(window_, &scale, &ignored);
+    // Where the system itself enlarges (macOS), points are not pixels and the text must not grow twice.
+    scale = std::clamp(scale / static_cast<float>(pixels_per_point().x), kSmallestScale, kLargestScale);
+    if (scale == content_scale_) return;
+    bool again = content_scale_ > 0;
+    content_scale_ = scale;
+    apply_theme(scale);
+    set_smallest_size();
+    if (again) {
+#if IMGUI_VERSION_NUM < 19200  // later it follows by itself
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+    }
+}
+
+void Window::set_smallest_size() {
+    const auto scaled = [&](int size) { return static_cast<int>(static_cast<float>(size) * content_scale_); };
+    glfwSetWindowSizeLimits(window_, scaled(kSmallestWidth), scaled(kSmallestHeight), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
+}
+
+bool Window::input_waits() const {
+    return !input_.empty();
+}
+
+void Window::hear() {
+    using Kind = InputEvent::Kind;
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        auto& dropped = window_of(window).dropped_;
+        dropped.insert(dropped.end(), paths, paths + count);
+    });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { window_of(window).damaged_ = true; });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { window_of(window).damaged_ = true; });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int came) {
+        window_of(window).input_.push({.kind = Kind::focus, .code = came});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int came) {
+        window_of(window).input_.push({.kind = Kind::enter, .code = came});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        window_of(window).input_.push({.kind = Kind::position, .x = x, .y = y});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
+        window_of(window).input_.push(
+            {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+        window_of(window).input_.push({.kind = Kind::wheel, .x = x, .y = y});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;  // ImGui repeats keys itself
+        window_of(window).input_.push({.kind = Kind::key,
+                                       .code = printed_key(key, scancode),
+                                       .scancode = scancode,
+                                       .down = action == GLFW_PRESS,
+                                       .modifiers = modifiers});
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
+        window_of(window).input_.push({.kind = Kind::text, .letter = letter});
+    });
+    glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
+}
+
+void Window::feed(const InputEvent& event) {
+    using Kind = InputEvent::Kind;
+    switch (event.kind) {
+        case Kind::focus:
+            return ImGui_ImplGlfw_WindowFocusCallback(window_, event.code);
+        case Kind::enter:
+            return ImGui_ImplGlfw_CursorEnterCallback(window_, event.code);
+        case Kind::position:
+            pointer_ = {event.x, event.y};
+            pointer_moved_ = std::chrono::steady_clock::now();
+#if IMGUI_VERSION_NUM >= 18700
+            ImGui_ImplGlfw_CursorPosCallback(window_, event.x, event.y);
+#endif
+            return;
+        case Kind::text:
+            return ImGui::GetIO().AddInputCharacter(event.letter);
+#if IMGUI_VERSION_NUM < 18700
+        case Kind::button:
+            if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
+                buttons_[static_cast<std::size_t>(event.code)] = event.down;
+            return ImGui_ImplGlfw_MouseButtonCallback(
+                window_, event.code, event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+        case Kind::wheel:
+            return ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+        case Kind::key:
+            return ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                              event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+#else
+        // Not by ImGui's part for GLFW: that asks which modifiers are down now, which is too late.
+        case Kind::button:
+            put_modifiers(modifiers_after(event));
+            if (event.code < ImGuiMouseButton_COUNT)
+                ImGui::GetIO().AddMouseButtonEvent(event.code, event.down);
+            return;
+        case Kind::wheel:
+            return ImGui::GetIO().AddMouseWheelEvent(static_cast<float>(event.x),
+                                                     static_cast<float>(event.y));
+        case Kind::key:
+            put_modifiers(modifiers_after(event));
+            if (const ImGuiKey key = imgui_key(event.code)) ImGui::GetIO().AddKeyEvent(key, event.down);
+            return;
+#endif
+    }
+}
+
+void Window::begin_frame() {
+    follow_content_scale();
+    for (const InputEvent& event : input_.take_frame()) feed(event);
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+#if IMGUI_VERSION_NUM < 18700
+    // It asked GLFW where the mouse is now, which may be further than this frame is to know.
+    ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsMousePosValid(&io.MousePos))
+        io.MousePos = {static_cast<float>(pointer_.x), static_cast<float>(pointer_.y)};
+    for (std::size_t button = 0; button < std::min(buttons_.size(), std::size(io.MouseDown)); ++button)
+        io.MouseDown[button] = buttons_[button];
+#endif
+    ImGui::NewFrame();
+    unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
+}
+
+void Window::end_frame() {
+    if (unseen_) return ImGui::EndFrame();
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glm::ivec2 size = pixels();
+    glViewport(0, 0, size.x, size.y);
+    glm::vec3 desk = rgb_of(ThemeColour::surround);
+    glClearColor(desk.r, desk.g, desk.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(window_);
+    seen_ = std::chrono::steady_clock::now();
+}
+
+int Window::gl_errors() {
+    constexpr int kMost = 100;  // a lost context says so again and again
+    int count = 0;
+    while (count < kMost && glGetError() != GL_NO_ERROR) ++count;
+    return count;
+}
+
+glm::ivec2 Window::pixels() const {
+    glm::ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+glm::dvec2 Window::pixels_per_point() const {
+    // The system is asked for either size at that moment, so a window that is just being resized would give
+    // any ratio: asked until nothing changed between.
+    const auto points = [&] {
+        glm::ivec2 size{0};
+        glfwGetWindowSize(window_, &size.x, &size.y);
+        return size;
+    };
+    glm::ivec2 before = points(), framebuffer = pixels();
+    for (glm::ivec2 now = points(); now != before; now = points()) {
+        before = now;
+        framebuffer = pixels();
+    }
+    if (before.x <= 0 || before.y <= 0 || framebuffer.x <= 0 || framebuffer.y <= 0) return {1, 1};
+    return glm::dvec2(framebuffer) / glm::dvec2(before);
+}
+
+}  // namespace dapple

@@ -1,0 +1,77 @@
+#pragma once
+// The desktop's window with its OpenGL context and Dear ImGui in it.
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/viewer/shell/input_queue.h"
+
+struct GLFWwindow;
+
+namespace dapple {
+
+class Window {
+ public:
+    /// Opens it. Throws std::runtime_error if there is no display or no OpenGL 3.3.
+    explicit Window(const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    bool should_close() const;
+    void close();
+    void set_title(const std::string& title);
+    void toggle_full_screen();
+
+    /// Sleeps until something happens or the time is over; 0 returns at once. False: nothing happened.
+    bool wait_for_events(double seconds);
+    /// There is input that the last frame was not given: the next one has to follow at once.
+    bool input_waits() const;
+    /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
+    /// wait for long otherwise.
+    bool frame_is_unseen() const { return unseen_; }
+    /// Ends another thread's wait_for_events().
+    static void wake();
+
+    /// Files dropped on the window since the last call.
+    std::vector<std::filesystem::path> take_dropped();
+
+    void begin_frame();
+    /// Draws ImGui's part and shows the frame, unless it is one that need not be seen.
+    void end_frame();
+
+    /// OpenGL's errors since the last call; it waits for OpenGL, so it is for tests.
+    static int gl_errors();
+
+    glm::ivec2 pixels() const;  // of the framebuffer
+    /// ImGui's units (the mouse's) to framebuffer pixels.
+    glm::dvec2 pixels_per_point() const;
+
+ private:
+    struct Library;  // GLFW itself
+    void follow_content_scale();
+    void set_smallest_size();
+    void hear();
+    void feed(const InputEvent& event);
+
+    std::unique_ptr<Library> library_;
+    GLFWwindow* window_ = nullptr;
+    std::vector<std::filesystem::path> dropped_;
+    InputQueue input_;
+    // As far as ImGui has heard.
+    glm::dvec2 pointer_{0};
+    std::chrono::steady_clock::time_point pointer_moved_{};
+    std::array<bool, 8> buttons_{};  // as many as GLFW has
+    bool unseen_ = false;
+    std::chrono::steady_clock::time_point seen_{};  // the last frame that was
+    bool damaged_ = false;                          // to be drawn again, whatever the reason
+    float content_scale_ = 0;
+    glm::ivec2 windowed_corner_{0}, windowed_size_{0};
+};
+
+}  // namespace dapple
