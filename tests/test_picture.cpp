@@ -105,6 +105,35 @@ TEST_CASE("transparent parts show white paper") {
     CHECK(read_picture(folder / "glass.exr").light.at(0, 0) == doctest::Approx(0.6));
 }
 
+TEST_CASE("colours that are stored times alpha are decoded without it and mixed with paper as light") {
+    const TemporaryFolder folder;
+    // An orange of encoded 0.8, 0.4, 0.2 behind a quarter, a half, all and none of alpha.
+    constexpr float orange[] = {0.8f, 0.4f, 0.2f};
+    constexpr float alphas[] = {0.25f, 0.5f, 1, 0};
+    PictureFile file{.width = 4, .channels = 4, .type = "uint16", .premultiplied = true};
+    for (const float alpha : alphas) {
+        for (const float colour : orange) file.values.push_back(colour * alpha);
+        file.values.push_back(alpha);
+    }
+    const double light = 0.2126 * decoded(0.8) + 0.7152 * decoded(0.4) + 0.0722 * decoded(0.2);
+    for (const char* type : {"uint16", "uint8"}) {
+        CAPTURE(std::string(type));
+        file.type = type;
+        write_picture(folder / "associated.tif", file);
+        const Picture picture = read_picture(folder / "associated.tif");
+        for (int x = 0; x < 4; ++x) {
+            CAPTURE(alphas[x]);
+            const double expected = light * alphas[x] + 1 - alphas[x];
+            CHECK(std::abs(picture.light.at(x, 0) - expected) < (file.type == "uint8" ? 3e-3 : 1e-4));
+        }
+        // Each colour by itself: half of decoded 0.8, 0.4, 0.2 and half of the paper.
+        const glm::u8vec4 half = picture.preview.at(1, 0);
+        CHECK(std::abs(decoded(half.x / 255.0) - (decoded(0.8) + 1) / 2) < 0.01);
+        CHECK(std::abs(decoded(half.y / 255.0) - (decoded(0.4) + 1) / 2) < 0.01);
+        CHECK(std::abs(decoded(half.z / 255.0) - (decoded(0.2) + 1) / 2) < 0.01);
+    }
+}
+
 TEST_CASE("a camera held in any of the eight ways gives an upright picture") {
     // Where EXIF says that the stored first pixel and its right-hand neighbour belong, in a 3 x 2 picture.
     struct Expected {

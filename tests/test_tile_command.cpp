@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/files/tile_library.h"
 #include "core/tile/exhaustive_search.h"
@@ -111,6 +112,20 @@ TEST_CASE("a tile that is found is a file that renders, and the same seed finds 
         std::string::npos);
     CHECK(run_dapple(fmt::format("render -o {} --dots 500 --tile {}", (folder / "a.svg").string(), first))
               .status == 0);
+}
+
+TEST_CASE("another seed finds another tile") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "seeded.tile";
+    // The words alone: what stands beside them in the file names the seed. Without one it is 1.
+    std::set<std::vector<std::string>> found;
+    for (const std::string seed : {"--seed 1", "--seed 2", "--seed 3", ""}) {
+        REQUIRE(
+            run_dapple("tile search --points 32 --rule 3760 --moves 4000 --runs 1 -o " + file + " " + seed)
+                .status == 0);
+        found.insert(read_tile(text_of(file)).tile.words);
+    }
+    CHECK(found.size() == 3);
 }
 
 TEST_CASE("a timed search does not claim that it can be made again, and takes the time that it is given") {
