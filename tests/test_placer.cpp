@@ -212,6 +212,12 @@ TEST_CASE("a dot on the edge that two windows share is in the right or lower one
             CHECK(count({.x = units(x), .width = 1 - x}) == 16 - left);
             CHECK(count({.height = y}) == above);
             CHECK(count({.y = units(y), .height = 1 - y}) == 16 - above);
+            // An edge that is by 2^-42 further on has passed it, which single precision cannot tell.
+            const std::int64_t past = 1 << 20;
+            CHECK(count({.width = x + 0x1p-42}) == left + 1);
+            CHECK(count({.x = units(x) + past, .width = 1 - x}) == 15 - left);
+            CHECK(count({.height = y + 0x1p-42}) == above + 1);
+            CHECK(count({.y = units(y) + past, .height = 1 - y}) == 15 - above);
         }
     }
 }
