@@ -16,6 +16,7 @@
 
 #include "core/tile/identity_word.h"
 #include "core/tile/tile.h"
+#include "core/tile/word_tree.h"
 
 using namespace dapple;
 
@@ -240,6 +241,20 @@ TEST_CASE("the best few tiles are the first of the best many, also where the nex
         }
         CHECK(ties >= 12);
         if (points == 12) CHECK(near >= 12);
+    }
+}
+
+TEST_CASE("a tile of just the radius that is asked for is not passed over") {
+    // The best of 28 points, and of 36: nearly lattices, each point with several at the least distance.
+    for (const int points : {28, 36}) {
+        CAPTURE(points);
+        const FoundTile best = search(points, 1).found.at(0);
+        const RadiusBound bound(points, best.relative_radius);
+        bool found = false;
+        WordTree(points).complete("", bound, {}, [&](const std::string& word) {
+            found = found || smallest_symmetric_word(word) == best.word;
+        });
+        CHECK(found);
     }
 }
 

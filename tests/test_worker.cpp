@@ -32,7 +32,7 @@ PlaceOrder dots(std::uint64_t count) {
 
 /// Half a minute's and more, of which nothing is told on the way.
 PlaceOrder long_work() {
-    PlaceOrder order = dots(2'000'000);
+    PlaceOrder order = dots(1'000'000);
     order.drawing.relax = 100;
     order.settled_only = true;
     return order;
