@@ -13,8 +13,8 @@ void write_picture(const std::filesystem::path& path, const PictureFile& picture
     if (picture.orientation != 1) spec.attribute("Orientation", picture.orientation);
     if (picture.channels == 2 || picture.channels == 4) {
         spec.alpha_channel = picture.channels - 1;
-        // Integer formats get colours that are not multiplied by alpha, EXR ones that are.
-        if (path.extension() != ".exr") spec.attribute("oiio:UnassociatedAlpha", 1);
+        // Integer formats get colours that are not multiplied by alpha, unless they are; EXR ones that are.
+        if (path.extension() != ".exr" && !picture.premultiplied) spec.attribute("oiio:UnassociatedAlpha", 1);
     }
     if (picture.channels == 2) spec.channelnames = {"Y", "A"};
     if (picture.tile > 0) spec.tile_width = spec.tile_height = picture.tile;

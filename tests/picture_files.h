@@ -15,6 +15,7 @@ struct PictureFile {
     std::string colour_space = "";  // "" leaves it to the format
     int orientation = 1;            // EXIF's
     int tile = 0;                   // side of the file's tiles, 0 for scan lines
+    bool premultiplied = false;     // values are colours times alpha already; as EXR always has them
     bool append = false;            // as a further picture of a file that there is
 };
 

@@ -125,6 +125,35 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
                     "choose 9800 dots to the inch or fewer");
 }
 
+TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1, and what is done with 0") {
+    const Scene scene;
+    const std::string map = " -o " + scene("new.json"), svg = " -o " + scene("new.svg");
+    put_text(scene.folder / "text.jpg", "This is no picture.\n");
+    struct Expected {
+        std::string arguments;
+        int status;
+    };
+    for (const Expected& e :
+         {Expected{"--version", 0}, Expected{"render --help", 0}, Expected{"tile list", 0},
+          // Known to be wrong before anything is looked at.
+          Expected{"frobnicate", 2}, Expected{"--nonsense", 2}, Expected{"render", 2},
+          Expected{"render --dots 0" + svg, 2}, Expected{"render --nonsense" + svg, 2},
+          Expected{"render --gamma 1 --tone auto" + svg, 2}, Expected{"lights -n 0" + map, 2},
+          Expected{"tile search --points 17", 2}, Expected{"tile search --points 16 --seed 3", 2},
+          Expected{"analyse --nonsense", 2}, Expected{"reproduce --nonsense", 2},
+          // Rightly asked for.
+          Expected{"render " + scene("none.png") + svg, 1}, Expected{"render " + scene("text.jpg") + svg, 1},
+          Expected{"render " + scene("cat.png") + " -o " + scene("none/new.svg"), 1},
+          Expected{"lights " + scene("none.hdr") + map, 1}, Expected{"tile check " + scene("none.tile"), 1},
+          Expected{"analyse " + scene("none.csv") + " -o " + scene("new.html"), 1}}) {
+        CAPTURE(e.arguments);
+        const Outcome outcome = run_dapple(e.arguments);
+        CAPTURE(outcome.err);
+        CHECK(outcome.status == e.status);
+        CHECK(outcome.err.empty() == (e.status == 0));
+    }
+}
+
 TEST_CASE("an option that has no say in the drawing is refused, with what it is for") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " -o ";

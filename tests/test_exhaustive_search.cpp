@@ -16,6 +16,7 @@
 
 #include "core/tile/identity_word.h"
 #include "core/tile/tile.h"
+#include "core/tile/word_tree.h"
 
 using namespace dapple;
 
@@ -218,6 +219,43 @@ TEST_CASE("neither threads nor the number of tiles asked for change what is foun
     CHECK(search(16, 40, 3) == one);
     const SearchState few = search(16, 7, 2);
     CHECK(few.found == std::vector(one.found.begin(), one.found.begin() + 7));
+}
+
+TEST_CASE("the best few tiles are the first of the best many, also where the next ones are nearly as good") {
+    for (const int points : {8, 12}) {
+        const std::vector<FoundTile> all = search(points, 100'000).found;
+        std::size_t ties = 0, near = 0;
+        for (std::size_t top = 1; top < all.size() && std::min(ties, near) < 12; ++top) {
+            const double last = all[top - 1].relative_radius, dropped = all[top].relative_radius;
+            const bool is_tie = dropped == last, is_near = !is_tie && dropped > 0.999 * last;
+            if (!(is_tie && ties < 12) && !(is_near && near < 12)) continue;
+            ties += is_tie;
+            near += is_near;
+            CAPTURE(points);
+            CAPTURE(top);
+            // With the next one too, which a bound that is a little too high would drop.
+            for (const std::size_t count : {top, top + 1}) {
+                const std::vector<FoundTile> best = search(points, static_cast<int>(count)).found;
+                CHECK(best == std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)));
+            }
+        }
+        CHECK(ties >= 12);
+        if (points == 12) CHECK(near >= 12);
+    }
+}
+
+TEST_CASE("a tile of just the radius that is asked for is not passed over") {
+    // The best of 28 points, and of 36: nearly lattices, each point with several at the least distance.
+    for (const int points : {28, 36}) {
+        CAPTURE(points);
+        const FoundTile best = search(points, 1).found.at(0);
+        const RadiusBound bound(points, best.relative_radius);
+        bool found = false;
+        WordTree(points).complete("", bound, {}, [&](const std::string& word) {
+            found = found || smallest_symmetric_word(word) == best.word;
+        });
+        CHECK(found);
+    }
 }
 
 TEST_CASE("a stopped search keeps what it found and goes on to the same end, through text") {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "core/placing/figure8.h"
 #include "core/placing/stipple.h"
@@ -29,6 +31,27 @@ TEST_CASE("Figure 8 emits 54,608 dots for a constant density at scale 2500, of w
     CHECK(result.dots.size() == 54608);
     CHECK(distinct(result.dots).size() == 40960);
     CHECK(result.duplicates == 54608 - 40960);
+}
+
+TEST_CASE("Figure 8 draws a dot, and divides a tile, above its threshold and not at it") {
+    const Tile tile = make_tile(14217, 2895, 16);
+    const std::vector<int> ranks = farthest_point_ranks(tile);
+    const Density black(Grid<float>(4, 4, 1.0f));
+    const auto place = [&](double scale) { return place_figure8(black, tile, ranks, scale); };
+    const auto next = [](double scale) { return std::nextafter(scale, 1e9); };
+    // The root tile's thresholds go from a quarter to 1 in sixteen steps, each taken in its middle.
+    for (int rank = 0; rank < 16; ++rank) {
+        CAPTURE(rank);
+        const double threshold = 0.25 + (rank + 0.5) * 0.75 / 16;
+        CHECK(place(threshold).dots.size() == static_cast<std::size_t>(rank));
+        CHECK(place(next(threshold)).dots.size() == static_cast<std::size_t>(rank) + 1);
+    }
+    // A tile of level l has all of its dots at scale 4^l, and its children only beyond.
+    for (const auto& [scale, tiles] : {std::pair{1.0, 1u}, {4.0, 5u}, {16.0, 21u}}) {
+        CAPTURE(scale);
+        CHECK(place(scale).tiles.size() == tiles);
+        CHECK(place(next(scale)).tiles.size() == 4 * tiles + 1);
+    }
 }
 
 TEST_CASE("a hairline that Figure 8 loses is drawn by the exact placer") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -55,16 +56,143 @@ CellPoints some_points(std::mt19937& random) {
     return points;
 }
 
-// Those beside the baseline that this processor runs.
-std::vector<const Kernels*> wider_kernels() {
-    std::vector<const Kernels*> kernels;
+struct NamedKernels {
+    const char* name;
+    const Kernels* kernels;
+    bool runs_here;
+};
+
+std::vector<NamedKernels> named_kernels() {
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels.push_back(&kAvx2Kernels);
-    if (__builtin_cpu_supports("avx512f")) kernels.push_back(&kAvx512Kernels);
+    return {{"one point at a time", &kBaselineKernels, true},
+            {"AVX2", &kAvx2Kernels, __builtin_cpu_supports("avx2") != 0},
+            {"AVX-512F", &kAvx512Kernels, __builtin_cpu_supports("avx512f") != 0}};
+}
+
+std::vector<const Kernels*> kernels_that_run() {
+    std::vector<const Kernels*> kernels;
+    for (const NamedKernels& named : named_kernels())
+        if (named.runs_here) kernels.push_back(named.kernels);
     return kernels;
 }
 
+// Points along a line, born one after the other from 16 on.
+CellPoints points_in_line(std::size_t count) {
+    CellPoints points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float at = -1 + 2 * static_cast<float>(i) / static_cast<float>(count);
+        points.add({at, -at, 16 + static_cast<float>(i)});
+    }
+    return points;
+}
+
+// Of density 1 all over, wherever it comes from.
+KernelSquare even_square(const CellPoints& points, KernelSquare::Source source,
+                         const std::vector<float>& ones) {
+    KernelSquare square;
+    square.points = points.blocks();
+    square.block_ends = points.block_ends();
+    square.centre_x = square.centre_y = 0.5f;
+    square.half_x = square.half_y = 0.25f;
+    square.births_per_density = square.none_from = 1000;
+    square.threshold_per_birth = 4;
+    square.source = source;
+    for (float& v : square.block) v = 1;
+    square.pixel_centre_x = square.pixel_centre_y = source == KernelSquare::Source::block ? 1.5 : 8;
+    square.pixel_half_x = square.pixel_half_y = 1;
+    square.picture = ones.data();
+    square.width = square.height = 16;
+    return square;
+}
+
+constexpr KernelSquare::Source kSources[] = {KernelSquare::Source::block, KernelSquare::Source::picture,
+                                             KernelSquare::Source::clamped};
+
 }  // namespace
+
+TEST_CASE("this processor runs every kernel, so that all of them are tested here") {
+    // Said aloud: a kernel that is not run is one that nobody has tested.
+    for (const NamedKernels& named : named_kernels())
+        if (!named.runs_here)
+            MESSAGE("skipped: the kernel for ", std::string(named.name),
+                    ", as this processor has no such instructions; try the tests on one that has");
+}
+
+TEST_CASE("a point exists where density * scale is above its birth, and not where they are equal") {
+    const std::vector<float> ones(256, 1.0f);
+    const CellPoints points = points_in_line(100);
+    for (const NamedKernels& named : named_kernels()) {
+        if (!named.runs_here) continue;
+        for (const KernelSquare::Source source : kSources) {
+            for (const bool appearance : {false, true}) {
+                for (std::size_t count = 0; count < 100; ++count) {
+                    CAPTURE(std::string(named.name));
+                    CAPTURE(static_cast<int>(source));
+                    CAPTURE(appearance);
+                    CAPTURE(count);
+                    KernelSquare square = even_square(points, source, ones);
+                    // Just the birth of the first that is not to be.
+                    const float reached = 16 + static_cast<float>(count);
+                    square.births_per_density = reached;
+                    square.early_per_density = reached - 5;
+                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    // Those of the five births from the early scale's own on are late.
+                    CHECK(run(*named.kernels, square, appearance, true).late.size() ==
+                          std::min<std::size_t>(count, 5));
+                    square.none_from = reached;
+                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    // Bounds may tell at once that those below exist: not those with just that birth.
+                    square.sure_below = reached;
+                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    std::vector<float> x(256), y(256);
+                    const SurePoints sure = named.kernels->place_sure(square, {.x = x.data(), .y = y.data()});
+                    CHECK(sure.all);
+                    CHECK(sure.count == count);
+                    // A next number up, and it does exist.
+                    square.sure_below = 0;
+                    square.none_from = 1000;
+                    square.births_per_density = std::nextafter(reached, 1000.0f);
+                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count + 1);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a point on the window's left or upper edge is in it, one on its right or lower edge is not") {
+    const std::vector<float> ones(256, 1.0f);
+    const CellPoints points = points_in_line(64);  // at -1, -31/32, ... and y the other way
+    for (const NamedKernels& named : named_kernels()) {
+        if (!named.runs_here) continue;
+        for (const KernelSquare::Source source : kSources) {
+            for (const float sign : {1.0f, -1.0f}) {
+                for (int at = 1; at < 64; ++at) {
+                    CAPTURE(std::string(named.name));
+                    CAPTURE(sign);
+                    CAPTURE(at);
+                    const float edge = -1 + static_cast<float>(at) / 32;
+                    KernelSquare square = even_square(points, source, ones);
+                    square.sign_x = square.sign_y = sign;
+                    square.at_edge = true;
+                    square.low_x = square.low_y = -2;
+                    square.high_x = square.high_y = 2;
+                    const auto inside = [&](float& limit, float value) {
+                        const float before = std::exchange(limit, value);
+                        const std::size_t count = run(*named.kernels, square, false, false).x.size();
+                        limit = before;
+                        return static_cast<int>(count);
+                    };
+                    // Points on the page run from -1 to 31/32, or mirrored from -31/32 to 1.
+                    const int before_across = sign > 0 ? at : at - 1, before_down = sign > 0 ? at - 1 : at;
+                    CHECK(inside(square.high_x, edge) == before_across);
+                    CHECK(inside(square.low_x, edge) == 64 - before_across);
+                    CHECK(inside(square.high_y, edge) == before_down);
+                    CHECK(inside(square.low_y, edge) == 64 - before_down);
+                }
+            }
+        }
+    }
+}
 
 TEST_CASE("every kernel that this processor runs places the same dots, to the bit") {
     std::mt19937 random(12);
@@ -72,7 +200,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
-    const std::vector<const Kernels*> all = wider_kernels();
+    const std::vector<const Kernels*> all = kernels_that_run();
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -122,7 +250,8 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
                 if (!appearance || !late) continue;
                 std::size_t next = 0;
                 for (std::size_t i = 0; i < expected.x.size(); ++i) {
-                    const bool listed = next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
+                    const bool listed =
+                        next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
                     if (listed)
                         CHECK(expected.late[next++] ==
                               std::tuple(1000 + i, expected.threshold[i], expected.critical[i]));
@@ -143,8 +272,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 TEST_CASE("sure points, and the others behind them, are what testing every point gives, with every kernel") {
     std::mt19937 random(7);
     const auto unit = [&random] { return unit_in(random); };
-    std::vector<const Kernels*> all = wider_kernels();
-    all.push_back(&kBaselineKernels);
+    const std::vector<const Kernels*> all = kernels_that_run();
     std::size_t decided = 0, partly = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         const CellPoints points = some_points(random);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/picture.h"
@@ -103,6 +104,35 @@ TEST_CASE("transparent parts show white paper") {
     write_picture(folder / "glass.exr",
                   {.width = 1, .channels = 4, .values = {0.1f, 0.1f, 0.1f, 0.5f}, .type = "float"});
     CHECK(read_picture(folder / "glass.exr").light.at(0, 0) == doctest::Approx(0.6));
+}
+
+TEST_CASE("colours that are stored times alpha are decoded without it and mixed with paper as light") {
+    const TemporaryFolder folder;
+    // An orange of encoded 0.8, 0.4, 0.2 behind a quarter, a half, all and none of alpha.
+    constexpr float orange[] = {0.8f, 0.4f, 0.2f};
+    constexpr float alphas[] = {0.25f, 0.5f, 1, 0};
+    PictureFile file{.width = 4, .channels = 4, .type = "uint16", .premultiplied = true};
+    for (const float alpha : alphas) {
+        for (const float colour : orange) file.values.push_back(colour * alpha);
+        file.values.push_back(alpha);
+    }
+    const double light = 0.2126 * decoded(0.8) + 0.7152 * decoded(0.4) + 0.0722 * decoded(0.2);
+    for (const char* type : {"uint16", "uint8"}) {
+        CAPTURE(std::string(type));
+        file.type = type;
+        write_picture(folder / "associated.tif", file);
+        const Picture picture = read_picture(folder / "associated.tif");
+        for (int x = 0; x < 4; ++x) {
+            CAPTURE(alphas[x]);
+            const double expected = light * alphas[x] + 1 - alphas[x];
+            CHECK(std::abs(picture.light.at(x, 0) - expected) < (file.type == "uint8" ? 3e-3 : 1e-4));
+        }
+        // Each colour by itself: half of decoded 0.8, 0.4, 0.2 and half of the paper.
+        const glm::u8vec4 half = picture.preview.at(1, 0);
+        CHECK(std::abs(decoded(half.x / 255.0) - (decoded(0.8) + 1) / 2) < 0.01);
+        CHECK(std::abs(decoded(half.y / 255.0) - (decoded(0.4) + 1) / 2) < 0.01);
+        CHECK(std::abs(decoded(half.z / 255.0) - (decoded(0.2) + 1) / 2) < 0.01);
+    }
 }
 
 TEST_CASE("a camera held in any of the eight ways gives an upright picture") {
@@ -256,16 +286,35 @@ TEST_CASE("the sample is inside the program, and reads as it does from a file") 
     CHECK(memory.preview.values == file.preview.values);
 }
 
-TEST_CASE("each picture in the folder of test data is read, or refused in one sentence") {
-    const char* const data = std::getenv("DAPPLE_TEST_DATA");
-    if (!data) return;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(data)) {
-        const std::string ending = entry.path().extension().string();
-        if (!entry.is_regular_file() || ending == ".txt" || ending == ".md") continue;
-        const std::string sentence = sentence_of(entry.path());
-        CAPTURE(entry.path());
+TEST_CASE("the less usual formats are read, and half a file is read or refused in one sentence") {
+    const TemporaryFolder folder;
+    constexpr int width = 64, height = 48;
+    // Dark on the left, light on the right, as encoded values or as light.
+    PictureFile file{.width = width, .height = height, .channels = 3};
+    for (int i = 0; i < width * height * 3; ++i)
+        file.values.push_back(i / 3 % width < width / 2 ? 0.25f : 0.75f);
+    struct Expected {
+        const char* name;
+        const char* type;
+    };
+    for (const Expected& e :
+         {Expected{"a.bmp", "uint8"}, Expected{"a.tga", "uint8"}, Expected{"a.ppm", "uint8"},
+          Expected{"a.webp", "uint8"}, Expected{"a.hdr", "float"}}) {
+        CAPTURE(std::string(e.name));
+        file.type = e.type;
+        write_picture(folder / e.name, file);
+        const Picture picture = read_picture(folder / e.name);
+        REQUIRE(picture.light.width == width);
+        REQUIRE(picture.light.height == height);
+        const bool is_light = file.type == "float";
+        for (const auto& [x, stored] : {std::pair{10, 0.25}, {50, 0.75}})
+            CHECK(picture.light.at(x, 20) ==
+                  doctest::Approx(is_light ? stored : decoded(stored)).epsilon(0.03));
+
+        const std::string whole = text_of(folder / e.name);
+        put_text(folder / e.name, whole.substr(0, whole.size() / 2));
+        const std::string sentence = sentence_of(folder / e.name);
         CHECK(sentence.find('\n') == sentence.npos);
-        const bool must_fail = entry.path().filename() == "truncated.jpg";
-        CHECK(sentence.empty() != must_fail);
+        CHECK((sentence.empty() || sentence.starts_with((folder / e.name).string() + ": ")));
     }
 }

@@ -153,6 +153,75 @@ TEST_CASE("a dot exists at scales above its critical scale and not below") {
     }
 }
 
+TEST_CASE(
+    "on black, each dot comes just above the scale that its rank and level say, wherever its square lies") {
+    for (const int size : {16, 300}) {
+        const Tile tile = random_tile(kTurning, size, 6);
+        const Ranking ranking = rank(tile, size > 100 ? RankingOrder::paper : RankingOrder::energy);
+        const PlacingTable table = make_placing_table(tile, ranking);
+        // All dots' thresholds up to a few thousand, one for each tile of a level.
+        std::vector<std::pair<float, std::size_t>> thresholds;
+        for (const float birth : ranking.tile) thresholds.emplace_back(birth / 16, 1);
+        for (int level = 0; level < (size > 100 ? 4 : 6); ++level)
+            for (const float birth : ranking.newborn)
+                thresholds.emplace_back(std::ldexp(birth / 16, 2 * level), std::size_t{1} << 2 * level);
+        std::sort(thresholds.begin(), thresholds.end());
+        // A map that wraps round has a way of its own about its seam.
+        for (const Density& black :
+             {Density(Grid<float>(8, 8, 1.0f)), Density(Grid<float>(8, 8, 1.0f), Seam::wrap)}) {
+            std::size_t below = 0;
+            for (std::size_t i = 0; i < thresholds.size();) {
+                const float threshold = thresholds[i].first;
+                std::size_t here = 0;
+                for (; i < thresholds.size() && thresholds[i].first == threshold; ++i)
+                    here += thresholds[i].second;
+                // All of one level, and of the others those next to the ends of a level.
+                if (size == 16 || below < 4000 || i % 97 == 0) {
+                    CAPTURE(size);
+                    CAPTURE(threshold);
+                    CHECK(placed(table, black, {threshold}).size() == below);
+                    // As near above as the kernels' single precision tells apart from it.
+                    const float above = std::nextafter(std::nextafter(threshold, 1e9f), 1e9f);
+                    CHECK(placed(table, black, {above}).size() == below + here);
+                }
+                below += here;
+            }
+        }
+    }
+}
+
+TEST_CASE("a dot on the edge that two windows share is in the right or lower one alone") {
+    const Tile tile = random_tile(kTurning, 16, 3);
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const CellPoints& points = table.cells[0].all;  // on the page from -1 to 1, when only they are drawn
+    for (const Density& black :
+         {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Seam::wrap)}) {
+        const auto count = [&](const PageWindow& window) { return placed(table, black, {1, window}).size(); };
+        REQUIRE(count({}) == 16);  // the tile's own
+        for (std::size_t i = 0; i < 16; ++i) {
+            CAPTURE(i);
+            const double x = (1 + static_cast<double>(points[i].x)) / 2,
+                         y = (1 + static_cast<double>(points[i].y)) / 2;
+            const auto units = [](double at) { return static_cast<std::int64_t>(std::ldexp(at, 62)); };
+            std::size_t left = 0, above = 0;
+            for (std::size_t k = 0; k < 16; ++k) {
+                left += points[k].x < points[i].x;
+                above += points[k].y < points[i].y;
+            }
+            CHECK(count({.width = x}) == left);
+            CHECK(count({.x = units(x), .width = 1 - x}) == 16 - left);
+            CHECK(count({.height = y}) == above);
+            CHECK(count({.y = units(y), .height = 1 - y}) == 16 - above);
+            // An edge that is by 2^-42 further on has passed it, which single precision cannot tell.
+            const std::int64_t past = 1 << 20;
+            CHECK(count({.width = x + 0x1p-42}) == left + 1);
+            CHECK(count({.x = units(x) + past, .width = 1 - x}) == 15 - left);
+            CHECK(count({.height = y + 0x1p-42}) == above + 1);
+            CHECK(count({.y = units(y) + past, .height = 1 - y}) == 15 - above);
+        }
+    }
+}
+
 TEST_CASE("windows that tile the page share its dots out without a lost or doubled one") {
     const Tile tile = random_tile(kTurning, 64, 4);
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));

@@ -31,6 +31,29 @@ double encoded_ink(const std::filesystem::path& picture) {
     return sum / static_cast<double>(read.preview.values.size());
 }
 
+// Where the dots of a table lie across the page, in millimetres.
+std::vector<double> across_page(const std::string& table) {
+    std::istringstream lines(table);
+    std::string line;
+    std::getline(lines, line);
+    std::vector<double> places;
+    while (std::getline(lines, line)) places.push_back(std::stod(line));
+    return places;
+}
+
+// The dots of which x lies from `from` to below `to`.
+double dots_between(const std::vector<double>& places, double from, double to) {
+    return static_cast<double>(std::ranges::count_if(places, [&](double x) { return x >= from && x < to; }));
+}
+
+// Draws a picture, at a millimetre a pixel of the 96, as it is but for some option.
+std::vector<double> drawn_with(const Scene& scene, const std::string& picture, const std::string& options) {
+    const Outcome outcome = run_dapple("render " + scene(picture) + " -o " + scene("tone.csv") +
+                                       " --tone true --relax 0 --width 96 " + options);
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+    return across_page(text_of(scene("tone.csv")));
+}
+
 }  // namespace
 
 TEST_CASE("a picture becomes an SVG of exactly as many circles as asked for, no two at one place") {
@@ -74,6 +97,80 @@ TEST_CASE("a renderer draws the SVG as the PNG writer draws the dots") {
     for (const float light : ours.light.values) ink += 1 - light;
     ink /= static_cast<double>(ours.light.values.size());
     CHECK(encoded_ink(scene("svg.png")) == doctest::Approx(ink).epsilon(0.01));
+}
+
+TEST_CASE("each option of tone makes the drawing darker or lighter, or moves its ink, as its help says") {
+    const Scene scene;
+    const auto with = [&](const std::string& options) {
+        return drawn_with(scene, "cat.png", "--scale 300 " + options);
+    };
+    // A ramp from black to white, with a black bar from 41 to 50.
+    const std::vector<double> plain = with("");
+    REQUIRE(plain.size() > 1000);
+    for (const std::string darker : {"--brightness -0.2", "--gamma 0.5", "--black-point 0.3"}) {
+        CAPTURE(darker);
+        CHECK(with(darker).size() > plain.size() * 13 / 12);
+    }
+    for (const std::string lighter : {"--brightness 0.2", "--gamma 2", "--white-point 0.7"}) {
+        CAPTURE(lighter);
+        CHECK(with(lighter).size() < plain.size() * 12 / 13);
+    }
+    const auto share = [](const std::vector<double>& dots, double from, double to) {
+        return dots_between(dots, from, to);
+    };
+    // The dark third and the light one, apart.
+    const std::vector<double> hard = with("--contrast 0.5"), flat = with("--contrast -0.5");
+    CHECK(share(hard, 15, 40) > share(plain, 15, 40) * 1.05);
+    CHECK(share(hard, 60, 85) < share(plain, 60, 85) / 1.2);
+    CHECK(share(flat, 15, 40) < share(plain, 15, 40) / 1.05);
+    CHECK(share(flat, 60, 85) > share(plain, 60, 85) * 1.2);
+    // The bar's ink runs over its edges, and none is lost.
+    const std::vector<double> soft = with("--blur 30");
+    CHECK(share(soft, 42, 49) < share(plain, 42, 49) / 1.05);
+    CHECK(share(soft, 50, 56) > share(plain, 50, 56) * 1.05);
+    // Light ink: none in the bar, more to the right.
+    const std::vector<double> inverted = with("--invert");
+    CHECK(share(inverted, 42, 49) == 0);
+    CHECK(share(inverted, 60, 96) > 2 * share(inverted, 0, 40));
+    CHECK(share(plain, 0, 40) > 2 * share(plain, 60, 96));
+}
+
+TEST_CASE("--detail puts ink of the surroundings into what is faint and a few dots wide") {
+    const Scene scene;
+    PictureFile faint{.width = 96, .height = 64};
+    const auto in_line = [](int x) { return x % 24 >= 11 && x % 24 < 14; };
+    for (int i = 0; i < 96 * 64; ++i) faint.values.push_back(in_line(i % 96) ? 0.5f : 0.6f);
+    write_picture(scene.folder / "faint.png", faint);
+    const auto on_lines = [&](const std::string& options) {
+        double dots = 0;
+        const std::vector<double> places = drawn_with(scene, "faint.png", "--dots 2500 " + options);
+        for (int x = 0; x < 96; ++x)
+            if (in_line(x)) dots += dots_between(places, x, x + 1);
+        return dots;
+    };
+    const double none = on_lines("--detail 0"), half = on_lines("--detail 0.5"), all = on_lines("--detail 1");
+    CHECK(half > 1.02 * none);
+    CHECK(all > 1.02 * half);
+}
+
+TEST_CASE("--dot-radius is the radius of the circles and of the spots of ink") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 40 --relax 2 --width 96 --stats " +
+                             scene("r.json") + " --dot-radius ";
+    for (const double radius : {0.5, 1.0}) {
+        CAPTURE(radius);
+        const std::string text = std::to_string(radius);
+        REQUIRE(run_dapple(from + text + " -o " + scene("r.svg")).status == 0);
+        CHECK(read_json(scene("r.json"))["dot_radius_mm"] == doctest::Approx(radius));
+        const Svg svg = read_svg(scene("r.svg"));
+        REQUIRE(svg.circles().size() == 40);
+        for (const pugi::xml_node& circle : svg.circles())
+            CHECK(circle.attribute("r").as_double() == doctest::Approx(radius * 96 / 25.4).epsilon(0.005));
+        REQUIRE(run_dapple(from + text + " --dpi 254 --margin 2 -o " + scene("r.png")).status == 0);
+        double ink = 0;  // in pixels, a hundred to the square millimetre
+        for (const float light : read_picture(scene("r.png")).light.values) ink += 1 - light;
+        CHECK(ink / 100 == doctest::Approx(40 * 3.14159265 * radius * radius).epsilon(0.01));
+    }
 }
 
 TEST_CASE("a PNG says how large it is on paper") {

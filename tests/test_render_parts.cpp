@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -96,6 +97,40 @@ TEST_CASE("a region is what the page shows there, at its place and in its size")
         }
     }
     CHECK(outlines > 0);
+}
+
+TEST_CASE("the sheets of a PNG, laid together, are the page: dots reach over the seams") {
+    const Scene scene;
+    // Dots 16 pixels wide, at a pixel a millimetre; some lie across every seam.
+    const std::string from = "render " + scene("cat.png") + " --width 192 --dpi 25.4 --dot-radius 8 -o ";
+    for (const std::string dots : {"--dots 80 --relax 0", "--dots 80 --relax 2"}) {
+        CAPTURE(dots);
+        REQUIRE(run_dapple(from + scene("page.png") + " " + dots).status == 0);
+        const Picture page = read_picture(scene("page.png"));
+        REQUIRE(page.light.width == 192);
+        REQUIRE(page.light.height == 128);
+        int black_at_seams = 0;
+        for (int y = 0; y < 128; ++y)
+            black_at_seams += page.light.at(95, y) == 0 && page.light.at(96, y) == 0;
+        for (int x = 0; x < 192; ++x)
+            black_at_seams += page.light.at(x, 63) == 0 && page.light.at(x, 64) == 0;
+        CHECK(black_at_seams > 30);
+        for (int row = 0; row < 2; ++row) {
+            for (int column = 0; column < 2; ++column) {
+                const std::string sheet = std::to_string(column + 1) + "," + std::to_string(row + 1) + "/2x2";
+                REQUIRE(run_dapple(from + scene("s.png") + " " + dots + " --sheet " + sheet).status == 0);
+                const Picture part = read_picture(scene("s.png"));
+                REQUIRE(part.light.width == 96);
+                REQUIRE(part.light.height == 64);
+                float farthest = 0;
+                for (int y = 0; y < 64; ++y)
+                    for (int x = 0; x < 96; ++x)
+                        farthest = std::max(farthest, std::abs(part.light.at(x, y) -
+                                                               page.light.at(x + 96 * column, y + 64 * row)));
+                CHECK(farthest < 0.02f);
+            }
+        }
+    }
 }
 
 TEST_CASE("within a margin no dot reaches over the edge, in any format, and sheets still join") {

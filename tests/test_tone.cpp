@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <vector>
 
 #include "core/image/ink.h"
@@ -12,6 +14,11 @@ using namespace dapple;
 namespace {
 
 const float kMostCovered = InkCurve().coverage(1);  // by dots of the full load
+
+// IEC 61966-2-1: the light of a grey as a photo editor counts it, 0 black to 1 white.
+double light_of(double grey) {
+    return grey <= 0.04045 ? grey / 12.92 : std::pow((grey + 0.055) / 1.055, 2.4);
+}
 
 // Light from black to white, one value a pixel.
 Grid<float> greys() {
@@ -49,6 +56,53 @@ TEST_CASE("a slider does the same to what is seen in dark ink and in light ink")
             // No ink covers all, so near its own end each is a little short.
             const float seen = std::clamp(light_ink.at(x, 0), 1 - kMostCovered, kMostCovered);
             CHECK(std::abs(std::clamp(1 - dark_ink.at(x, 0), 1 - kMostCovered, kMostCovered) - seen) < 1e-3);
+        }
+    }
+}
+
+TEST_CASE("each setting makes of a grey the grey that it stands for") {
+    struct Expected {
+        const char* setting;
+        Tone tone;
+        double before, after;
+    };
+    for (const Expected& e :
+         {Expected{"none", {}, 0.5, 0.5}, Expected{"black point", {.black_point = 0.3f}, 0.5, 0.2 / 0.7},
+          Expected{"black point", {.black_point = 0.3f}, 0.3, 0},
+          Expected{"white point", {.white_point = 0.8f}, 0.5, 0.625},
+          Expected{"both points", {.black_point = 0.2f, .white_point = 0.8f}, 0.35, 0.25},
+          Expected{"brightness", {.brightness = 0.2f}, 0.5, 0.7},
+          Expected{"brightness below 0", {.brightness = -0.2f}, 0.5, 0.3},
+          Expected{"gamma", {.gamma = 2}, 0.36, 0.6}, Expected{"gamma below 1", {.gamma = 0.5f}, 0.6, 0.36},
+          // The line's angle against the level: 45 degrees at 0, 67.5 at 0.5, level at -1.
+          Expected{"contrast", {.contrast = 0.5f}, 0.4, 0.5 - 0.1 * std::tan(67.5 * std::numbers::pi / 180)},
+          Expected{"contrast below 0",
+                   {.contrast = -0.5f},
+                   0.4,
+                   0.5 - 0.1 * std::tan(22.5 * std::numbers::pi / 180)},
+          Expected{"no contrast", {.contrast = -1}, 0.1, 0.5}}) {
+        CAPTURE(std::string(e.setting));
+        CAPTURE(e.before);
+        const Grid<float> light(1, 1, static_cast<float>(light_of(e.before)));
+        CHECK(std::abs(1 - ink_of(light, e.tone).at(0, 0) - light_of(e.after)) <
+              (e.after == 0 ? 1.001 - static_cast<double>(kMostCovered) : 1e-3));
+    }
+}
+
+TEST_CASE("blur spreads an edge as a Gaussian of so many thousandths of the longer side does") {
+    for (const bool upright : {false, true}) {
+        Grid<float> light = upright ? Grid<float>(40, 400) : Grid<float>(400, 40);
+        for (int y = 0; y < light.height; ++y)
+            for (int x = 0; x < light.width; ++x) light.at(x, y) = (upright ? y : x) < 200 ? 0.3f : 0.8f;
+        for (const double sigma : {4.0, 10.0}) {
+            CAPTURE(upright);
+            CAPTURE(sigma);
+            const Grid<float> ink = ink_of(light, {.blur = static_cast<float>(sigma * 1000 / 400)});
+            for (int at = 150; at < 250; ++at) {
+                const double past_edge = (at + 0.5 - 200) / sigma,
+                             seen = 0.55 + 0.25 * std::erf(past_edge / std::numbers::sqrt2);
+                CHECK(std::abs(1 - (upright ? ink.at(20, at) : ink.at(at, 20)) - seen) < 0.006);
+            }
         }
     }
 }

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/running_viewer.h"
 
@@ -186,6 +187,35 @@ TEST_CASE(
     CHECK(viewer.shows([&] { return !viewer.status().contains("right"); }));
     viewer.key("ctrl+z");
     CHECK(viewer.shows([&] { return !viewer.status()["widgets"].contains("Grey"); }));
+}
+
+TEST_CASE("under the side that is saved, and under no other, it says so") {
+    TemporaryFolder folder;
+    const std::string shot = (folder / "shot.png").string();
+    Display display;
+    RunningViewer viewer;
+    viewer.move(300, 300);
+    viewer.key("c");
+    REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
+    // What is said beside the two tiles' names is longer than either; all of it in the strip below the
+    // canvas, 940 wide, in letters darker than those of the facts.
+    const auto title_width = [&](int from, int to) {
+        const Grid<glm::u8vec4> pixels = decode_png(text_of(shot)).preview;
+        int first = to, last = from;
+        for (int y = 708; y < 768; ++y) {
+            for (int x = from; x < to; ++x) {
+                if (pixels.at(x, y).g > 80) continue;
+                first = std::min(first, x);
+                last = std::max(last, x);
+            }
+        }
+        return last - first;
+    };
+    CHECK(viewer.shows([&] {
+        run({"import", "-window", "root", shot});
+        const int left = title_width(0, 465), right = title_width(475, 940);
+        return right > 20 && left > 2 * right;
+    }));
 }
 
 TEST_CASE("Figure 8 on the right comes near the left side's count") {

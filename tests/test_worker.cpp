@@ -1,11 +1,16 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <semaphore>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/viewer/model/worker.h"
 #include "tests/wait_until.h"
@@ -22,6 +27,14 @@ PlaceOrder dots(std::uint64_t count) {
     order.tile = "paper16";
     order.drawing.stipple.count = count;
     order.drawing.relax = 0;
+    return order;
+}
+
+/// Half a minute's and more, of which nothing is told on the way.
+PlaceOrder long_work() {
+    PlaceOrder order = dots(1'000'000);
+    order.drawing.relax = 100;
+    order.settled_only = true;
     return order;
 }
 
@@ -251,15 +264,60 @@ TEST_CASE("the memory of a drawing far larger than those after it goes back to t
 #endif
 }
 
-TEST_CASE("a worker may end with much still to do") {
+TEST_CASE("a worker that ends does not finish what is still to do") {
+    std::optional<std::chrono::steady_clock::time_point> ended;
+    {
+        Worker worker([] {});
+        worker.open("grey.png", [] { return grey(512); });
+        worker.place(long_work());
+        REQUIRE(wait_until([&] { return worker.placing_since().has_value(); }));
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        REQUIRE(worker.placing_since());
+        CHECK(worker.news().empty());
+        ended = std::chrono::steady_clock::now();
+    }
+    CHECK(std::chrono::steady_clock::now() - *ended < std::chrono::seconds(5));
+}
+
+TEST_CASE("a placing that takes long is given up for a new order, and nothing is told of it") {
     Worker worker([] {});
-    std::binary_semaphore begun(0);
-    worker.place(dots(3'000'000));
-    worker.open("grey.png", [&] {
-        begun.release();
-        return grey(512);
-    });
-    begun.acquire();
+    worker.open("grey.png", [] { return grey(512); });
+    worker.place(long_work());
+    REQUIRE(wait_until([&] {
+        const auto since = worker.placing_since();
+        return since && std::chrono::steady_clock::now() - *since > std::chrono::milliseconds(400);
+    }));
+    const auto ordered = std::chrono::steady_clock::now();
+    worker.place(dots(300));
+    const auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    CHECK(placed(news.back())->drawing.stippling.dots.size() == 300);
+    CHECK(std::chrono::steady_clock::now() - ordered < std::chrono::seconds(5));
+}
+
+TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {
+    const auto places = [](Workbench& bench, RankingOrder ranking) {
+        PlaceOrder order = dots(700);
+        order.ranking = ranking;
+        PlacedDrawing drawing;
+        REQUIRE(bench.place(order, drawing));
+        std::vector<std::pair<float, float>> found;
+        for_each_position(drawing.stippling.dots, [&](float x, float y) { found.emplace_back(x, y); });
+        std::ranges::sort(found);
+        return found;
+    };
+    Workbench bench;
+    bench.set_picture(Grid<float>(8, 8, 0.5f));
+    std::vector<std::pair<float, float>> before;
+    for (const RankingOrder ranking :
+         {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy, RankingOrder::paper}) {
+        CAPTURE(static_cast<int>(ranking));
+        Workbench alone;
+        alone.set_picture(Grid<float>(8, 8, 0.5f));
+        const auto found = places(bench, ranking);
+        CHECK(found == places(alone, ranking));
+        CHECK(found != before);
+        before = found;
+    }
 }
 
 }  // namespace dapple
