@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -55,15 +57,6 @@ CellPoints some_points(std::mt19937& random) {
     return points;
 }
 
-// Those beside the baseline that this processor runs.
-std::vector<const Kernels*> wider_kernels() {
-    std::vector<const Kernels*> kernels;
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels.push_back(&kAvx2Kernels);
-    if (__builtin_cpu_supports("avx512f")) kernels.push_back(&kAvx512Kernels);
-    return kernels;
-}
-
 }  // namespace
 
 TEST_CASE("every kernel that this processor runs places the same dots, to the bit") {
@@ -72,7 +65,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
-    const std::vector<const Kernels*> all = wider_kernels();
+    const std::vector<const Kernels*> all = runnable_kernels();
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -112,7 +105,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
         for (const bool appearance : {false, true}) {
             for (const bool late : {false, true}) {
-                const Placed expected = run(kBaselineKernels, square, appearance, late);
+                const Placed expected = run(kPlainKernels, square, appearance, late);
                 dots += expected.x.size();
                 late_dots += expected.late.size();
                 for (const Kernels* kernels : all) {
@@ -143,8 +136,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 TEST_CASE("sure points, and the others behind them, are what testing every point gives, with every kernel") {
     std::mt19937 random(7);
     const auto unit = [&random] { return unit_in(random); };
-    std::vector<const Kernels*> all = wider_kernels();
-    all.push_back(&kBaselineKernels);
+    const std::vector<const Kernels*> all = runnable_kernels();
     std::size_t decided = 0, partly = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         const CellPoints points = some_points(random);
@@ -161,7 +153,7 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
         square.pixel_half_x = square.pixel_half_y = 1;
         const auto [least, most] = std::minmax_element(std::begin(square.block), std::end(square.block));
         square.none_from = square.births_per_density * *most;
-        const Placed expected = run(kBaselineKernels, square, false, false);
+        const Placed expected = run(kPlainKernels, square, false, false);
         square.sure_below = square.births_per_density * *least;
         for (const Kernels* kernels : all) {
             Placed placed{std::vector<float>(256), std::vector<float>(256), {}, {}, {}};
@@ -179,4 +171,9 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
     }
     CHECK(decided > 100);
     CHECK(partly > 100);
+}
+
+TEST_CASE("the kernels are the widest that run here, or those asked for by their name") {
+    const char* const wanted = std::getenv("DAPPLE_KERNELS");
+    CHECK(chosen_kernels().name == std::string(wanted ? wanted : runnable_kernels().back()->name));
 }

@@ -143,7 +143,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "-n,--samples",
-            [&request, whole](const std::string& text) {
+            [&request](const std::string& text) {
                 request.count = count_in("--samples", text, kMostLightSamples);
             },
             "Exactly so many samples")
