@@ -115,7 +115,8 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
                 if (!appearance || !late) continue;
                 std::size_t next = 0;
                 for (std::size_t i = 0; i < expected.x.size(); ++i) {
-                    const bool listed = next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
+                    const bool listed =
+                        next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
                     if (listed)
                         CHECK(expected.late[next++] ==
                               std::tuple(1000 + i, expected.threshold[i], expected.critical[i]));

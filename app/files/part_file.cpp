@@ -63,7 +63,7 @@ std::optional<std::time_t> time_of_server(const fs::path& folder) {
 #if defined(O_TMPFILE)
     const Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
     if (file && ::fstat(file.get(), &made) == 0) return made.st_mtime;
-    // Network file systems seldom have such files.
+        // Network file systems seldom have such files.
 #endif
     try {
         const PartFile part(folder / "any");

@@ -95,7 +95,8 @@ extern const Kernels kPlainKernels;  // for any processor
 std::vector<const Kernels*> runnable_kernels();
 
 /// The widest of them; or, where the environment variable DAPPLE_KERNELS names some, those: for tests, and to
-/// tell whose fault something is, as the dots are the same. Throws std::runtime_error if it names none of them.
+/// tell whose fault something is, as the dots are the same. Throws std::runtime_error if it names none of
+/// them.
 const Kernels& chosen_kernels();
 
 }  // namespace dapple
