@@ -56,9 +56,15 @@ std::string names_of(const CLI::Option& option) {
 }
 
 void write_usage(std::ostream& out, const CLI::App& command) {
-    out << bold(full_name(command)) << " [" << italic("OPTIONS") << "]";
+    out << bold(full_name(command));
+    if (!command.get_subcommands({}).empty() && command.get_parent()) {
+        out << ' ' << italic("COMMAND") << '\n';
+        return;
+    }
+    out << " [" << italic("OPTIONS") << "]";
     for (const CLI::Option* option : command.get_options()) {
-        if (!option->get_positional() && option->get_required()) out << ' ' << names_of(*option);
+        if (!option->get_positional() && option->get_required())
+            out << ' ' << bold("--" + option->get_lnames().front()) << ' ' << italic(option->get_type_name());
     }
     for (const CLI::Option* option : command.get_options()) {
         if (!option->get_positional()) continue;
@@ -71,7 +77,6 @@ void write_usage(std::ostream& out, const CLI::App& command) {
 // Indented lines as they are; the others run on.
 void write_footer(std::ostream& out, const std::string& text) {
     bool as_is = false;
-    out << ".PP\n";
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         const bool indented = line.starts_with(' ');
@@ -100,13 +105,12 @@ void write_options(std::ostream& out, const CLI::App& command) {
 void write_commands(std::ostream& out, const CLI::App& parent) {
     for (const CLI::App* command : parent.get_subcommands({})) {
         if (command->get_group().empty()) continue;
-        if (command->get_subcommands({}).empty()) {
-            out << ".SS " << roff(full_name(*command)) << '\n';
-            write_usage(out, *command);
-            out << ".PP\n" << roff(command->get_description()) << ".\n";
-            write_options(out, *command);
-            if (!command->get_footer().empty()) write_footer(out, command->get_footer());
-        }
+        out << ".SS " << roff(full_name(*command)) << '\n';
+        write_usage(out, *command);
+        out << ".PP\n" << roff(command->get_description()) << ".\n";
+        write_options(out, *command);
+        out << ".PP\n";
+        write_footer(out, command->get_footer());
         write_commands(out, *command);
     }
 }
