@@ -6,13 +6,13 @@
 # compilers_at_once: prints how many compilers may run at once.
 
 build_packages=(
-    cmake g++ libbenchmark-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
+    cmake g++ libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
     libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libpng-dev libstb-dev libtbb-dev ninja-build
     nlohmann-json3-dev pkg-config
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    doctest-dev imagemagick libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool xvfb
+    clang doctest-dev imagemagick libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool xvfb
 )
 
 ensure_packages() {

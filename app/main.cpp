@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "app/commands/analyse.h"
+#include "app/commands/complete.h"
 #include "app/commands/lights.h"
+#include "app/commands/manual.h"
 #include "app/commands/options.h"
 #include "app/commands/render.h"
 #include "app/commands/reproduce.h"
@@ -70,6 +72,8 @@ int main(int argc, char** argv) {
     const dapple::AnalyseCommand analyse(program);
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
+    const dapple::CompleteCommand complete(program);
+    dapple::add_manual_command(program);
 
     // Before the command runs.
     program.parse_complete_callback([&] {

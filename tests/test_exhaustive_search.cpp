@@ -336,7 +336,8 @@ TEST_CASE("a damaged saved search is refused with its line") {
         {"tile 0011213312003223", "tile 0030112133032212", "line 9"},
         {"end\n", "", "line 10"},
     };
-    for (const auto& [from, to, line] : cases) {
+    for (const auto& each : cases) {
+        const std::string &from = each[0], &to = each[1], &line = each[2];
         CAPTURE(from);
         CAPTURE(to);
         CHECK_THROWS_WITH_AS(read_search_state(damaged(from, to)), doctest::Contains(line.c_str()),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -56,26 +57,6 @@ CellPoints some_points(std::mt19937& random) {
     return points;
 }
 
-struct NamedKernels {
-    const char* name;
-    const Kernels* kernels;
-    bool runs_here;
-};
-
-std::vector<NamedKernels> named_kernels() {
-    __builtin_cpu_init();
-    return {{"one point at a time", &kBaselineKernels, true},
-            {"AVX2", &kAvx2Kernels, __builtin_cpu_supports("avx2") != 0},
-            {"AVX-512F", &kAvx512Kernels, __builtin_cpu_supports("avx512f") != 0}};
-}
-
-std::vector<const Kernels*> kernels_that_run() {
-    std::vector<const Kernels*> kernels;
-    for (const NamedKernels& named : named_kernels())
-        if (named.runs_here) kernels.push_back(named.kernels);
-    return kernels;
-}
-
 // Points along a line, born one after the other from 16 on.
 CellPoints points_in_line(std::size_t count) {
     CellPoints points;
@@ -110,23 +91,14 @@ constexpr KernelSquare::Source kSources[] = {KernelSquare::Source::block, Kernel
 
 }  // namespace
 
-TEST_CASE("this processor runs every kernel, so that all of them are tested here") {
-    // Said aloud: a kernel that is not run is one that nobody has tested.
-    for (const NamedKernels& named : named_kernels())
-        if (!named.runs_here)
-            MESSAGE("skipped: the kernel for ", std::string(named.name),
-                    ", as this processor has no such instructions; try the tests on one that has");
-}
-
 TEST_CASE("a point exists where density * scale is above its birth, and not where they are equal") {
     const std::vector<float> ones(256, 1.0f);
     const CellPoints points = points_in_line(100);
-    for (const NamedKernels& named : named_kernels()) {
-        if (!named.runs_here) continue;
+    for (const Kernels* kernels : runnable_kernels()) {
         for (const KernelSquare::Source source : kSources) {
             for (const bool appearance : {false, true}) {
                 for (std::size_t count = 0; count < 100; ++count) {
-                    CAPTURE(std::string(named.name));
+                    CAPTURE(std::string(kernels->name));
                     CAPTURE(static_cast<int>(source));
                     CAPTURE(appearance);
                     CAPTURE(count);
@@ -135,24 +107,24 @@ TEST_CASE("a point exists where density * scale is above its birth, and not wher
                     const float reached = 16 + static_cast<float>(count);
                     square.births_per_density = reached;
                     square.early_per_density = reached - 5;
-                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
                     // Those of the five births from the early scale's own on are late.
-                    CHECK(run(*named.kernels, square, appearance, true).late.size() ==
+                    CHECK(run(*kernels, square, appearance, true).late.size() ==
                           std::min<std::size_t>(count, 5));
                     square.none_from = reached;
-                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
                     // Bounds may tell at once that those below exist: not those with just that birth.
                     square.sure_below = reached;
-                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count);
+                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
                     std::vector<float> x(256), y(256);
-                    const SurePoints sure = named.kernels->place_sure(square, {.x = x.data(), .y = y.data()});
+                    const SurePoints sure = kernels->place_sure(square, {.x = x.data(), .y = y.data()});
                     CHECK(sure.all);
                     CHECK(sure.count == count);
                     // A next number up, and it does exist.
                     square.sure_below = 0;
                     square.none_from = 1000;
                     square.births_per_density = std::nextafter(reached, 1000.0f);
-                    CHECK(run(*named.kernels, square, appearance, false).x.size() == count + 1);
+                    CHECK(run(*kernels, square, appearance, false).x.size() == count + 1);
                 }
             }
         }
@@ -162,12 +134,11 @@ TEST_CASE("a point exists where density * scale is above its birth, and not wher
 TEST_CASE("a point on the window's left or upper edge is in it, one on its right or lower edge is not") {
     const std::vector<float> ones(256, 1.0f);
     const CellPoints points = points_in_line(64);  // at -1, -31/32, ... and y the other way
-    for (const NamedKernels& named : named_kernels()) {
-        if (!named.runs_here) continue;
+    for (const Kernels* kernels : runnable_kernels()) {
         for (const KernelSquare::Source source : kSources) {
             for (const float sign : {1.0f, -1.0f}) {
                 for (int at = 1; at < 64; ++at) {
-                    CAPTURE(std::string(named.name));
+                    CAPTURE(std::string(kernels->name));
                     CAPTURE(sign);
                     CAPTURE(at);
                     const float edge = -1 + static_cast<float>(at) / 32;
@@ -178,7 +149,7 @@ TEST_CASE("a point on the window's left or upper edge is in it, one on its right
                     square.high_x = square.high_y = 2;
                     const auto inside = [&](float& limit, float value) {
                         const float before = std::exchange(limit, value);
-                        const std::size_t count = run(*named.kernels, square, false, false).x.size();
+                        const std::size_t count = run(*kernels, square, false, false).x.size();
                         limit = before;
                         return static_cast<int>(count);
                     };
@@ -200,7 +171,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
     std::vector<float> picture(37 * 29);
     for (float& v : picture) v = 0.2f + unit();
 
-    const std::vector<const Kernels*> all = kernels_that_run();
+    const std::vector<const Kernels*> all = runnable_kernels();
 
     std::size_t dots = 0, late_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -240,7 +211,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
         for (const bool appearance : {false, true}) {
             for (const bool late : {false, true}) {
-                const Placed expected = run(kBaselineKernels, square, appearance, late);
+                const Placed expected = run(kPlainKernels, square, appearance, late);
                 dots += expected.x.size();
                 late_dots += expected.late.size();
                 for (const Kernels* kernels : all) {
@@ -272,7 +243,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 TEST_CASE("sure points, and the others behind them, are what testing every point gives, with every kernel") {
     std::mt19937 random(7);
     const auto unit = [&random] { return unit_in(random); };
-    const std::vector<const Kernels*> all = kernels_that_run();
+    const std::vector<const Kernels*> all = runnable_kernels();
     std::size_t decided = 0, partly = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         const CellPoints points = some_points(random);
@@ -289,7 +260,7 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
         square.pixel_half_x = square.pixel_half_y = 1;
         const auto [least, most] = std::minmax_element(std::begin(square.block), std::end(square.block));
         square.none_from = square.births_per_density * *most;
-        const Placed expected = run(kBaselineKernels, square, false, false);
+        const Placed expected = run(kPlainKernels, square, false, false);
         square.sure_below = square.births_per_density * *least;
         for (const Kernels* kernels : all) {
             Placed placed{std::vector<float>(256), std::vector<float>(256), {}, {}, {}};
@@ -307,4 +278,9 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
     }
     CHECK(decided > 100);
     CHECK(partly > 100);
+}
+
+TEST_CASE("the kernels are the widest that run here, or those asked for by their name") {
+    const char* const wanted = std::getenv("DAPPLE_KERNELS");
+    CHECK(chosen_kernels().name == std::string(wanted ? wanted : runnable_kernels().back()->name));
 }

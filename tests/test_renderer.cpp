@@ -196,8 +196,9 @@ TEST_CASE("a dot fades in from its critical scale on") {
     picture.radius(5);
     picture.add(100, 80);
     picture.dots.critical = {1000};
-    for (auto [scale, least, most] :
+    for (const auto& each :
          {std::array{990.0, 255.0, 255.0}, {1075.0, 186.0, 190.0}, {1200.0, 0.0, 2.0}, {0.0, 0.0, 2.0}}) {
+        const double scale = each[0], least = each[1], most = each[2];
         CAPTURE(scale);
         picture.look.fade_scale = scale;
         const int grey = picture.draw().at(100, 80).r;

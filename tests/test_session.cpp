@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
@@ -247,10 +248,9 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
         });
     };
     REQUIRE(brings([&] { return session.pane().page_order() == order; }));
-    for (const auto& [name, format] : {std::pair("a.svg", DrawingFormat::svg),
-                                       {"a.png", DrawingFormat::png},
-                                       {"a.csv", DrawingFormat::csv}}) {
+    for (const char* const name : {"a.svg", "a.png", "a.csv"}) {
         CAPTURE(name);
+        const DrawingFormat format = drawing_format(name);
         ExportEstimate estimate;
         const ExportFacts facts = estimate.facts(session.pane(), session.settings, format);
         CHECK(facts.dots == 40'000);

@@ -199,13 +199,12 @@ TEST_CASE("beyond the picture's edges the density goes on as it is there") {
     const Density density(grid);
     WeightedCentroid centroid = in_pixels(density);
     for (const float h : {2.0f, 9.0f}) {
-        for (const auto& [x, y] :
-             {std::pair(0.0f, 0.0f), {64.0f, 48.0f}, {0.5f, 20.0f}, {63.0f, 0.2f}, {30.0f, 48.0f}}) {
+        for (const glm::vec2 at : {glm::vec2(0, 0), {64, 48}, {0.5f, 20}, {63, 0.2f}, {30, 48}}) {
             const VoronoiCell cell(-h, -h, h, h);
-            const Centroid found = centroid.of(cell, centroid.anchor(x, y));
-            CAPTURE(x);
-            CAPTURE(y);
-            CHECK(glm::distance(glm::dvec2(found.x, found.y), sampled(cell, grid, {x, y})) < 0.03 * 2 * h);
+            const Centroid found = centroid.of(cell, centroid.anchor(at.x, at.y));
+            CAPTURE(at.x);
+            CAPTURE(at.y);
+            CHECK(glm::distance(glm::dvec2(found.x, found.y), sampled(cell, grid, at)) < 0.03 * 2 * h);
         }
     }
 }

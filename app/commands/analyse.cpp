@@ -140,7 +140,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
             "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
             "constant "
             "grey and window else")
-        ->type_name("NAME");
+        ->type_name("torus|window");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
     add_number(
         *command, "--width", options_.width, length, "LENGTH",

@@ -143,7 +143,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "-n,--samples",
-            [&request, whole](const std::string& text) {
+            [&request](const std::string& text) {
                 request.count = count_in("--samples", text, kMostLightSamples);
             },
             "Exactly so many samples")
@@ -166,7 +166,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
             },
             "Which way in space a place on the map lies: openexr, usd, mitsuba, blender or pbrt; without it "
             "pbrt for .pbrt, mitsuba for .xml, else openexr")
-        ->type_name("NAME");
+        ->type_name("openexr|usd|mitsuba|blender|pbrt");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Turn the map about the up axis, by the right-hand rule");
     add_choice(*command, "--radiance", request.radiance, {SampleRadiance::mean, SampleRadiance::point},

@@ -186,7 +186,7 @@ CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking) {
             one_of("--ranking", text, {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy});
     };
     return add_text(
-        app, "--ranking", "NAME",
+        app, "--ranking", "paper|farthest|energy",
         "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept with the "
         "tile",
         read);
@@ -221,7 +221,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         stipple.placer = one_of("--placer", text, {PlacerKind::exact, PlacerKind::figure8});
     };
     add_text(
-        app, "--placer", "NAME",
+        app, "--placer", "exact|figure8",
         "exact: each dot once, no line lost; figure8: as the paper prints it, which emits about a quarter of "
         "the dots twice",
         read_placer)
@@ -237,7 +237,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         else
             settings.relax = whole_number_in("--relax", text, {.least = 0, .most = kMostRelaxingSteps});
     };
-    add_text(app, "--relax", "N",
+    add_text(app, "--relax", "auto|N",
              "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. "
              "From 1 on "
              "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots "
@@ -269,7 +269,7 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         settings.automatic_tone = text == "auto";
     };
     add_text(
-        app, "--tone", "NAME",
+        app, "--tone", "auto|true",
         "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just "
         "the "
         "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
@@ -308,7 +308,7 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
     };
     add_text(
-        app, "--order", "NAME",
+        app, "--order", "recursion|priority|space",
         "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
         "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the "
         "first n being the "

@@ -59,8 +59,10 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target, s
         }
         throw CLI::ValidationError(name, text + " is not known; there are " + names);
     };
+    std::string type;
+    for (const Value value : values) type += (type.empty() ? "" : "|") + std::string(name_of(value));
     return app.add_option_function<std::string>(name, read, help)
-        ->type_name("NAME")
+        ->type_name(type)
         ->default_str(std::string(name_of(target)));
 }
 

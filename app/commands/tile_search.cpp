@@ -293,7 +293,7 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
             "identity: every tile of the paper's kind, by radius; any: tiles with turned copies that do not "
             "repeat, by annealing, the rule that suits them best among them; or a rule of four orientations, "
             "such as 3760, for that alone")
-        ->type_name("NAME")
+        ->type_name("identity|any|RULE")
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: so many tiles, distinct up to symmetry");

@@ -12,7 +12,7 @@ constexpr rlim_t kHeaderSeconds = 20;
 constexpr rlim_t kBytesPerSecond = 1'000'000;  // slower than any format is decoded
 constexpr rlim_t kOpenFiles = 64;
 
-void limit(__rlimit_resource resource, rlim_t most) {
+void limit(decltype(RLIMIT_DATA) resource, rlim_t most) {
     rlimit now{};
     if (getrlimit(resource, &now) != 0) return;
     now.rlim_cur = std::min(most, now.rlim_max);

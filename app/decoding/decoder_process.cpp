@@ -153,14 +153,20 @@ class Process {
 
 fs::path decoder_for(PictureFormat format) {
     const char* const name = format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode";
+#if defined(DAPPLE_LINUX)
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* const place : {".", "../libexec/dapple", "../app"}) {
-        const fs::path decoder = folder / place / name;
+    const std::array places{folder, folder / "../libexec/dapple", folder / "../app"};
+#else
+    // A program that cannot tell where it lies cannot be moved.
+    const std::array<fs::path, 2> places{DAPPLE_INSTALLED_DECODERS, DAPPLE_BUILT_DECODERS};
+#endif
+    for (const fs::path& place : places) {
+        const fs::path decoder = place / name;
         if (::access(decoder.c_str(), X_OK) == 0) return decoder;
     }
     throw DecodeError("cannot be read: the program " + std::string(name) + " is missing from " +
-                      folder.string() + "; install or build dapple again");
+                      places.front().string() + "; install or build dapple again");
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,10 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#if defined(DAPPLE_LINUX)
+#include <sys/vfs.h>
+#endif
 
 namespace dapple {
 namespace {
@@ -40,21 +43,28 @@ bool has_name(const Descriptor& file, const fs::path& name) {
 }
 
 // File systems that other machines write to as well: NFS, SMB in three ages, Ceph, AFS, Plan 9 and FUSE,
-// which sshfs and folders shared with virtual machines come by. The numbers are those of statfs(2).
-bool is_remote(const Descriptor& file) {
+// which sshfs and folders shared with virtual machines come by. The numbers are those of Linux's statfs(2);
+// elsewhere, any may be such.
+bool is_remote([[maybe_unused]] const Descriptor& file) {
+#if defined(DAPPLE_LINUX)
     constexpr std::array<std::uint32_t, 8> kRemote{0x6969,     0x517b,     0xff534d42, 0xfe534d42,
                                                    0x00c36400, 0x5346414f, 0x01021997, 0x65735546};
     struct statfs system {};
     if (::fstatfs(file.get(), &system) != 0) return true;
     return std::ranges::count(kRemote, static_cast<std::uint32_t>(system.f_type)) > 0;
+#else
+    return true;
+#endif
 }
 
 // The time now where the folder is; none if nothing can be made there.
 std::optional<std::time_t> time_of_server(const fs::path& folder) {
-    const Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
     struct stat made {};
+#if defined(O_TMPFILE)
+    const Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
     if (file && ::fstat(file.get(), &made) == 0) return made.st_mtime;
-    // Network file systems seldom have such files.
+        // Network file systems seldom have such files.
+#endif
     try {
         const PartFile part(folder / "any");
         if (::fstat(part.descriptor(), &made) == 0) return made.st_mtime;

@@ -223,7 +223,7 @@ DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
         Placer placer;
         std::shared_ptr<const Density> density;
     };
-    const auto owned = std::make_shared<Owned>(Placer(tile_->placer().shared_table()), plan.density);
+    const auto owned = std::make_shared<Owned>(Owned{Placer(tile_->placer().shared_table()), plan.density});
     const StreamRequest request{.stipple = plan.stipple, .part = part, .finish = sizes_by_tone(plan)};
     DotStream dots = plan.steps > 0 ? relaxed_stream(owned->placer, *owned->density, request, plan.steps)
                                     : dapple::stream(owned->placer, *owned->density, request);

@@ -49,9 +49,8 @@ std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& dens
                          here > 0 ? dots.threshold[i] / here : std::numeric_limits<double>::max()};
         }
         std::ranges::sort(places, {}, [](const Place& p) { return std::tuple(p.y, p.x, p.critical); });
-        const auto again =
-            std::ranges::unique(places, {}, [](const Place& p) { return std::pair(p.x, p.y); });
-        places.erase(again.begin(), again.end());
+        const auto alike = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
+        places.erase(std::unique(places.begin(), places.end(), alike), places.end());
         if (places.size() >= count) {
             std::ranges::stable_sort(places, {}, &Place::critical);
             std::vector<glm::dvec2> chosen(count);

@@ -1,8 +1,10 @@
 #include "core/placing/dots.h"
 
-#include <sys/mman.h>
-
 #include <cmath>
+
+#if defined(DAPPLE_LINUX)
+#include <sys/mman.h>
+#endif
 
 namespace dapple {
 
@@ -14,7 +16,9 @@ constexpr std::align_val_t kHugePage{2 << 20};
 
 void* allocate_large(std::size_t bytes) {
     void* const memory = ::operator new(bytes, kHugePage);
+#if defined(DAPPLE_LINUX)
     madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: without, it is memory as well
+#endif
     return memory;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/placing/dots.h"
 #include "core/placing/placing_table.h"
@@ -78,6 +79,8 @@ struct SurePoints {
 inline constexpr std::size_t kKernelPadding = kBlockPoints;
 
 struct Kernels {
+    const char* name = nullptr;  // "plain", "avx2", "avx512"
+
     /// Writes sure points of a square without edges, in the order of their births. Its first point and what
     /// belongs to its source may be unset; only output.x and y are written.
     SurePoints (*place_sure)(const KernelSquare& square, const KernelOutput& output);
@@ -86,9 +89,14 @@ struct Kernels {
     PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);
 };
 
-extern const Kernels kBaselineKernels, kAvx2Kernels, kAvx512Kernels;
+extern const Kernels kPlainKernels;  // for any processor
 
-/// The widest kernels that this processor can run.
-const Kernels& best_kernels();
+/// Those that were compiled and that this processor runs: the plain ones, then ever wider.
+std::vector<const Kernels*> runnable_kernels();
+
+/// The widest of them; or, where the environment variable DAPPLE_KERNELS names some, those: for tests, and to
+/// tell whose fault something is, as the dots are the same. Throws std::runtime_error if it names none of
+/// them.
+const Kernels& chosen_kernels();
 
 }  // namespace dapple

@@ -34,7 +34,7 @@ SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemo
       dots_(dots),
       memory_(memory),
       beyond_caches_(beyond_caches),
-      kernels_(best_kernels()) {
+      kernels_(chosen_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
     // Columns are used to their full capacity while dots are appended.
     dots_.resize(capacity_, traversal_.request().appearance);

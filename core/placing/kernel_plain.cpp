@@ -87,7 +87,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-extern const Kernels kBaselineKernels;
-const Kernels kBaselineKernels{place_sure, place_square};
+const Kernels kPlainKernels{"plain", place_sure, place_square};
 
 }  // namespace dapple

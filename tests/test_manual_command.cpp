@@ -1,0 +1,39 @@
+#include <doctest/doctest.h>
+
+#include <regex>
+#include <string>
+
+#include "tests/shell.h"
+
+using namespace dapple;
+
+TEST_CASE("the manual page names every command and option that help does") {
+    const std::string page = std::regex_replace(run_dapple("manual").out, std::regex("\\\\-"), "-");
+    std::size_t options = 0;
+    for (const std::string command : {"", "render", "analyse", "lights", "reproduce", "tile", "tile list",
+                                      "tile rules", "tile show", "tile search", "tile rank", "tile check"}) {
+        CAPTURE(command);
+        // From the title of its part to the next.
+        const std::size_t begin =
+            page.find(command.empty() ? ".SH OPTIONS\n" : ".SS dapple " + command + "\n");
+        REQUIRE(begin != page.npos);
+        const std::string part = page.substr(begin, page.find("\n.S", begin + 1) - begin);
+        const std::string help = run_dapple(command + " --help").out;
+        const std::regex line_of_option("\n  (-[a-z],)?(--[a-z-]+)");
+        for (std::sregex_iterator each(help.begin(), help.end(), line_of_option), end; each != end; ++each) {
+            const std::string option = (*each)[2];
+            CAPTURE(option);
+            if (option != "--help") CHECK(part.find("\\fB" + option + "\\fR") != part.npos);
+            ++options;
+        }
+    }
+    CHECK(options > 80);
+    CHECK(page.find("--log-status") == page.npos);  // help does not show it
+}
+
+TEST_CASE("nothing in the manual page is taken for a request of roff by mistake") {
+    const Outcome manual = run_dapple("manual");
+    CHECK(manual.status == 0);
+    const std::regex request("\n[.'](?!(TH|SH|SS|TP|PP|br|nf|fi)\\b)");
+    CHECK_FALSE(std::regex_search(manual.out, request));
+}
