@@ -11,8 +11,8 @@ namespace dapple {
 
 inline constexpr std::size_t kLargeMemory = 4 << 20;
 
-/// Memory of kLargeMemory and more, in huge pages where it is Linux that has them: there, fresh memory and writing
-/// through a hundred megabytes cost less. Throws std::bad_alloc.
+/// Memory of kLargeMemory and more, in huge pages where it is Linux that has them: there, fresh memory and
+/// writing through a hundred megabytes cost less. Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 void deallocate_large(void* memory);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <compare>
 #include <numbers>
 
 #include "core/tile/orientation.h"
@@ -12,7 +13,30 @@ namespace dapple {
 
 namespace {
 
+// Whole numbers below 2^120.
+#if defined(__SIZEOF_INT128__)
 __extension__ using Wide = unsigned __int128;
+constexpr Wide kMostWide = ~Wide{0};
+
+Wide sum_of_squares(std::uint64_t x, std::uint64_t y) {
+    return Wide{x} * x + Wide{y} * y;
+}
+#else
+struct Wide {
+    std::uint64_t high = 0, low = 0;  // high * 2^60 + low
+    auto operator<=>(const Wide&) const = default;
+    explicit operator double() const { return static_cast<double>(high) * 0x1p60 + static_cast<double>(low); }
+};
+constexpr Wide kMostWide{~std::uint64_t{0}, 0};
+
+Wide sum_of_squares(std::uint64_t x, std::uint64_t y) {
+    constexpr std::uint64_t kHalf = (1u << 30) - 1;
+    const std::uint64_t x1 = x >> 30, x0 = x & kHalf, y1 = y >> 30, y0 = y & kHalf;
+    const std::uint64_t low = x0 * x0 + y0 * y0;
+    const std::uint64_t middle = 2 * (x1 * x0 + y1 * y0) + (low >> 30);
+    return {x1 * x1 + y1 * y1 + (middle >> 30), (middle & kHalf) << 30 | (low & kHalf)};
+}
+#endif
 
 std::uint64_t torus_distance(std::uint64_t a, std::uint64_t b, std::uint64_t period) {
     const std::uint64_t d = a > b ? a - b : b - a;
@@ -40,13 +64,13 @@ double relative_radius(std::string_view word) {
 
     std::array<TileIntegers, kMaxIdentityWord> points;
     points[0] = integers_of(word);
-    Wide smallest = ~Wide{0};
+    Wide smallest = kMostWide;
     for (std::size_t i = 1; i < count; ++i) {
         points[i] = {shift(points[i - 1].a), shift(points[i - 1].b)};
         for (std::size_t j = 0; j < i; ++j) {
-            const Wide dx = torus_distance(points[i].a, points[j].a, period);
-            const Wide dy = torus_distance(points[i].b, points[j].b, period);
-            smallest = std::min(smallest, dx * dx + dy * dy);
+            const std::uint64_t dx = torus_distance(points[i].a, points[j].a, period);
+            const std::uint64_t dy = torus_distance(points[i].b, points[j].b, period);
+            smallest = std::min(smallest, sum_of_squares(dx, dy));
         }
     }
     const double radius = std::sqrt(static_cast<double>(smallest)) / static_cast<double>(period) / 2;
