@@ -1,6 +1,6 @@
 // The part of the window that shows the page, with Dear ImGui but without a window.
 
-#include "app/viewer/canvas.h"
+#include "app/viewer/canvas/canvas.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,4 @@
-// The environment map's window without the window: what is saved of it. Its textures need OpenGL.
-
-#include "app/viewer/light_session.h"
+// An environment map as the window has it, without the window.
 
 #include <doctest/doctest.h>
 
@@ -11,8 +9,8 @@
 
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
+#include "app/viewer/model/light_session.h"
 #include "tests/file_text.h"
-#include "tests/offscreen_gl.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
@@ -29,22 +27,63 @@ bool brings(LightSession& session, Done done) {
     });
 }
 
+void write_even_map(const fs::path& file, int width) {
+    std::ofstream out(file, std::ios::binary);
+    out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " << width / 2 << " +X " << width << "\n";
+    for (int texel = 0; texel < width * width / 2; ++texel) out << "\x80\x80\x80\x81";
+}
+
 }  // namespace
 
+TEST_CASE("of maps that are opened while another is read the last one is shown, with its own samples") {
+    const TemporaryFolder folder;
+    for (const int width : {64, 32, 16}) write_even_map(folder / (std::to_string(width) + ".hdr"), width);
+    LightSession session(LightsSettings{}, [] {});
+    for (const char* name : {"64.hdr", "32.hdr", "16.hdr"}) session.open(folder / name);
+    REQUIRE(brings(session, [&] { return session.name() == "16.hdr" && session.samples().found; }));
+    CHECK(session.lit()->map.width() == 16);
+    CHECK(session.maps() == 2);  // that of 32 was never read
+    CHECK(session.banner.message.empty());
+}
+
+TEST_CASE("a map that cannot be read leaves the one that is shown, and says why") {
+    const TemporaryFolder folder;
+    LightSession session(LightsSettings{}, [] {});
+    session.open_sky();
+    REQUIRE(brings(session, [&] { return session.samples().found.has_value(); }));
+    session.open(folder / "none.hdr");
+    REQUIRE(brings(session, [&] { return !session.banner.message.empty(); }));
+    CHECK(session.banner.kind == BannerKind::error);
+    CHECK(session.banner.message.find("none.hdr") != std::string::npos);
+    CHECK(session.name() == "Sky");
+    CHECK(session.samples().found);
+}
+
+TEST_CASE("the first map throws why it cannot be read, as there is nothing to go on showing") {
+    LightSession session(LightsSettings{}, [] {});
+    session.open("/nowhere/none.hdr");
+    CHECK_THROWS_WITH(brings(session, [] { return false; }), doctest::Contains("none.hdr"));
+}
+
+TEST_CASE("a tile that is not there is told once, and the samples stay") {
+    LightSession session(LightsSettings{}, [] {});
+    session.open_sky();
+    REQUIRE(brings(session, [&] { return session.samples().found.has_value(); }));
+    const std::uint64_t samplings = session.samplings();
+    session.settings.tile = "no such tile";
+    REQUIRE(brings(session, [&] { return !session.banner.message.empty(); }));
+    CHECK(session.samplings() == samplings);
+    CHECK(session.samples().found);
+}
+
 TEST_CASE("samples are exported with the axes chosen and the map turned, as one asks for by hand") {
-    const OffscreenContext context;
     const TemporaryFolder folder;
     LightsSettings settings;
     settings.request.count = 50;
-    LightSession session(settings);
-    {
-        // Of 16 x 8 texels, all alike, in Radiance's format.
-        std::ofstream out(folder / "even.hdr", std::ios::binary);
-        out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
-        for (int texel = 0; texel < 8 * 16; ++texel) out << "\x80\x80\x80\x81";
-    }
+    LightSession session(settings, [] {});
+    write_even_map(folder / "even.hdr", 16);
     session.open(folder / "even.hdr");
-    REQUIRE(brings(session, [&] { return session.scene() != nullptr; }));
+    REQUIRE(brings(session, [&] { return session.lit() != nullptr; }));
     std::set<std::string> files;
     for (const auto convention : {SphereConvention::openexr, SphereConvention::blender, SphereConvention::usd,
                                   SphereConvention::pbrt}) {
@@ -58,7 +97,7 @@ TEST_CASE("samples are exported with the axes chosen and the map turned, as one 
             REQUIRE(brings(session, [&] { return session.saved_path() == file; }));
 
             RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
-            const EnvironmentMap& map = session.scene()->map();
+            const EnvironmentMap& map = session.lit()->map;
             save_lights(folder / "by_hand.json", map, light_samples(map, tile, settings.request),
                         {.convention = convention, .rotation_degrees = turn, .source = "even.hdr"});
             CHECK(text_of(file) == text_of(folder / "by_hand.json"));

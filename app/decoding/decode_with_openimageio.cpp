@@ -75,15 +75,14 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
 Encoding encoding_of(const OIIO::ImageSpec& spec) {
     const std::string name = OIIO::Strutil::lower(spec.get_string_attribute("oiio:ColorSpace"));
     if (name.starts_with("lin") || name == "scene_linear") return {Encoding::Kind::linear};
-    if (name.starts_with("gamma")) {
-        // "Gamma2.2", or "GammaCorrected" with the number beside it.
-        float gamma = spec.get_float_attribute("oiio:Gamma", 0.0f);
-        if (gamma <= 0) gamma = OIIO::Strutil::from_string<float>(name.substr(5));
-        if (gamma == 1) return {Encoding::Kind::linear};
-        if (gamma > 0) return {Encoding::Kind::power, gamma};
-    }
+    const bool srgb = name.starts_with("srgb");
+    // "Gamma2.2", or some name for it, with the number beside it; release 3 says "g22_rec709_scene".
+    float gamma = srgb ? 0 : spec.get_float_attribute("oiio:Gamma", 0.0f);
+    if (gamma <= 0 && name.starts_with("gamma")) gamma = OIIO::Strutil::from_string<float>(name.substr(5));
+    if (gamma == 1) return {Encoding::Kind::linear};
+    if (gamma > 0) return {Encoding::Kind::power, gamma};
     // PFM's floats are light, though OpenImageIO takes them for encoded as PPM's integers are.
-    if (spec.format.is_floating_point() && name != "srgb") return {Encoding::Kind::linear};
+    if (spec.format.is_floating_point() && !srgb) return {Encoding::Kind::linear};
     return {Encoding::Kind::srgb};
 }
 
