@@ -19,11 +19,16 @@
 namespace dapple {
 namespace {
 
-/// An environment map of one colour, in Radiance's format.
-void write_even_map(const fs::path& file) {
+/// An environment map in Radiance's format, its columns as light as paper times 2^(exponent - 0x81) in turn.
+void write_map(const fs::path& file, char even_exponent, char odd_exponent) {
     std::ofstream out(file, std::ios::binary);
     out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
-    for (int pixel = 0; pixel < 8 * 16; ++pixel) out << "\x80\x80\x80\x81";
+    for (int pixel = 0; pixel < 8 * 16; ++pixel)
+        out << "\x80\x80\x80" << (pixel % 2 ? odd_exponent : even_exponent);
+}
+
+void write_even_map(const fs::path& file) {
+    write_map(file, '\x81', '\x81');
 }
 
 /// How many of an SVG's circles lie in each of 4 x 4 parts of a page of that many px.
@@ -319,6 +324,17 @@ TEST_CASE("the samples of an environment map follow their slider, and exposing i
     CHECK(status()["samples"] == before["samples"]);
     viewer.key("ctrl+q");
     CHECK(viewer.wait_for_end() == 0);
+}
+
+TEST_CASE("a picture that looks like an environment map is opened as lights by a click") {
+    TemporaryFolder folder;
+    write_map(folder / "bright.hdr", '\x84', '\x7e');
+    Display display;
+    RunningViewer viewer(folder.path(), {(folder / "bright.hdr").string()});
+    CHECK(viewer.status().contains("dots"));
+    viewer.click("Open as lights");
+    CHECK(viewer.shows([&] { return viewer.status().contains("samples"); }));
+    CHECK(viewer.has("Exposure"));
 }
 
 TEST_CASE("the wheel zooms into an environment map, F shows all of it again, and the title names it") {

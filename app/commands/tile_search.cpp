@@ -297,10 +297,10 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: so many tiles, distinct up to symmetry");
-    add_number(
-        command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
-        "identity: stop then, to go on later; any: a search as long as that, whose tile no other search "
-        "finds again; --moves is for those");
+    add_number(command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
+               "identity: stop after so long, to go on later; any: search for so long. Which tile that finds "
+               "depends "
+               "on the machine's speed; --moves finds the same one everywhere");
     command
         .add_option_function<std::string>(
             "--moves",

@@ -12,6 +12,7 @@ struct Banner {
     BannerKind kind = BannerKind::notice;
     std::string message;   // empty: nothing is shown
     float shown_for = -1;  // seconds; below 0: not yet
+    std::string offer{};   // on a button; with one it stays until it is closed
 };
 
 }  // namespace dapple

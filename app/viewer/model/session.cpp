@@ -41,6 +41,7 @@ void Session::open_sample() {
 void Session::open(const fs::path& path) {
     pane_.worker().open(printable(path.filename().native()), [path] { return read_picture(path); });
     picture_path_ = path;
+    if (!banner.offer.empty()) banner = {};  // it was about the picture before
 }
 
 void Session::open_tile(const fs::path& file) {
@@ -155,6 +156,9 @@ void Session::take(PlacedNews& news) {
         ++pictures_;
         saved_path_.clear();  // it shows another picture
         if (banner.kind == BannerKind::notice) banner = {};
+        if (picture_.looks_like_environment)
+            banner = {.message = picture_.name + " looks like an environment map.",
+                      .offer = "Open as lights"};
     }
     if (!news.error.empty()) banner = {BannerKind::error, news.error};
     if (news.error.empty() && news.order == pane_.page_ordered()) placed_settings_ = ordered_settings_;

@@ -58,6 +58,10 @@ void make_ready_for_screen(PlacedDrawing& drawing) {
     give_memory_back();
 }
 
+bool looks_like_environment(const Grid<float>& light) {
+    return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
+}
+
 bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
     return a.tile == b.tile && a.ranking == b.ranking && a.drawing.stipple.placer == b.drawing.stipple.placer;
 }
@@ -219,13 +223,15 @@ void Worker::run_task(OpenTask& task) {
     try {
         Picture picture = task.open();
         int longer = std::max(picture.light.width, picture.light.height);
+        const bool environment = looks_like_environment(picture.light);
         workbench_.set_picture(std::move(picture.light));
         arrived_ = OpenedPicture{task.name,
                                  picture.description,
                                  longer,
                                  std::move(picture.preview),
                                  workbench_.pipeline().histogram(),
-                                 task.open};
+                                 task.open,
+                                 environment};
         std::scoped_lock lock(mutex_);
         if (!next_order_ || next_order_->close) next_order_ = last_order_;
     } catch (...) {

@@ -29,6 +29,8 @@ struct OpenedPicture {
     Grid<glm::u8vec4> preview;
     Histogram histogram;
     std::function<Picture()> read;  // reads it again
+    /// Twice as wide as high and in parts brighter than paper, as environment maps are.
+    bool looks_like_environment = false;
 };
 
 /// What the worker has to tell. A new picture comes together with its first dots. A drawing whose dots are

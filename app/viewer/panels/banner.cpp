@@ -14,9 +14,13 @@ namespace {
 
 constexpr float kStays = 6, kFades = 0.7f;  // seconds
 
+bool stays(const Banner& banner) {
+    return banner.kind == BannerKind::error || !banner.offer.empty();
+}
+
 // Counts from the first frame that shows it: the one before may lie long back.
 void grow_old(Banner& banner) {
-    if (banner.kind == BannerKind::error) return;
+    if (stays(banner)) return;
     banner.shown_for = banner.shown_for < 0 ? 0 : banner.shown_for + ImGui::GetIO().DeltaTime;
     if (banner.shown_for > kStays + kFades) banner = {};
 }
@@ -24,21 +28,21 @@ void grow_old(Banner& banner) {
 }  // namespace
 
 double rest_of(const Banner& banner) {
-    if (banner.message.empty() || banner.kind == BannerKind::error)
-        return std::numeric_limits<double>::infinity();
+    if (banner.message.empty() || stays(banner)) return std::numeric_limits<double>::infinity();
     return std::max(0.0f, kStays - std::max(banner.shown_for, 0.0f));
 }
 
-void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
+bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     grow_old(banner);
-    if (banner.message.empty()) return;
+    if (banner.message.empty()) return false;
     const std::string message = printable(banner.message);
     float unit = ImGui::GetTextLineHeight() / 15;
     float cross = ImGui::GetFrameHeight();
     ImVec2 padding{16 * unit, 10 * unit};
     float widest = std::max(100.0f, std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross);
     ImVec2 text = ImGui::CalcTextSize(message.c_str(), nullptr, false, widest);
-    float width = text.x + 2 * padding.x + cross + 8 * unit;
+    const float button = banner.offer.empty() ? 0 : ImGui::CalcTextSize(banner.offer.c_str()).x + 24 * unit;
+    float width = text.x + 2 * padding.x + cross + 8 * unit + (button > 0 ? button + 12 * unit : 0);
     ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
     ImGui::SetNextWindowSize({width, std::max(text.y, cross) + 2 * padding.y});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha,
@@ -54,6 +58,12 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::PushTextWrapPos(padding.x + widest + unit);
     ImGui::TextUnformatted(message.c_str());
     ImGui::PopTextWrapPos();
+    bool taken = false;
+    if (button > 0) {
+        ImGui::SetCursorPos({padding.x + text.x + 12 * unit, padding.y});
+        taken = ImGui::Button(banner.offer.c_str(), {button, cross});
+        note_place(banner.offer.c_str());
+    }
     ImGui::SetCursorPos({width - padding.x - cross + 4 * unit, padding.y});
     if (ImGui::Button("x", {cross, cross})) banner.message.clear();
     note_place("Close message");
@@ -61,6 +71,7 @@ void draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::End();
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(3);
+    return taken;
 }
 
 }  // namespace dapple

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -55,6 +56,9 @@ class Document {
 
     /// Seconds without an event after which it is to be drawn all the same; 0: at once.
     virtual double rest() const = 0;
+
+    /// What is to take its place in the window, once; null: nothing.
+    virtual std::unique_ptr<Document> take_successor() { return nullptr; }
 
     /// For scripts that drive the window, see status_log.h; none before something is shown.
     virtual std::optional<nlohmann::ordered_json> status() const = 0;

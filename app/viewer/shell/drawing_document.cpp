@@ -17,6 +17,7 @@
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
@@ -141,7 +142,8 @@ void DrawingDocument::draw(const Frame& frame) {
 }
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place) {
-    draw_banner(session_.banner, place.corner, place.size);
+    if (draw_banner(session_.banner, place.corner, place.size))
+        successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
     Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving())
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "app/viewer/canvas/canvas.h"
@@ -36,6 +37,7 @@ class DrawingDocument : public Document {
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
     double rest() const override;
+    std::unique_ptr<Document> take_successor() override { return std::move(successor_); }
     std::optional<nlohmann::ordered_json> status() const override;
 
  private:
@@ -80,6 +82,7 @@ class DrawingDocument : public Document {
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_titled_ = 0;
+    std::unique_ptr<Document> successor_;
 };
 
 }  // namespace dapple

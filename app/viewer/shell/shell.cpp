@@ -47,6 +47,7 @@ int Shell::run(std::unique_ptr<Document> document) {
         const auto begin = std::chrono::steady_clock::now();
         const bool was_ready = ready_;  // the first frame makes everything ready
         frame(*document);
+        if (auto successor = document->take_successor()) document = std::move(successor);
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
         if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
