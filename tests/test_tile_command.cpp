@@ -128,6 +128,20 @@ TEST_CASE("another seed finds another tile") {
     CHECK(found.size() == 3);
 }
 
+TEST_CASE("a search under nohup goes on to its end when the terminal closes, and stops without") {
+    const TemporaryFolder folder;
+    const auto search = [&](const std::string& before, const std::string& file) {
+        // It saves what it has at once: then the terminal closes.
+        return run_in_shell(
+            before + "\"$DAPPLE\" tile search --points 64 --rule 3760 --moves 2e5 --runs 1 -o " + file +
+            " & while ! [ -e " + file + " ]; do sleep 0.02; done; kill -HUP $!; wait $!");
+    };
+    const Outcome ignored = search("trap '' HUP; ", folder / "a.tile"), heard = search("", folder / "b.tile");
+    CHECK(ignored.status == 0);
+    CHECK(ignored.out.find("the same again: ") != std::string::npos);
+    CHECK(heard.out.find("stopped: ") != std::string::npos);
+}
+
 TEST_CASE("a timed search does not claim that it can be made again, and takes the time that it is given") {
     const TemporaryFolder folder;
     const std::string file = folder / "timed.tile";
