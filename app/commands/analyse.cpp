@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -13,6 +11,7 @@
 #include "app/analysis/subject.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
 #include "core/analysis/report.h"
 #include "core/reports/spectrum_picture.h"
 
@@ -20,13 +19,6 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string ending_of(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
 
 bool is_table(const fs::path& path) {
     const std::string ending = ending_of(path);

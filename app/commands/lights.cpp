@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment.h"
+#include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
 #include "app/printable.h"
@@ -23,13 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReportEndings = ".html, .csv or .svg";
-
-std::string ending_of(const fs::path& output) {
-    std::string ending = output.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
 
 void check_files(const LightsOptions& options) {
     check_apart(options.output, {{options.map, "the map"}, {options.tile, "the tile"}});

@@ -1,11 +1,11 @@
 #include "app/files/save_drawing.h"
 
-#include <cctype>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 
 #include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
 #include "app/files/png_file.h"
 #include "core/output/csv.h"
 #include "core/output/progress.h"
@@ -14,12 +14,6 @@
 
 namespace dapple {
 namespace {
-
-std::string ending_of(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
-}
 
 bool is_grey(glm::vec3 colour) {
     return colour.r == colour.g && colour.g == colour.b;

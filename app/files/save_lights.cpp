@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
 #include <vector>
 
 #include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
 #include "app/files/png_file.h"
 #include "core/lights/light_list.h"
 #include "core/lights/light_picture.h"
@@ -40,9 +39,7 @@ void write_picture(std::ostream& out, const EnvironmentMap& map, const LightSamp
 }  // namespace
 
 std::optional<LightFile> light_file_of(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = ending_of(path);
     if (ending == ".json") return LightFile::json;
     if (ending == ".csv") return LightFile::csv;
     if (ending == ".pbrt") return LightFile::pbrt;

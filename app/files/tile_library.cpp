@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
 #include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
 #include "app/files/text_file.h"
 #include "app/printable.h"
 #include "core/tile/tile_marks.h"
@@ -85,9 +85,7 @@ std::span<const char* const> built_in_tile_names() {
 }
 
 bool ends_as_tile(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == kTileEnding;
+    return ending_of(file) == kTileEnding;
 }
 
 std::string short_tile_name(const std::string& name) {

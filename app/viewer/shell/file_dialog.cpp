@@ -1,13 +1,13 @@
 #include "app/viewer/shell/file_dialog.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <utility>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "app/files/file_ending.h"
 #include "app/printable.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/widgets/keys.h"
@@ -18,11 +18,6 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 bool is_folder(const fs::path& path) {
     std::error_code ignored;
@@ -55,12 +50,12 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
         std::string name = entry->path().filename().string();
         if (name.starts_with('.')) continue;
         bool is_dir = is_folder(entry->path());
-        auto wanted = std::ranges::find(extensions, lower(entry->path().extension().string()));
+        auto wanted = std::ranges::find(extensions, ending_of(entry->path()));
         if (is_dir || extensions.empty() || wanted != extensions.end()) entries.push_back({name, is_dir});
     }
     std::ranges::sort(entries, [](const FolderEntry& a, const FolderEntry& b) {
         if (a.folder != b.folder) return a.folder;
-        std::string la = lower(a.name), lb = lower(b.name);
+        std::string la = lower_case(a.name), lb = lower_case(b.name);
         return la != lb ? la < lb : a.name < b.name;
     });
     return entries;
@@ -97,7 +92,7 @@ std::vector<std::string> FileDialog::endings() const {
 
 std::optional<std::size_t> FileDialog::format_of(const fs::path& path) const {
     const std::vector<std::string> known = endings();
-    const auto found = std::ranges::find(known, lower(path.extension().string()));
+    const auto found = std::ranges::find(known, ending_of(path));
     if (found == known.end()) return std::nullopt;
     return static_cast<std::size_t>(found - known.begin());
 }
