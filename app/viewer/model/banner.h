@@ -1,4 +1,5 @@
 #pragma once
+// A message to the person at the window, with at most one thing to do about it.
 
 #include <string>
 

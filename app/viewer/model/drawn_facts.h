@@ -1,4 +1,5 @@
 #pragma once
+// What the panels need to know of the drawing that is shown.
 
 #include <cstdint>
 

@@ -1,4 +1,5 @@
 #pragma once
+// All that the window of an environment map edits, as one value.
 
 #include <optional>
 #include <string>

@@ -1,4 +1,5 @@
 #pragma once
+// The buttons at the top of the column.
 
 #include <functional>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The message over the canvas.
 
 #include <glm/vec2.hpp>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The section "Compare": the split view and what its right side is drawn with.
 
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/tile_row.h"

@@ -1,4 +1,5 @@
 #pragma once
+// The section "Dots": how many, how large, how they are placed and relaxed.
 
 #include "app/viewer/model/drawn_facts.h"
 #include "app/viewer/panels/tile_row.h"

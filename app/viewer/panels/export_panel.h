@@ -1,4 +1,5 @@
 #pragma once
+// What the file dialog asks beside a name when a drawing is saved.
 
 #include <string>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The list of keys.
 
 #include <span>
 

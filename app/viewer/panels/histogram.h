@@ -1,4 +1,5 @@
 #pragma once
+// The histogram of the picture, with handles for black, middle and white.
 
 #include "core/image/histogram.h"
 #include "core/image/tone.h"

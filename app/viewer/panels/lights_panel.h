@@ -1,4 +1,5 @@
 #pragma once
+// The column beside an environment map: its samples, its view, how good they are.
 
 #include <optional>
 

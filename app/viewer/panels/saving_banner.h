@@ -1,4 +1,5 @@
 #pragma once
+// How far a file is written, and the button that stops it.
 
 #include <glm/vec2.hpp>
 #include <string>

@@ -1,4 +1,5 @@
 #pragma once
+// What each side of the split view shows, under it.
 
 #include <array>
 #include <glm/vec2.hpp>

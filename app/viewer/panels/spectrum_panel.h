@@ -1,4 +1,5 @@
 #pragma once
+// The section "Spectrum": what is measured of the dots on screen.
 
 #include <imgui.h>
 

@@ -1,4 +1,5 @@
 #pragma once
+// The line of figures below the canvas.
 
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -1,4 +1,5 @@
 #pragma once
+// The section "The tile": the points of the tile in use and the order in which they appear.
 
 #include <array>
 #include <cstddef>

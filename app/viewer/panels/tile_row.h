@@ -1,4 +1,5 @@
 #pragma once
+// The row that chooses a tile.
 
 #include <functional>
 #include <span>

@@ -1,4 +1,5 @@
 #pragma once
+// The section "View": what is shown on the canvas, and in which colours.
 
 #include "app/viewer/model/viewer_settings.h"
 
