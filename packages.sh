@@ -12,7 +12,7 @@ build_packages=(
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    clang doctest-dev imagemagick libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool xvfb
+    doctest-dev imagemagick libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool xvfb
 )
 
 ensure_packages() {
