@@ -3,14 +3,15 @@
 namespace dapple {
 
 std::string tile_in_use(const DrawingSettings& settings) {
-    const bool turns = settings.tile == kDefaultTile && settings.stipple.placer == PlacerKind::figure8;
+    const bool turns = settings.tile == kDefaultTile && settings.placer == PlacerKind::figure8;
     return turns ? "paper16" : settings.tile;
 }
 
 DrawingRequest request_of(const DrawingSettings& settings, double margin_mm) {
     return {.automatic_tone = settings.automatic_tone,
             .tone = settings.tone,
-            .stipple = settings.stipple,
+            .placer = settings.placer,
+            .placing = settings.placing,
             .relax = settings.relax,
             .size = settings.dot_size,
             .width_mm = settings.width_mm - 2 * margin_mm};

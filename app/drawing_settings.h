@@ -22,9 +22,10 @@ inline constexpr const char* kDefaultTile = "aperiodic4096";
 struct DrawingSettings {
     bool automatic_tone = true;  // see DrawingRequest
     Tone tone{.detail = kAutoDetail};
-    std::string tile = kDefaultTile;      // a name for tile_named()
-    std::optional<RankingOrder> ranking;  // none: the tile's own
-    StippleRequest stipple{.count = kDefaultDots, .threads = 0};
+    std::string tile = kDefaultTile;       // a name for tile_named()
+    std::optional<RankingMethod> ranking;  // none: the tile's own
+    PlacerKind placer = PlacerKind::exact;
+    PlacingRequest placing{.count = kDefaultDots, .threads = 0};
     std::optional<int> relax;  // steps; none: the usual ones
     DotSize dot_size;
     double width_mm = 200;   // of the page; the picture fills it

@@ -16,7 +16,7 @@
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
 #include "app/commands/wrong_command.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "app/viewer/viewer.h"
 
 namespace {

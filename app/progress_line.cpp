@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 namespace dapple {
 namespace {

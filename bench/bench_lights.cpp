@@ -14,11 +14,7 @@ namespace {
 constexpr std::uint64_t kSamples = 30'000;
 
 RankedTile paper_tile() {
-    return {make_tile(14217, 2895, 16), RankingOrder::energy};
-}
-
-double scale_for(const Density& density) {
-    return static_cast<double>(kSamples) / (16 * density.mean());
+    return {make_tile(14217, 2895, 16), RankingMethod::energy};
 }
 
 void count(benchmark::State& state, std::size_t dots, std::uint64_t duplicates) {
@@ -31,7 +27,8 @@ void figure8_dots(benchmark::State& state) {
     const Density density = light_density(sky_map());
     const RankedTile tile = paper_tile();
     Figure8Result placed;
-    for (auto _ : state) placed = place_figure8(density, tile.tile(), tile.own_ranks(), scale_for(density));
+    for (auto _ : state)
+        placed = place_figure8(density, tile.tile(), tile.own_ranks(), scale_for(density, kSamples));
     count(state, placed.dots.size(), placed.duplicates);
 }
 
@@ -39,7 +36,7 @@ void exact_dots(benchmark::State& state) {
     const Density density = light_density(sky_map());
     RankedTile tile = paper_tile();
     DotPieces dots;
-    for (auto _ : state) tile.placer().place(density, {.scale = scale_for(density)}, dots);
+    for (auto _ : state) tile.placer().place(density, {.scale = scale_for(density, kSamples)}, dots);
     count(state, dots.size(), 0);
 }
 

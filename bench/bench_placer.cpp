@@ -39,9 +39,9 @@ void report(benchmark::State& state, std::uint64_t distinct) {
 }
 
 void exact(benchmark::State& state, const Density& density, const std::string& tile, int threads) {
-    RankedTile ranked = tile_named(tile, RankingOrder::energy);
+    RankedTile ranked = tile_named(tile, RankingMethod::energy);
     PlacingRequest request;
-    request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
+    request.scale = scale_for(density, static_cast<double>(state.range(0)));
     request.threads = threads;
     DotPieces dots;
     ranked.placer().place(density, request, dots);  // the memory that a program has after its first frame
@@ -55,9 +55,9 @@ void exact(benchmark::State& state, const Density& density, const std::string& t
 
 // Two drawings beside each other: the most that a second thread can bring on this machine.
 void two_at_once(benchmark::State& state, const Density& density, const std::string& tile) {
-    RankedTile ranked[] = {tile_named(tile, RankingOrder::energy), tile_named(tile, RankingOrder::energy)};
+    RankedTile ranked[] = {tile_named(tile, RankingMethod::energy), tile_named(tile, RankingMethod::energy)};
     PlacingRequest request;
-    request.scale = static_cast<double>(state.range(0)) / (16 * density.mean());
+    request.scale = scale_for(density, static_cast<double>(state.range(0)));
     DotPieces dots[2];
     const auto place = [&] {
         tbb::parallel_invoke([&] { ranked[0].placer().place(density, request, dots[0]); },
@@ -74,24 +74,23 @@ void two_at_once(benchmark::State& state, const Density& density, const std::str
 }
 
 void exact_count(benchmark::State& state, const Density& density, const std::string& tile) {
-    RankedTile ranked = tile_named(tile, RankingOrder::energy);
-    const ExactCount request{.count = static_cast<std::uint64_t>(state.range(0))};
+    RankedTile ranked = tile_named(tile, RankingMethod::energy);
+    const PlacingRequest request{.count = static_cast<std::uint64_t>(state.range(0))};
     DotPieces dots;
-    ranked.placer().place_exactly(density, request, dots);
+    ranked.placer().place(density, request, dots);
     for (auto _ : state) {
-        ranked.placer().place_exactly(density, request, dots);
+        ranked.placer().place(density, request, dots);
         benchmark::DoNotOptimize(dots.pieces.data());
     }
     report(state, dots.size());
 }
 
 void figure8(benchmark::State& state, const Density& density) {
-    RankedTile ranked = tile_named("paper16", RankingOrder::paper);
+    RankedTile ranked = tile_named("paper16", RankingMethod::paper);
     std::uint64_t distinct = 0;
     for (auto _ : state) {
-        const Figure8Result result =
-            place_figure8(density, ranked.tile(), ranked.own_ranks(),
-                          static_cast<double>(state.range(0)) / (16 * density.mean()));
+        const Figure8Result result = place_figure8(density, ranked.tile(), ranked.own_ranks(),
+                                                   scale_for(density, static_cast<double>(state.range(0))));
         distinct = result.dots.size() - result.duplicates;
         benchmark::DoNotOptimize(result.dots.x.data());
     }

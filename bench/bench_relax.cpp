@@ -19,7 +19,7 @@ namespace {
 
 void step(benchmark::State& state, Pipeline& pipeline, int threads) {
     const auto count = static_cast<std::uint64_t>(state.range(0));
-    const DrawingPlan plan = pipeline.plan({.stipple = {.count = count, .threads = 0}, .relax = 0});
+    const DrawingPlan plan = pipeline.plan({.placing = {.count = count, .threads = 0}, .relax = 0});
     Drawn drawn;
     pipeline.draw(plan, drawn);
     Relaxation relaxation(drawn.stippling.dots, *plan.density,

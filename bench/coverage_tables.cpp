@@ -67,7 +67,8 @@ int main() {
     for (int phase = 0; phase < kPhases; ++phase) {
         Stippling placed;
         const double count = kFewestDots * std::pow(4.0, double(phase) / kPhases);
-        stipple(tile, black, {.count = static_cast<std::uint64_t>(count), .threads = 0}, placed);
+        stipple(tile, black, PlacerKind::exact, {.count = static_cast<std::uint64_t>(count), .threads = 0},
+                placed);
         int done = 0;
         for (std::size_t s = 0; s < kSteps.size(); ++s) {
             relax(placed.dots, black, kSteps[s] - done, {.scale = placed.scale, .threads = 0});

@@ -29,7 +29,7 @@
 #include "app/files/picture.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "bench/local_distances.h"
 #include "bench/picture_marks.h"
 #include "bench/plain_lloyd.h"

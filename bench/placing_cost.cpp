@@ -45,10 +45,6 @@ double least_ms(const std::function<void()>& run) {
     return least;
 }
 
-double scale_for(double dots, const Density& density) {
-    return dots / (16 * density.mean());
-}
-
 // The sample, enlarged or made smaller.
 Grid<float> light_of_side(int side) {
     const Grid<float> light = sample_picture().light;
@@ -69,8 +65,8 @@ void save(const std::filesystem::path& file, const Plot& plot) {
 
 Plot plot_against_dots() {
     const Density density(density_of(sample_picture().light, Tone{}));
-    RankedTile aperiodic = tile_named("aperiodic4096", RankingOrder::energy);
-    RankedTile paper = tile_named("paper16", RankingOrder::paper);
+    RankedTile aperiodic = tile_named("aperiodic4096", RankingMethod::energy);
+    RankedTile paper = tile_named("paper16", RankingMethod::paper);
     PlotCurve figure8{.name = "Figure 8, paper16", .colour = {0.75f, 0.2f, 0.15f}};
     PlotCurve one{.name = "one core", .colour = {0.13f, 0.35f, 0.65f}};
     PlotCurve all{.name = "all cores", .colour = {0.1f, 0.6f, 0.65f}};
@@ -79,7 +75,7 @@ Plot plot_against_dots() {
     fmt::print("{:>10} {:>11} {:>11} {:>11} {:>11} {:>11}  ms\n", "dots", "figure 8", "one core", "all cores",
                "exactly", "writing");
     for (double dots = 1e3; dots <= 1.01e8; dots *= std::sqrt(10.0)) {
-        const double scale = scale_for(dots, density);
+        const double scale = scale_for(density, dots);
         const auto add = [dots](PlotCurve& curve, const std::function<void()>& run) {
             curve.points.emplace_back(dots, least_ms(run));
             return curve.points.back().y;
@@ -93,9 +89,8 @@ Plot plot_against_dots() {
         const double one_ms = add(one, [&] { aperiodic.placer().place(density, {.scale = scale}, placed); });
         const double all_ms =
             add(all, [&] { aperiodic.placer().place(density, {.scale = scale, .threads = 0}, placed); });
-        const ExactCount count{.count = static_cast<std::uint64_t>(dots)};
-        const double exactly_ms =
-            add(exactly, [&] { aperiodic.placer().place_exactly(density, count, placed); });
+        const PlacingRequest count{.count = static_cast<std::uint64_t>(dots)};
+        const double exactly_ms = add(exactly, [&] { aperiodic.placer().place(density, count, placed); });
         const double writing_ms = add(writing, [&, value = 0.0f]() mutable {
             value += 1;
             for (Dots& piece : placed.pieces) {
@@ -112,7 +107,7 @@ Plot plot_against_dots() {
 }
 
 Plot plot_against_picture() {
-    RankedTile tile = tile_named("aperiodic4096", RankingOrder::energy);
+    RankedTile tile = tile_named("aperiodic4096", RankingMethod::energy);
     PlotCurve tone{.name = "tone and pyramid", .colour = {0.55f, 0.55f, 0.55f}};
     std::vector<PlotCurve> placing{{.name = "a million dots", .colour = {0.13f, 0.35f, 0.65f}},
                                    {.name = "10,000 dots", .colour = {0.1f, 0.6f, 0.65f}}};
@@ -126,7 +121,7 @@ Plot plot_against_picture() {
         tone.points.emplace_back(megapixels, took.count());
         DotPieces placed;
         for (std::size_t i = 0; i < placing.size(); ++i) {
-            const double scale = scale_for(i == 0 ? 1e6 : 1e4, density);
+            const double scale = scale_for(density, i == 0 ? 1e6 : 1e4);
             placing[i].points.emplace_back(
                 megapixels, least_ms([&] { tile.placer().place(density, {.scale = scale}, placed); }));
         }

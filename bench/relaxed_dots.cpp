@@ -5,7 +5,7 @@ namespace dapple {
 RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps) {
     DrawingRequest request;
     request.automatic_tone = false;
-    request.stipple = {.count = count, .threads = 0};
+    request.placing = {.count = count, .threads = 0};
     request.relax = steps;
     const DrawingPlan plan = pipeline.plan(request);
     Drawn drawn;

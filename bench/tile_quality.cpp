@@ -63,8 +63,8 @@ Marks marks_of(const DotPieces& dots) {
             low_frequency_power(spectrum, 0.5), nearest_summary(inside, torus)};
 }
 
-std::optional<RankingOrder> order_named(const std::string& name) {
-    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy})
+std::optional<RankingMethod> order_named(const std::string& name) {
+    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
         if (name == name_of(order)) return order;
     throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
 }
@@ -76,10 +76,10 @@ std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots) {
 }
 
 Marks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey) {
-    StippleRequest request;
+    PlacingRequest request;
     request.scale = std::round(count) / 16;
     Stippling placed;
-    stipple(tile, grey, request, placed);
+    stipple(tile, grey, PlacerKind::exact, request, placed);
     const Marks marks = marks_of(placed.dots);
     fmt::print("| {} | {} | {}\n", name, placed.dots.size(), in_columns(marks));
     std::fflush(stdout);
@@ -88,7 +88,7 @@ Marks print_row(RankedTile& tile, const std::string& name, double count, const D
 
 RankedTile tile_of(const std::string& argument) {
     const std::size_t colon = argument.find(':');
-    std::optional<RankingOrder> order;
+    std::optional<RankingMethod> order;
     if (colon != std::string::npos) order = order_named(argument.substr(colon + 1));
     return tile_named(argument.substr(0, colon), order);
 }

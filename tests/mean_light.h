@@ -6,18 +6,15 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/image/grid.h"
+#include "core/image/rectangle.h"
 #include "core/image/tone.h"
 
 namespace dapple {
 
-/// Pixels, or parts of them.
-struct PixelBox {
-    glm::dvec2 low, high;
-};
-
-/// The mean linear light of the picture's sRGB-encoded pixels in the box, which has to be within it.
+/// The mean linear light of the picture's sRGB-encoded pixels, or parts of them, in the box, which has to be
+/// within it.
 template <class Pixel>
-glm::dvec3 mean_light(const Grid<Pixel>& picture, const PixelBox& box) {
+glm::dvec3 mean_light(const Grid<Pixel>& picture, const Rectangle<double>& box) {
     const auto share = [](int at, double low, double high) {
         return std::min(at + 1.0, high) - std::max<double>(at, low);
     };

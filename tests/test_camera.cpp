@@ -125,12 +125,11 @@ TEST_CASE("the window in view is the page's part of it, empty beside the page") 
 }
 
 TEST_CASE("two windows a pixel apart, 2^40 times enlarged, show the same dots in the same places") {
-    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
     const Density grey(Grid<float>(4, 4, 0.5f));
     Camera camera{{400, 300}, page_point({0.7123, 0.4321}), 400 * 0x1p40};
     auto dots_in_view = [&](const Camera& seen) {
-        PlacingRequest request{
-            .scale = 50 * 0x1p80, .window = window_in_view(seen, 0), .appearance = false, .threads = 1};
+        PlacingRequest request{.scale = 50 * 0x1p80, .window = window_in_view(seen, 0)};
         DotPieces dots;
         CHECK(tile.placer().place(grey, request, dots));
         const glm::dvec2 corner = to_canvas(camera, PagePoint(request.window.x, request.window.y));

@@ -48,11 +48,11 @@ TEST_CASE("relative radii are the published ones") {
 
 TEST_CASE("between levels the paper's tile keeps the radii that its three orders are known for") {
     const Tile tile = make_tile(14217, 2895, 16);
-    CHECK(worst_relative_radius(tile, rank(tile, RankingOrder::farthest)) ==
+    CHECK(worst_relative_radius(tile, rank(tile, RankingMethod::farthest)) ==
           doctest::Approx(0.612).epsilon(1e-3));
-    CHECK(worst_relative_radius(tile, rank(tile, RankingOrder::paper)) ==
+    CHECK(worst_relative_radius(tile, rank(tile, RankingMethod::paper)) ==
           doctest::Approx(0.357).epsilon(2e-3));
-    CHECK(worst_relative_radius(tile, rank(tile, RankingOrder::energy)) ==
+    CHECK(worst_relative_radius(tile, rank(tile, RankingMethod::energy)) ==
           doctest::Approx(0.42).epsilon(2e-2));
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     Workbench bench;
     bench.set_picture(Grid<float>(64, 32, 0.25f));
     DrawingSettings settings;
-    settings.stipple.count = 3000;
+    settings.placing.count = 3000;
     PlacedDrawing drawing;
     REQUIRE(bench.place(order_of(settings, {DensitySource::ramp}), drawing));
     CHECK(drawing.page_size == glm::dvec2(1, 0.5));

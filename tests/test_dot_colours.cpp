@@ -21,9 +21,9 @@ struct Turned {
     Turned() {
         Rule rule;
         for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
-        RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingOrder::farthest);
+        RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingMethod::farthest);
         const Density grey(Grid<float>(1, 1, 0.5f));
-        const PlacingRequest request{.scale = 300, .appearance = true};
+        const PlacingRequest request{.scale = 300, .thresholds = true};
         DotPieces placed;
         tile.placer().place(grey, request, placed);
         dots = joined(placed);
@@ -56,7 +56,7 @@ TEST_CASE("a dot has the colour of the orientation of the tile around it at its 
     std::set<int> seen;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const double x = drawing.dots.x[i], y = drawing.dots.y[i];
-        const int level = birthplace_of(drawing.dots.threshold[i], drawing.origins.tile_size).level;
+        const int level = tile_rank_of(drawing.dots.threshold[i], drawing.origins.tile_size).level;
         for (const PlacedTile& tile : drawing.tiles) {
             if (tile.level != level || x < tile.x || y < tile.y || x >= tile.x + tile.side ||
                 y >= tile.y + tile.side)
@@ -76,9 +76,9 @@ TEST_CASE("a dot has its level's colour, and the first of its level is darker th
     const auto levels = dot_colours(drawing.pieces(), drawing.origins, DotColouring::level);
     const auto ranks = dot_colours(drawing.pieces(), drawing.origins, DotColouring::rank);
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        const auto birth = birthplace_of(drawing.dots.threshold[i], drawing.origins.tile_size);
-        CHECK(glm::u8vec3(levels[i]) == rgb8(level_colour(birth.level)));
-        if (birth.level == 0 && birth.rank == 0) CHECK(glm::u8vec3(ranks[i]) == rgb8(rank_colour(0)));
+        const TileRank at = tile_rank_of(drawing.dots.threshold[i], drawing.origins.tile_size);
+        CHECK(glm::u8vec3(levels[i]) == rgb8(level_colour(at.level)));
+        if (at.level == 0 && at.rank == 0) CHECK(glm::u8vec3(ranks[i]) == rgb8(rank_colour(0)));
     }
     const auto lightness = [](glm::vec3 c) { return c.r + c.g + c.b; };
     for (double share = 0; share < 1; share += 0.125)
@@ -134,7 +134,7 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     bench.set_picture(Grid<float>(32, 32, 0.25f));
     PlaceOrder order;
     order.tile = "aperiodic64";
-    order.drawing.stipple.count = 3000;
+    order.drawing.placing.count = 3000;
     order.drawing.relax = 0;
     PlacedDrawing ink, coloured;
     REQUIRE(bench.place(order, ink));

@@ -15,13 +15,13 @@ namespace {
 
 Dots some_dots() {
     const Tile tile = make_tile(14217, 2895, 16);
-    Placer placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    Placer placer(make_placing_table(tile, rank(tile, RankingMethod::energy)));
     Grid<float> ramp(64, 64);
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) ramp.at(x, y) = static_cast<float>(x) / 64;
     }
     DotPieces dots;
-    placer.place(Density(ramp), {.scale = 1000, .window = {}, .appearance = true}, dots);
+    placer.place(Density(ramp), {.scale = 1000, .thresholds = true}, dots);
     return joined(dots);
 }
 
@@ -60,4 +60,17 @@ TEST_CASE("by space, a pen's way is a small multiple of what dots of that number
     const double scale = std::sqrt(static_cast<double>(dots.size()));
     CHECK(path_length(dots) < 1.3 * scale);
     CHECK(path_length(dots) < 0.5 * as_placed);
+}
+
+TEST_CASE(
+    "a pen's way is as long where the drawing lies elsewhere or is larger: margins and sheets change "
+    "nothing") {
+    Dots dots = some_dots(), moved = dots;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        moved.x[i] = 3 * moved.x[i] + 0.7f;
+        moved.y[i] = 3 * moved.y[i] - 1.4f;
+    }
+    sort_dots(dots, DotOrder::space);
+    sort_dots(moved, DotOrder::space);
+    CHECK(path_length(moved) == doctest::Approx(3 * path_length(dots)).epsilon(0.01));
 }

@@ -33,14 +33,14 @@ Grid<float> picture() {
 }
 
 struct Scene {
-    RankedTile tile{make_tile(14217, 2895, 16), RankingOrder::energy};
+    RankedTile tile{make_tile(14217, 2895, 16), RankingMethod::energy};
     Density density{picture()};
     PageSize page = page_size(density, 300);
 
     // Placed at once, then cut: the plain way.
-    Dots whole(const StippleRequest& request, const PagePart& part, double& scale) {
+    Dots whole(const PlacingRequest& request, const PagePart& part, double& scale) {
         Stippling all;
-        CHECK(stipple(tile, density, request, all));
+        CHECK(stipple(tile, density, PlacerKind::exact, request, all));
         scale = all.scale;
         Dots dots = joined(all.dots);
         cut_to(part, dots);
@@ -69,24 +69,24 @@ Grid<float> pixels_of(const DotStream& dots, const PageSize& page) {
     return all;
 }
 
-const std::vector<StippleRequest> kRequests{{.scale = 0, .count = {}, .appearance = true},
-                                            {.scale = 3000, .count = {}, .appearance = true},
-                                            {.scale = 3000, .count = {}, .threads = 3, .appearance = true},
-                                            {.count = 1, .appearance = true},
-                                            {.count = 25'000, .appearance = true},
-                                            {.count = 25'000, .threads = 3, .appearance = true}};
+const std::vector<PlacingRequest> kRequests{{.scale = 0, .count = {}, .thresholds = true},
+                                            {.scale = 3000, .count = {}, .thresholds = true},
+                                            {.scale = 3000, .count = {}, .threads = 3, .thresholds = true},
+                                            {.count = 1, .thresholds = true},
+                                            {.count = 25'000, .thresholds = true},
+                                            {.count = 25'000, .threads = 3, .thresholds = true}};
 
 }  // namespace
 
 TEST_CASE("a streamed drawing is the drawing in memory, byte for byte, in every format") {
     Scene scene;
-    for (const StippleRequest& request : kRequests) {
+    for (const PlacingRequest& request : kRequests) {
         CAPTURE(request.scale);
         CAPTURE(request.count.value_or(0));
         double scale = 0;
         const Dots whole = scene.whole(request, {}, scale);
         const DotStream in_memory = stream_of(whole, scale);
-        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = request, .part = {}});
+        const DotStream dots = stream(scene.tile.placer(), scene.density, {.placing = request, .part = {}});
         CHECK(dots.count == whole.size());
         CHECK(dots.scale == scale);
         CHECK(svg_of(dots, scene.page) == svg_of(in_memory, scene.page));
@@ -99,14 +99,14 @@ TEST_CASE("a sheet or region that is placed for itself is the one cut from the w
     Scene scene;
     const std::vector<Excerpt> excerpts{
         sheet_of(scene.page, {1, 1, 3, 4}), sheet_of(scene.page, {2, 3, 3, 4}),
-        sheet_of(scene.page, {3, 4, 3, 4}), region_of(scene.page, {33.3, 70.7, 55.5, 44.4}),
-        region_of(scene.page, {0, 0, 20, 10})};
-    for (const StippleRequest& request : kRequests) {
+        sheet_of(scene.page, {3, 4, 3, 4}), region_of(scene.page, {{33.3, 70.7}, {88.8, 115.1}}),
+        region_of(scene.page, {{0, 0}, {20, 10}})};
+    for (const PlacingRequest& request : kRequests) {
         for (const Excerpt& excerpt : excerpts) {
             double scale = 0;
             const Dots cut = scene.whole(request, excerpt.part, scale);
             const DotStream dots =
-                stream(scene.tile.placer(), scene.density, {.stipple = request, .part = excerpt.part});
+                stream(scene.tile.placer(), scene.density, {.placing = request, .part = excerpt.part});
             CHECK(dots.count == cut.size());
             CHECK(dots.scale == scale);
             CHECK(csv_of(dots, excerpt.size) == csv_of(stream_of(cut), excerpt.size));
@@ -120,7 +120,7 @@ TEST_CASE("pictures of sheets laid side by side are the picture of the whole, do
     const RasterRequest raster{.dot_radius_mm = 2.3, .dpi = 2 * 25.4};  // two pixels a millimetre
     const auto picture_of = [&](const PagePart& part, const PageSize& size) {
         const DotStream dots =
-            stream(scene.tile.placer(), scene.density, {.stipple = {.count = 3000}, .part = part});
+            stream(scene.tile.placer(), scene.density, {.placing = {.count = 3000}, .part = part});
         const RasterSize pixels = raster_size(size, raster.dpi);
         Grid<float> all(pixels.width, pixels.height);
         rasterise(dots, size, raster, [&](int first_row, const Grid<float>& band) {
@@ -155,14 +155,14 @@ TEST_CASE("pictures of sheets laid side by side are the picture of the whole, do
 
 TEST_CASE("streamed sheets have every dot of the page once") {
     Scene scene;
-    for (const StippleRequest& request : kRequests) {
+    for (const PlacingRequest& request : kRequests) {
         double scale = 0;
         std::uint64_t on_sheets = 0;
         for (int row = 1; row <= 4; ++row) {
             for (int column = 1; column <= 3; ++column) {
                 const PagePart part = sheet_of(scene.page, {column, row, 3, 4}).part;
                 on_sheets +=
-                    stream(scene.tile.placer(), scene.density, {.stipple = request, .part = part}).count;
+                    stream(scene.tile.placer(), scene.density, {.placing = request, .part = part}).count;
             }
         }
         CHECK(on_sheets == scene.whole(request, {}, scale).size());
@@ -171,9 +171,9 @@ TEST_CASE("streamed sheets have every dot of the page once") {
 
 TEST_CASE("however many dots there are, they come in small pieces") {
     Scene scene;
-    for (const StippleRequest& request :
-         {StippleRequest{.scale = 50'000, .count = {}}, StippleRequest{.count = 400'000}}) {
-        const DotStream dots = stream(scene.tile.placer(), scene.density, {.stipple = request, .part = {}});
+    for (const PlacingRequest& request :
+         {PlacingRequest{.scale = 50'000, .count = {}}, PlacingRequest{.count = 400'000}}) {
+        const DotStream dots = stream(scene.tile.placer(), scene.density, {.placing = request, .part = {}});
         std::size_t largest = 0, all = 0;
         dots.for_each_piece([&](const Dots& piece) {
             largest = std::max(largest, piece.size());
@@ -189,7 +189,7 @@ TEST_CASE("however many dots there are, they come in small pieces") {
 TEST_CASE("whoever takes the dots may stop, and begin again") {
     Scene scene;
     const DotStream dots =
-        stream(scene.tile.placer(), scene.density, {.stipple = {.count = 400'000}, .part = {}});
+        stream(scene.tile.placer(), scene.density, {.placing = {.count = 400'000}, .part = {}});
     int taken = 0;
     dots.for_each_piece([&](const Dots&) { return ++taken < 2; });
     CHECK(taken == 2);
@@ -201,12 +201,10 @@ TEST_CASE("whoever takes the dots may stop, and begin again") {
     CHECK(all == 400'000);
 }
 
-TEST_CASE("Figure 8 is not streamed, nor is what cannot be placed") {
+TEST_CASE("what cannot be placed is not streamed") {
     Scene scene;
-    CHECK_THROWS(stream(scene.tile.placer(), scene.density,
-                        {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}));
     CHECK_THROWS(
-        stream(scene.tile.placer(), scene.density, {.stipple = {.scale = -1, .count = {}}, .part = {}}));
+        stream(scene.tile.placer(), scene.density, {.placing = {.scale = -1, .count = {}}, .part = {}}));
     CHECK_THROWS(
-        stream(scene.tile.placer(), Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}));
+        stream(scene.tile.placer(), Density(Grid<float>(4, 4)), {.placing = {.count = 5}, .part = {}}));
 }

@@ -29,19 +29,19 @@ std::vector<Dot> rows(const Dots& dots) {
 }
 
 Placer placer_of(const Tile& tile) {
-    return Placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    return Placer(make_placing_table(tile, rank(tile, RankingMethod::energy)));
 }
 
 }  // namespace
 
 TEST_CASE("an exact count is exact, and each lighter drawing is part of the darker one") {
     const Tile tile = make_tile(14217, 2895, 16);
-    Placer placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    Placer placer(make_placing_table(tile, rank(tile, RankingMethod::energy)));
     const Density density(blotches(40, 30, 8));
     std::set<std::pair<float, float>> darker;
     for (const std::uint64_t count : {20000u, 19999u, 5000u, 777u, 10u, 1u}) {
         DotPieces placed;
-        const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, placed);
+        const auto scale = placer.place(density, {.count = count, .thresholds = true}, placed);
         REQUIRE(scale);
         const Dots dots = joined(placed);
         CHECK(dots.size() == count);
@@ -54,14 +54,14 @@ TEST_CASE("an exact count is exact, and each lighter drawing is part of the dark
         darker = lighter;
     }
     DotPieces none;
-    CHECK_THROWS(placer.place_exactly(Density(Grid<float>(4, 4)), {100}, none));
+    CHECK_THROWS(placer.place(Density(Grid<float>(4, 4)), {.count = 100}, none));
 }
 
 TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on any number of threads") {
     Placer placer = placer_of(random_tile(kTurning, 64, 8));
     const Density density(blotches(60, 45, 2));
     DotPieces all;
-    placer.place(density, {.scale = 60000, .appearance = true}, all);
+    placer.place(density, {.scale = 60000, .thresholds = true}, all);
     const std::vector<Dot> every = rows(joined(all));
     for (const std::size_t count : {1u, 50u, 3000u, 40000u}) {
         std::vector<float> scales;
@@ -72,7 +72,7 @@ TEST_CASE("an exact count keeps the dots of lowest critical scale, the same on a
         for (const int threads : {1, 2, 0}) {
             DotPieces dots;
             const auto scale =
-                placer.place_exactly(density, {.count = count, .appearance = true, .threads = threads}, dots);
+                placer.place(density, {.count = count, .threads = threads, .thresholds = true}, dots);
             REQUIRE(scale);
             std::vector<Dot> kept = rows(joined(dots));
             REQUIRE(kept.size() == count);
@@ -98,22 +98,48 @@ TEST_CASE("an exact count comes in pieces as it comes whole, on any number of th
     for (const Density& density : {Density(blotches(60, 45, 2)), Density(Grid<float>(9, 9, 1.0f))}) {
         for (const std::size_t count : {0u, 1u, 777u, 50000u}) {
             DotPieces whole;
-            const auto scale = placer.place_exactly(density, {.count = count, .appearance = true}, whole);
+            const auto scale = placer.place(density, {.count = count, .thresholds = true}, whole);
             for (const int threads : {1, 3}) {
-                const ExactCount request{.count = count, .appearance = true, .threads = threads};
+                PlacingRequest request{.count = count, .threads = threads, .thresholds = true};
                 const auto cut = placer.find_cut(density, request);
                 REQUIRE(cut);
                 CHECK(cut->last_scale() == doctest::Approx(*scale));
+                if (threads == 3) request.cut = cut;
                 std::vector<Dot> together;
                 const auto take = [&](const Dots& piece) {
                     for (const Dot& dot : rows(piece)) together.push_back(dot);
                     return true;
                 };
-                CHECK(placer.place_in_pieces(density, request, *cut, take));
+                CHECK(placer.hand_over(density, request, take));
                 CHECK(together == rows(joined(whole)));
             }
         }
     }
+}
+
+TEST_CASE("a window of an exact count has those of the whole page's dots that lie in it, at their places") {
+    Placer placer = placer_of(random_tile(kTurning, 64, 8));
+    const Density density(blotches(60, 45, 2));
+    constexpr double kUnits = 0x1p62;
+    const PageWindow window{static_cast<std::int64_t>(0.25 * kUnits),
+                            static_cast<std::int64_t>(0.125 * kUnits), 0.5, 0.25};
+    PlacingRequest request{.count = 20'000, .thresholds = true};
+    DotPieces whole, part;
+    REQUIRE(placer.place(density, request, whole));
+    std::vector<Dot> expected;
+    for (const Dot& dot : rows(joined(whole))) {
+        if (dot.x >= 0.25f && dot.x < 0.75f && dot.y >= 0.125f && dot.y < 0.375f) expected.push_back(dot);
+    }
+    REQUIRE(expected.size() > 1000);
+    request.window = window;
+    for (const int threads : {1, 3}) {
+        request.threads = threads;
+        REQUIRE(placer.place(density, request, part));
+        CHECK(rows(joined(part)) == expected);
+    }
+    request.cut = placer.find_cut(density, request);
+    REQUIRE(placer.place(density, request, part));
+    CHECK(rows(joined(part)) == expected);
 }
 
 TEST_CASE("where all dots tie, those that stay are spread over the whole page") {
@@ -121,8 +147,8 @@ TEST_CASE("where all dots tie, those that stay are spread over the whole page") 
     Placer placer = placer_of(make_tile(14217, 2895, 16));
     const Density black(Grid<float>(4, 4, 1.0f));
     DotPieces level, more;
-    placer.place_exactly(black, {.count = 16384}, level);
-    placer.place_exactly(black, {.count = 16384 + 400}, more);
+    placer.place(black, {.count = 16384}, level);
+    placer.place(black, {.count = 16384 + 400}, more);
     std::set<std::pair<float, float>> before;
     for_each_position(level, [&](float x, float y) { before.emplace(x, y); });
     int quarters[4] = {};
@@ -139,13 +165,13 @@ TEST_CASE("by priority, the first n dots are the drawing of n dots, ties and all
         Placer placer = placer_of(tile);
         for (const Density* density : {&black, &grey, &picture}) {
             DotPieces darkest;
-            placer.place_exactly(*density, {.count = 30'000, .appearance = true}, darkest);
+            placer.place(*density, {.count = 30'000, .thresholds = true}, darkest);
             Dots sorted = joined(darkest);
             sort_dots(sorted, DotOrder::priority);
             const std::vector<Dot> by_priority = rows(sorted);
             for (const std::size_t count : {1u, 2u, 100u, 12'345u, 21'000u, 29'999u}) {
                 DotPieces lighter;
-                placer.place_exactly(*density, {.count = count, .appearance = true}, lighter);
+                placer.place(*density, {.count = count, .thresholds = true}, lighter);
                 std::vector<Dot> first(by_priority.begin(), by_priority.begin() + count),
                     found = rows(joined(lighter));
                 std::ranges::sort(first);

@@ -8,6 +8,7 @@
 #include "core/placing/figure8.h"
 #include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
+#include "tests/densities.h"
 
 using namespace dapple;
 
@@ -62,7 +63,7 @@ TEST_CASE("a hairline that Figure 8 loses is drawn by the exact placer") {
             for (int y = 0; y < 512; ++y) grid.at(x, y) = 1;
         }
         const Density density(grid);
-        RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+        RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
         CHECK(place_figure8(density, tile.tile(), tile.own_ranks(), 2500).dots.size() == 0);
         DotPieces dots;
         CHECK(tile.placer().place(density, {2500}, dots));
@@ -73,12 +74,33 @@ TEST_CASE("a hairline that Figure 8 loses is drawn by the exact placer") {
     }
 }
 
-TEST_CASE("Figure 8 refuses tiles that the paper does not know, and counts that it cannot give") {
+TEST_CASE("Figure 8 refuses tiles that the paper does not know") {
     const Rule rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}};
     const Tile tile = make_tile(rule, {"0301213303211022"});
     CHECK_THROWS(place_figure8(Density(Grid<float>(4, 4, 1.0f)), tile, farthest_point_ranks(tile), 10));
-    RankedTile paper(make_tile(14217, 2895, 16), RankingOrder::paper);
+}
+
+TEST_CASE("a count asked of Figure 8 is met by as many distinct dots, or a hundredth more") {
+    RankedTile paper(make_tile(14217, 2895, 16), RankingMethod::paper);
+    const Density density(blotches(60, 45, 2));
+    for (const std::uint64_t count : {1, 300, 20'000}) {
+        CAPTURE(count);
+        Stippling result;
+        REQUIRE(stipple(paper, density, PlacerKind::figure8, {.count = count}, result));
+        const auto places = distinct(result.dots.pieces[0]);
+        CHECK(places.size() == result.dots.size() - result.duplicates);
+        CHECK(places.size() >= count);
+        CHECK(static_cast<double>(places.size()) <= 1.01 * static_cast<double>(count) + 1);
+        Stippling again;  // the scale told is the one it was placed at
+        REQUIRE(stipple(paper, density, PlacerKind::figure8, {.scale = result.scale}, again));
+        CHECK(again.dots.size() == result.dots.size());
+    }
+}
+
+TEST_CASE("Figure 8 says so where it does not find as many dots as asked for") {
+    RankedTile paper(make_tile(14217, 2895, 16), RankingMethod::paper);
     Stippling result;
-    StippleRequest request{PlacerKind::figure8, 100, 50};
-    CHECK_THROWS(stipple(paper, Density(Grid<float>(4, 4, 1.0f)), request, result));
+    CHECK_THROWS_WITH(stipple(paper, Density(Grid<float>(4, 4)), PlacerKind::figure8, {.count = 10}, result),
+                      "the paper's placer (figure8) does not find 10 places in this picture's dark parts; "
+                      "use the exact placer");
 }

@@ -49,7 +49,7 @@ struct Measured {
 Measured measured(float light, std::uint64_t count, int steps, bool by_tone, double dpmm = 1.5) {
     Pipeline& pipeline = pipeline_of(light);
     DrawingRequest request{
-        .automatic_tone = false, .stipple = {.count = count, .threads = 0}, .relax = steps};
+        .automatic_tone = false, .placing = {.count = count, .threads = 0}, .relax = steps};
     request.width_mm = kWidthMm;
     if (by_tone) {
         // About so many on black.

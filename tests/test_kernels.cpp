@@ -18,29 +18,29 @@ namespace {
 
 struct Placed {
     std::vector<float> x, y, threshold, critical;
-    std::vector<std::tuple<std::size_t, float, float>> late;
+    std::vector<std::tuple<std::size_t, float, float>> tail;
     bool operator==(const Placed&) const = default;
 };
 
-Placed run(const Kernels& kernels, const KernelSquare& square, bool appearance, bool late) {
+Placed run(const Kernels& kernels, const KernelSquare& square, bool thresholds, bool tail) {
     Placed placed{std::vector<float>(256),
                   std::vector<float>(256),
                   std::vector<float>(256),
                   std::vector<float>(256),
                   {}};
-    std::vector<LateDot> late_dots(256);
+    std::vector<TailDot> tail_dots(256);
     const PlacedCount count = kernels.place(
-        square, {placed.x.data(), placed.y.data(), appearance ? placed.threshold.data() : nullptr,
-                 appearance ? placed.critical.data() : nullptr, late ? late_dots.data() : nullptr, 1000});
+        square, {placed.x.data(), placed.y.data(), thresholds ? placed.threshold.data() : nullptr,
+                 thresholds ? placed.critical.data() : nullptr, tail ? tail_dots.data() : nullptr, 1000});
     for (std::vector<float>* column : {&placed.x, &placed.y, &placed.threshold, &placed.critical}) {
         column->resize(count.dots);
     }
-    if (!appearance) {
+    if (!thresholds) {
         placed.threshold.clear();
         placed.critical.clear();
     }
-    for (std::size_t i = 0; i < count.late; ++i)
-        placed.late.emplace_back(late_dots[i].index, late_dots[i].threshold, late_dots[i].critical);
+    for (std::size_t i = 0; i < count.tail; ++i)
+        placed.tail.emplace_back(tail_dots[i].index, tail_dots[i].threshold, tail_dots[i].critical);
     return placed;
 }
 
@@ -75,8 +75,8 @@ KernelSquare even_square(const CellPoints& points, KernelSquare::Source source,
     square.block_ends = points.block_ends();
     square.centre_x = square.centre_y = 0.5f;
     square.half_x = square.half_y = 0.25f;
-    square.births_per_density = square.none_from = 1000;
-    square.threshold_per_birth = 4;
+    square.ranks_per_density = square.none_from = 1000;
+    square.threshold_per_rank = 4;
     square.source = source;
     for (float& v : square.block) v = 1;
     square.pixel_centre_x = square.pixel_centre_y = source == KernelSquare::Source::block ? 1.5 : 8;
@@ -91,40 +91,41 @@ constexpr KernelSquare::Source kSources[] = {KernelSquare::Source::block, Kernel
 
 }  // namespace
 
-TEST_CASE("a point exists where density * scale is above its birth, and not where they are equal") {
+TEST_CASE("a point exists where density * scale is above its rank, and not where they are equal") {
     const std::vector<float> ones(256, 1.0f);
     const CellPoints points = points_in_line(100);
     for (const Kernels* kernels : runnable_kernels()) {
         for (const KernelSquare::Source source : kSources) {
-            for (const bool appearance : {false, true}) {
+            for (const bool thresholds : {false, true}) {
                 for (std::size_t count = 0; count < 100; ++count) {
                     CAPTURE(std::string(kernels->name));
                     CAPTURE(static_cast<int>(source));
-                    CAPTURE(appearance);
+                    CAPTURE(thresholds);
                     CAPTURE(count);
                     KernelSquare square = even_square(points, source, ones);
-                    // Just the birth of the first that is not to be.
+                    // Just the rank of the first that is not to be.
                     const float reached = 16 + static_cast<float>(count);
-                    square.births_per_density = reached;
-                    square.early_per_density = reached - 5;
-                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
-                    // Those of the five births from the early scale's own on are late.
-                    CHECK(run(*kernels, square, appearance, true).late.size() ==
+                    square.ranks_per_density = reached;
+                    square.tail_per_density = reached - 5;
+                    CHECK(run(*kernels, square, thresholds, false).x.size() == count);
+                    // Those of the five ranks from the tail scale's own on are the tail.
+                    CHECK(run(*kernels, square, thresholds, true).tail.size() ==
                           std::min<std::size_t>(count, 5));
                     square.none_from = reached;
-                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
-                    // Bounds may tell at once that those below exist: not those with just that birth.
-                    square.sure_below = reached;
-                    CHECK(run(*kernels, square, appearance, false).x.size() == count);
+                    CHECK(run(*kernels, square, thresholds, false).x.size() == count);
+                    // Bounds may tell at once that those below exist: not those with just that rank.
+                    square.certain_below = reached;
+                    CHECK(run(*kernels, square, thresholds, false).x.size() == count);
                     std::vector<float> x(256), y(256);
-                    const SurePoints sure = kernels->place_sure(square, {.x = x.data(), .y = y.data()});
-                    CHECK(sure.all);
-                    CHECK(sure.count == count);
+                    const CertainPoints certain =
+                        kernels->place_certain(square, {.x = x.data(), .y = y.data()});
+                    CHECK(certain.all);
+                    CHECK(certain.count == count);
                     // A next number up, and it does exist.
-                    square.sure_below = 0;
+                    square.certain_below = 0;
                     square.none_from = 1000;
-                    square.births_per_density = std::nextafter(reached, 1000.0f);
-                    CHECK(run(*kernels, square, appearance, false).x.size() == count + 1);
+                    square.ranks_per_density = std::nextafter(reached, 1000.0f);
+                    CHECK(run(*kernels, square, thresholds, false).x.size() == count + 1);
                 }
             }
         }
@@ -173,7 +174,7 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 
     const std::vector<const Kernels*> all = runnable_kernels();
 
-    std::size_t dots = 0, late_dots = 0;
+    std::size_t dots = 0, tail_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const CellPoints points = some_points(random);
         KernelSquare square;
@@ -183,11 +184,11 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         square.centre_x = unit();
         square.centre_y = unit();
         square.half_x = square.half_y = 0.01f * unit();
-        square.births_per_density = 120 * unit();
-        square.none_from = 2 * square.births_per_density;
-        square.sure_below =
-            random() % 2 ? 0 : 0.19f * square.births_per_density;  // as densities are from 0.2
-        square.threshold_per_birth = 4;
+        square.ranks_per_density = 120 * unit();
+        square.none_from = 2 * square.ranks_per_density;
+        square.certain_below =
+            random() % 2 ? 0 : 0.19f * square.ranks_per_density;  // as densities are from 0.2
+        square.threshold_per_rank = 4;
         square.source = static_cast<KernelSquare::Source>(random() % 3);
         square.sign_x = random() % 2 ? 1.0f : -1.0f;
         square.at_edge = random() % 2;
@@ -207,40 +208,41 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
         square.picture = picture.data();
         square.width = 37;
         square.height = 29;
-        square.early_per_density = 0.9f * square.births_per_density;
-        if (square.sure_below > 0) square.sure_below = 0.19f * square.early_per_density;
-        for (const bool appearance : {false, true}) {
-            for (const bool late : {false, true}) {
-                const Placed expected = run(kPlainKernels, square, appearance, late);
+        square.tail_per_density = 0.9f * square.ranks_per_density;
+        if (square.certain_below > 0) square.certain_below = 0.19f * square.tail_per_density;
+        for (const bool thresholds : {false, true}) {
+            for (const bool tail : {false, true}) {
+                const Placed expected = run(kPlainKernels, square, thresholds, tail);
                 dots += expected.x.size();
-                late_dots += expected.late.size();
+                tail_dots += expected.tail.size();
                 for (const Kernels* kernels : all) {
-                    if (run(*kernels, square, appearance, late) != expected) FAIL("trial ", trial);
+                    if (run(*kernels, square, thresholds, tail) != expected) FAIL("trial ", trial);
                 }
-                // What is late has the critical scale that every dot has, and the others come earlier.
-                if (!appearance || !late) continue;
+                // The tail has the critical scales that its dots have, and the others come before.
+                if (!thresholds || !tail) continue;
                 std::size_t next = 0;
                 for (std::size_t i = 0; i < expected.x.size(); ++i) {
                     const bool listed =
-                        next < expected.late.size() && std::get<0>(expected.late[next]) == 1000 + i;
+                        next < expected.tail.size() && std::get<0>(expected.tail[next]) == 1000 + i;
                     if (listed)
-                        CHECK(expected.late[next++] ==
+                        CHECK(expected.tail[next++] ==
                               std::tuple(1000 + i, expected.threshold[i], expected.critical[i]));
-                    const float early =
-                        expected.threshold[i] / expected.critical[i] * square.early_per_density;
-                    if (listed != !(early > expected.threshold[i] / 4) &&
-                        std::abs(early * 4 / expected.threshold[i] - 1) > 1e-5f)
+                    const float start =
+                        expected.threshold[i] / expected.critical[i] * square.tail_per_density;
+                    if (listed != !(start > expected.threshold[i] / 4) &&
+                        std::abs(start * 4 / expected.threshold[i] - 1) > 1e-5f)
                         FAIL("trial ", trial);
                 }
-                CHECK(next == expected.late.size());
+                CHECK(next == expected.tail.size());
             }
         }
     }
     CHECK(dots > 10000);
-    CHECK(late_dots > 1000);
+    CHECK(tail_dots > 1000);
 }
 
-TEST_CASE("sure points, and the others behind them, are what testing every point gives, with every kernel") {
+TEST_CASE(
+    "certain points, and the others behind them, are what testing every point gives, with every kernel") {
     std::mt19937 random(7);
     const auto unit = [&random] { return unit_in(random); };
     const std::vector<const Kernels*> all = runnable_kernels();
@@ -252,28 +254,28 @@ TEST_CASE("sure points, and the others behind them, are what testing every point
         square.block_ends = points.block_ends();
         square.swap = random() % 2;
         square.half_x = square.half_y = 0.01f;
-        square.births_per_density = 100 * unit();
-        square.threshold_per_birth = 4;
+        square.ranks_per_density = 100 * unit();
+        square.threshold_per_rank = 4;
         const bool even = random() % 2;
         for (float& v : square.block) v = even ? 1 : 0.8f + 0.2f * unit();
         square.pixel_centre_x = square.pixel_centre_y = 1.5;
         square.pixel_half_x = square.pixel_half_y = 1;
         const auto [least, most] = std::minmax_element(std::begin(square.block), std::end(square.block));
-        square.none_from = square.births_per_density * *most;
+        square.none_from = square.ranks_per_density * *most;
         const Placed expected = run(kPlainKernels, square, false, false);
-        square.sure_below = square.births_per_density * *least;
+        square.certain_below = square.ranks_per_density * *least;
         for (const Kernels* kernels : all) {
             Placed placed{std::vector<float>(256), std::vector<float>(256), {}, {}, {}};
             const KernelOutput output{placed.x.data(), placed.y.data()};
-            const SurePoints sure = kernels->place_sure(square, output);
-            if (even) CHECK(sure.all);
-            square.first = sure.count;
-            const std::size_t count = sure.all ? sure.count : kernels->place(square, output).dots;
+            const CertainPoints certain = kernels->place_certain(square, output);
+            if (even) CHECK(certain.all);
+            square.first = certain.count;
+            const std::size_t count = certain.all ? certain.count : kernels->place(square, output).dots;
             square.first = 0;
             for (std::vector<float>* column : {&placed.x, &placed.y}) column->resize(count);
             if (placed != expected) FAIL("trial ", trial);
-            decided += !even && sure.all;
-            partly += !sure.all && sure.count > 0;
+            decided += !even && certain.all;
+            partly += !certain.all && certain.count > 0;
         }
     }
     CHECK(decided > 100);

@@ -18,7 +18,7 @@ using namespace dapple;
 namespace {
 
 RankedTile paper_tile() {
-    return {make_tile(14217, 2895, 16), RankingOrder::energy};
+    return {make_tile(14217, 2895, 16), RankingMethod::energy};
 }
 
 EnvironmentMap small_sky() {

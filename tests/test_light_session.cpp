@@ -96,7 +96,7 @@ TEST_CASE("samples are exported with the axes chosen and the map turned, as one 
             session.save(file);
             REQUIRE(brings(session, [&] { return session.saved_path() == file; }));
 
-            RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
+            RankedTile tile = tile_named(settings.tile, RankingMethod::energy);
             const EnvironmentMap& map = session.lit()->map;
             save_lights(folder / "by_hand.json", map, light_samples(map, tile, settings.request),
                         {.convention = convention, .rotation_degrees = turn, .source = "even.hdr"});

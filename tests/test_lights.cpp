@@ -20,7 +20,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 RankedTile paper_tile() {
-    return {make_tile(14217, 2895, 16), RankingOrder::energy};
+    return {make_tile(14217, 2895, 16), RankingMethod::energy};
 }
 
 EnvironmentMap even_map(int height, glm::vec3 light) {

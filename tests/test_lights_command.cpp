@@ -205,7 +205,7 @@ TEST_CASE("the samples of a sky with a sun keep its flux and light surfaces with
     // Radiance's format keeps eight bits of the brightest colour of a texel.
     for (int c = 0; c < 3; ++c)
         CHECK(map.total_flux()[c] == doctest::Approx(sky.total_flux()[c]).epsilon(0.01));
-    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
     const LightSamples samples = light_samples(map, tile, {.count = 1024});
     std::vector<DistantLight> lights;
     glm::dvec3 sum{};

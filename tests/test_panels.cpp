@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
@@ -123,29 +123,29 @@ TEST_CASE("the invert switch toggles") {
 
 TEST_CASE("going from count to scale and back keeps the drawing") {
     DotsUi f;
-    REQUIRE(f.settings.stipple.count == kDefaultDots);
+    REQUIRE(f.settings.placing.count == kDefaultDots);
     f.ui.click("scale");
-    CHECK_FALSE(f.settings.stipple.count);
-    CHECK(f.settings.stipple.scale == 777);
+    CHECK_FALSE(f.settings.placing.count);
+    CHECK(f.settings.placing.scale == 777);
     f.ui.click("count");
-    CHECK(f.settings.stipple.count == 12'345);
+    CHECK(f.settings.placing.count == 12'345);
 }
 
 TEST_CASE("the scale slider is logarithmic") {
     DotsUi f;
     f.ui.click("scale");
     f.ui.drag("Scale", 0.3f, 0.5f);
-    CHECK(f.settings.stipple.scale == doctest::Approx(1000).epsilon(0.05));
+    CHECK(f.settings.placing.scale == doctest::Approx(1000).epsilon(0.05));
     f.ui.drag("Scale", 0.5f, 1.0f);
-    CHECK(f.settings.stipple.scale == 100'000);
+    CHECK(f.settings.placing.scale == 100'000);
 }
 
 TEST_CASE("the count slider gives whole numbers") {
     DotsUi f;
     f.ui.drag("Dots", 0.2f, 1.0f);
-    CHECK(f.settings.stipple.count == 2'000'000);
+    CHECK(f.settings.placing.count == 2'000'000);
     f.ui.drag("Dots", 0.9f, 0.0f);
-    CHECK(f.settings.stipple.count == 100);
+    CHECK(f.settings.placing.count == 100);
 }
 
 TEST_CASE("a typed count is at most what fits into memory, and the panel says why") {
@@ -154,9 +154,10 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
     f.ui.frame();
     CHECK_FALSE(f.ui.has("Most dots"));
     f.ui.enter("Dots", "99999999999");
-    CHECK(f.settings.stipple.count == 7'654'321);
+    CHECK(f.settings.placing.count == 7'654'321);
+    CHECK(f.ui.has("Refusal"));
     f.ui.move_to({1, 899});
-    f.ui.frame(1);
+    f.ui.frame(5);
     CHECK_FALSE(f.ui.has("Tip"));
     f.ui.move_to(f.ui.at("Dots", 0.3f));
     f.ui.frame(1);
@@ -171,15 +172,15 @@ TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
     f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
     f.ui.click("scale");
     f.ui.enter("Scale", "99999999999");
-    CHECK(f.settings.stipple.scale == doctest::Approx(77'700).epsilon(1e-9));
+    CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
     f.ui.drag("Scale", 0.5f, 1.0f);
-    CHECK(f.settings.stipple.scale == doctest::Approx(77'700).epsilon(1e-9));
+    CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
 }
 
 TEST_CASE("no value is so long that it reaches over its slider's track") {
     DotsUi f;
     for (const std::uint64_t count : {2'000'000ull, 1'000'000'000ull}) {
-        f.settings.stipple.count = count;
+        f.settings.placing.count = count;
         f.ui.frame();
         const WidgetPlace value = f.ui.place("Dots value"), track = f.ui.place("Dots");
         CHECK(value.min.x >= track.max.x);
@@ -188,16 +189,54 @@ TEST_CASE("no value is so long that it reaches over its slider's track") {
     }
 }
 
-TEST_CASE("Figure 8 takes a scale, so choosing it leaves the count") {
+TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row moves meanwhile") {
+    DotsUi f;
+    const DrawingSettings before = f.settings;
+    const auto rows = [&] {
+        std::vector<WidgetPlace> places;
+        for (const char* row : {"Dots", "Relax", "Page, mm", "exact", "Tile", "Order"})
+            places.push_back(f.ui.place(row));
+        return places;
+    };
+    const std::vector<WidgetPlace> places = rows();
+    f.ui.click("Figure 8");
+    CHECK(f.settings.placer == PlacerKind::figure8);
+    CHECK(f.settings.placing.count == before.placing.count);
+    CHECK(tile_in_use(f.settings) == "paper16");
+    CHECK(rows() == places);
+    f.ui.click("exact");
+    CHECK(f.settings == before);
+}
+
+TEST_CASE("what Figure 8 does not know is greyed, says why and cannot be used") {
     DotsUi f;
     f.ui.click("Figure 8");
-    CHECK(f.settings.stipple.placer == PlacerKind::figure8);
-    CHECK_FALSE(f.settings.stipple.count);
-    CHECK(f.settings.stipple.scale == 777);
-    CHECK_FALSE(f.ui.has("count"));
-    CHECK_FALSE(f.ui.has("Order"));
-    f.ui.click("exact");
-    CHECK(f.settings.stipple.placer == PlacerKind::exact);
+    const DrawingSettings before = f.settings;
+    f.ui.drag("Relax", 0.1f, 0.9f);
+    f.ui.click("Order");
+    CHECK_FALSE(f.ui.has("farthest point"));
+    CHECK(f.settings == before);
+    f.ui.move_to(f.ui.at("Relax", 0.5f));
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
+}
+
+TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
+    DotsUi f;
+    f.ui.enter("Dots", "40k");
+    CHECK(f.settings.placing.count == 40'000);
+    CHECK_FALSE(f.ui.has("Refusal"));
+    f.ui.enter("Dots", "0");
+    CHECK(f.settings.placing.count == 1);
+    CHECK(f.ui.has("Refusal"));
+    f.ui.frame(5);
+    f.ui.frame();
+    CHECK_FALSE(f.ui.has("Refusal"));
+    f.ui.enter("Dots", "many");
+    CHECK(f.settings.placing.count == 1);
+    CHECK(f.ui.has("Refusal"));
+    f.ui.enter("Page, mm", "8in");
+    CHECK(f.settings.width_mm == doctest::Approx(203.2));
 }
 
 TEST_CASE("a fixed dot size begins at the one on screen") {
@@ -271,11 +310,11 @@ TEST_CASE("another tile and order can be chosen from their lists") {
     CHECK(f.settings.tile == "wild64");
     f.ui.click("Order");
     f.ui.click("farthest point");
-    CHECK(f.settings.ranking == RankingOrder::farthest);
+    CHECK(f.settings.ranking == RankingMethod::farthest);
 }
 
 TEST_CASE("the tile's view has the paper's points in the order of Appendix A") {
-    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::paper);
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::paper);
     for (PlacerKind placer : {PlacerKind::exact, PlacerKind::figure8}) {
         TileView view = view_of("paper16", tile, placer);
         REQUIRE(view.points.size() == 16);
@@ -296,7 +335,7 @@ TEST_CASE("the points of a tile of many cells lie where the tile says, first bor
     Rule rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}};
     Tile made = make_tile(rule, {"0301213303211022", "0012", "0013", "0021", "0023", "0031", "0032", "0102",
                                  "0103", "0112", "0113", "0122", "0123"});
-    RankedTile tile(made, RankingOrder::farthest);
+    RankedTile tile(made, RankingMethod::farthest);
     TileView view = view_of("many", tile, PlacerKind::exact);
     REQUIRE(view.points.size() == made.size());
     CHECK(view.rule == rule);
@@ -307,7 +346,7 @@ TEST_CASE("the points of a tile of many cells lie where the tile says, first bor
 }
 
 TEST_CASE("the tile panel takes points away, and a double-click brings them back") {
-    RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
     TileView view = view_of("paper16", tile, PlacerKind::exact);
     TilePanelState state;
     auto vertices = [] { return ImGui::GetDrawData()->TotalVtxCount; };

@@ -17,7 +17,7 @@ using namespace dapple;
 namespace {
 
 Placer placer_of(const Tile& tile) {
-    return Placer(make_placing_table(tile, rank(tile, RankingOrder::energy)));
+    return Placer(make_placing_table(tile, rank(tile, RankingMethod::energy)));
 }
 
 bool same(const Dots& a, const Dots& b) {
@@ -31,7 +31,7 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
     const Density density(blotches(80, 70, 5));
     const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
     for (const PageWindow& window : {PageWindow{}, part}) {
-        PlacingRequest request{.scale = 40000, .window = window, .appearance = true};
+        PlacingRequest request{.scale = 40000, .thresholds = true, .window = window};
         DotPieces placed;
         REQUIRE(placer.place(density, request, placed));
         const Dots whole = joined(placed);
@@ -41,7 +41,7 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
             Dots together;
             DotPieces at_once;
             std::size_t largest = 0, pieces = 0;
-            CHECK(placer.place_in_pieces(density, request, [&](const Dots& piece) {
+            CHECK(placer.hand_over(density, request, [&](const Dots& piece) {
                 append(together, piece);
                 largest = std::max(largest, piece.size());
                 ++pieces;
@@ -62,10 +62,10 @@ TEST_CASE("whoever takes the pieces can end the placing, and what it throws come
     for (const int threads : {1, 2, 3}) {
         const PlacingRequest request{.scale = 40000, .threads = threads};
         int taken = 0;
-        CHECK_FALSE(placer.place_in_pieces(density, request, [&](const Dots&) { return ++taken < 3; }));
+        CHECK_FALSE(placer.hand_over(density, request, [&](const Dots&) { return ++taken < 3; }));
         CHECK(taken == 3);
         const auto full = [](const Dots&) -> bool { throw std::runtime_error("the disk is full"); };
-        CHECK_THROWS_WITH(placer.place_in_pieces(density, request, full), "the disk is full");
+        CHECK_THROWS_WITH(placer.hand_over(density, request, full), "the disk is full");
         DotPieces dots;
         CHECK(placer.place(density, request, dots));  // nothing is left over
         std::stop_source stop;
@@ -81,8 +81,8 @@ TEST_CASE("a frame like the last one allocates nothing") {
     const PageWindow part{(std::int64_t{1} << 62) / 3, (std::int64_t{1} << 62) / 5, 0.41, 0.53};
     const auto frames = [&](int threads) {
         placer.place(density, {.scale = 30000, .threads = threads}, dots);
-        placer.place(density, {.scale = 30000, .window = part, .threads = threads}, dots);
-        placer.place_exactly(density, {.count = 40000, .threads = threads}, dots);
+        placer.place(density, {.scale = 30000, .threads = threads, .window = part}, dots);
+        placer.place(density, {.count = 40000, .threads = threads}, dots);
     };
     frames(1);
     const std::size_t before = allocations();
@@ -116,11 +116,11 @@ TEST_CASE("a drawing of less dots than the last one has none of its dots, late o
     Placer placer = placer_of(make_tile(14217, 2895, 16));
     const Density density(blotches(80, 70, 5));
     DotPieces dots;
-    placer.place_exactly(density, {.count = 200'000, .threads = 2}, dots);
+    placer.place(density, {.count = 200'000, .threads = 2}, dots);
     for (const std::size_t count : {50'000u, 100u}) {
         DotPieces anew;
-        placer_of(make_tile(14217, 2895, 16)).place_exactly(density, {.count = count, .threads = 2}, anew);
-        placer.place_exactly(density, {.count = count, .threads = 2}, dots);
+        placer_of(make_tile(14217, 2895, 16)).place(density, {.count = count, .threads = 2}, anew);
+        placer.place(density, {.count = count, .threads = 2}, dots);
         CHECK(same(joined(dots), joined(anew)));
     }
     placer.place(Density(Grid<float>(4, 4)), {.scale = 1000, .threads = 2}, dots);

@@ -37,7 +37,7 @@ Grid<float> ramp() {
 }
 
 RankedTile paper_tile() {
-    return RankedTile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    return RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy);
 }
 
 Pipeline pipeline_of(Grid<float> light) {
@@ -78,18 +78,18 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
     const Tone chosen = auto_tone(histogram_of(dull()), own);
     CHECK(chosen.black_point > 0.25f);
     CHECK(chosen != own);
-    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .stipple = {.count = 1000}}).tone == chosen);
-    CHECK(pipeline.plan({.automatic_tone = false, .tone = own, .stipple = {.count = 1000}}).tone == own);
+    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .placing = {.count = 1000}}).tone == chosen);
+    CHECK(pipeline.plan({.automatic_tone = false, .tone = own, .placing = {.count = 1000}}).tone == own);
     // On another picture it is another.
     pipeline.set_light(ramp());
-    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .stipple = {.count = 1000}}).tone ==
+    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .placing = {.count = 1000}}).tone ==
           auto_tone(histogram_of(ramp()), own));
 }
 
 TEST_CASE("true light is covered by as much ink as the picture lacks light") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan plan =
-        pipeline.plan({.automatic_tone = false, .stipple = {.count = 20'000}, .relax = 4});
+        pipeline.plan({.automatic_tone = false, .placing = {.count = 20'000}, .relax = 4});
     const InkCurve ink({.relaxing_steps = 4});
     for (int x = 0; x < 80; ++x)
         CHECK(std::abs(ink.coverage(plan.density->values().at(x, 20)) - (1 - ramp().at(x, 20))) < 0.005);
@@ -100,7 +100,7 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
     Pipeline pipeline = pipeline_of(ramp());
     const auto steps = [&](std::uint64_t count, std::optional<int> relax,
                            PlacerKind placer = PlacerKind::exact) {
-        return pipeline.plan({.stipple = {.placer = placer, .count = count}, .relax = relax}).steps;
+        return pipeline.plan({.placer = placer, .placing = {.count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
     CHECK(steps(5000, {}) == kUsualSteps);
@@ -110,10 +110,10 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.stipple = {.count = 50'000'000}, .width_mm = 10'000}).steps == kUsualSteps);
+    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .width_mm = 10'000}).steps == kUsualSteps);
     // By a scale as by the count that it comes to.
-    CHECK(pipeline.plan({.stipple = {.scale = 1000, .count = {}}}).steps == kUsualSteps);
-    CHECK(pipeline.plan({.stipple = {.scale = 50'000'000, .count = {}}}).steps == 0);
+    CHECK(pipeline.plan({.placing = {.scale = 1000, .count = {}}}).steps == kUsualSteps);
+    CHECK(pipeline.plan({.placing = {.scale = 50'000'000, .count = {}}}).steps == 0);
     CHECK(usual_steps(3e6, 3e6) == kUsualSteps);
     CHECK(usual_steps(3e6, 2e4) == 0);
 }
@@ -123,12 +123,12 @@ TEST_CASE(
     Pipeline pipeline = pipeline_of(ramp());
     std::vector<DrawingRequest> requests;
     for (const int relax : {0, 2}) {
-        requests.push_back({.stipple = {.count = 4000, .appearance = true}, .relax = relax});
-        requests.push_back({.stipple = {.scale = 500, .count = {}, .threads = 2}, .relax = relax});
+        requests.push_back({.placing = {.count = 4000, .thresholds = true}, .relax = relax});
+        requests.push_back({.placing = {.scale = 500, .count = {}, .threads = 2}, .relax = relax});
         requests.push_back({.relax = relax, .size = kByTone});
     }
-    requests.push_back({.stipple = {.placer = PlacerKind::figure8, .scale = 300, .count = {}}});
-    requests.push_back({.stipple = {.placer = PlacerKind::figure8, .count = {}}, .size = kByTone});
+    requests.push_back({.placer = PlacerKind::figure8, .placing = {.scale = 300, .count = {}}});
+    requests.push_back({.placer = PlacerKind::figure8, .placing = {.count = {}}, .size = kByTone});
     for (const DrawingRequest& request : requests) {
         const DrawingPlan plan = pipeline.plan(request);
         Drawn drawn;
@@ -146,26 +146,26 @@ TEST_CASE(
 
 TEST_CASE("a drawing is the placed dots, relaxed") {
     Pipeline pipeline = pipeline_of(dull());
-    const DrawingPlan plan = pipeline.plan({.stipple = {.count = 2500, .appearance = true}, .relax = 3});
+    const DrawingPlan plan = pipeline.plan({.placing = {.count = 2500, .thresholds = true}, .relax = 3});
     RankedTile tile = paper_tile();
     Stippling placed;
-    REQUIRE(stipple(tile, *plan.density, {.count = 2500, .appearance = true}, placed));
+    REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, {.count = 2500, .thresholds = true}, placed));
     REQUIRE(relax(placed.dots, *plan.density, 3, {.scale = placed.scale}));
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
-    DrawingRequest request{.stipple = {.count = 4000}, .relax = 4};
+    DrawingRequest request{.placing = {.count = 4000}, .relax = 4};
     const auto density = [&] { return pipeline.plan(request).density; };
     auto last = density();
     const auto stays = [&] { return density() == last; };
     CHECK(pipeline.tone_ms() > 0);
     CHECK(stays());
     CHECK(pipeline.tone_ms() == 0);
-    request.stipple.count = 30'000;
+    request.placing.count = 30'000;
     CHECK(stays());
-    request.stipple.threads = 2;
+    request.placing.threads = 2;
     CHECK(stays());
     request.width_mm = 90;
     CHECK(stays());
@@ -191,13 +191,13 @@ TEST_CASE("what a change has no say in is not made again") {
     request.size = {};
     request.relax = 1;
     CHECK(changes());
-    request.stipple.count = 41'000;  // hardly relaxed dots cover by their count
+    request.placing.count = 41'000;  // hardly relaxed dots cover by their count
     CHECK(changes());
     request.tone.detail = 0.5f;
     CHECK(changes());
     request.relax = 4;
     CHECK(changes());
-    request.stipple.count = 10'000;  // detail has the dots' scale
+    request.placing.count = 10'000;  // detail has the dots' scale
     CHECK(changes());
     pipeline.set_light(ramp());
     CHECK(changes());
@@ -205,17 +205,17 @@ TEST_CASE("what a change has no say in is not made again") {
 
 TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
     Pipeline pipeline = pipeline_of(dull());
-    const auto picture = pipeline.plan({.stipple = {.count = 1000}}).density;
+    const auto picture = pipeline.plan({.placing = {.count = 1000}}).density;
     Grid<float> grey(30, 60, 0.25f);
     pipeline.set_plain(Density(grey));
     const DrawingPlan plan =
-        pipeline.plan({.tone = {.contrast = 0.5f}, .stipple = {.count = 1000}, .width_mm = 100});
+        pipeline.plan({.tone = {.contrast = 0.5f}, .placing = {.count = 1000}, .width_mm = 100});
     CHECK(plan.density->values().values == grey.values);
     CHECK(plan.tone == Tone{.contrast = 0.5f});
     CHECK(plan.page.height_mm == doctest::Approx(200));
     CHECK(plan.page.mm_per_page_unit == doctest::Approx(200));
     pipeline.set_plain({});
-    CHECK(pipeline.plan({.stipple = {.count = 1000}}).density->values().values == picture->values().values);
+    CHECK(pipeline.plan({.placing = {.count = 1000}}).density->values().values == picture->values().values);
 }
 
 TEST_CASE("sizes by tone lie between the smallest and the largest, and grow with the density") {
@@ -249,7 +249,7 @@ TEST_CASE("how many dots there are follows from their sizes") {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
         return static_cast<double>(
             all_of(pipeline.stream(pipeline.plan(
-                       {.stipple = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
+                       {.placing = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
                 .size());
     };
     const double usual = count(0.5, 1, 200, 7);
@@ -261,7 +261,7 @@ TEST_CASE("how many dots there are follows from their sizes") {
 
 TEST_CASE("a plan says how large its dots are") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingRequest request{.stipple = {.count = 5000}, .relax = 4, .width_mm = 160};
+    const DrawingRequest request{.placing = {.count = 5000}, .relax = 4, .width_mm = 160};
     DrawingRequest fixed = request, by_tone = request;
     fixed.size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
     by_tone.size = kByTone;
@@ -275,10 +275,10 @@ TEST_CASE("a plan says how large its dots are") {
 
 TEST_CASE("a stream outlives the pipeline") {
     for (const DrawingRequest& request :
-         {DrawingRequest{.stipple = {.count = 2000}, .relax = 0},
-          {.stipple = {.count = 2000}, .relax = 2},
+         {DrawingRequest{.placing = {.count = 2000}, .relax = 0},
+          {.placing = {.count = 2000}, .relax = 2},
           {.relax = 1, .size = kByTone},
-          {.stipple = {.placer = PlacerKind::figure8, .scale = 200, .count = {}}}}) {
+          {.placer = PlacerKind::figure8, .placing = {.scale = 200, .count = {}}}}) {
         auto pipeline = std::make_unique<Pipeline>(pipeline_of(ramp()));
         const Dots dots = drawn_by(*pipeline, pipeline->plan(request));
         const DotStream stream = pipeline->stream(pipeline->plan(request));
@@ -291,13 +291,13 @@ TEST_CASE("a stream outlives the pipeline") {
 
 TEST_CASE("more dots than there may be are lowered to the most") {
     Pipeline pipeline = pipeline_of(ramp());
-    DrawingRequest request{.stipple = {.count = 3000}, .relax = 3, .most_dots = 5000};
+    DrawingRequest request{.placing = {.count = 3000}, .relax = 3, .most_dots = 5000};
     CHECK_FALSE(pipeline.plan(request).lowered);
-    request.stipple.count = 5001;
+    request.placing.count = 5001;
     DrawingPlan plan = pipeline.plan(request);
     CHECK(plan.lowered);
-    CHECK(plan.stipple.count == 5000);
-    request.stipple = {.scale = 1e6, .count = {}};
+    CHECK(plan.placing.count == 5000);
+    request.placing = {.scale = 1e6, .count = {}};
     plan = pipeline.plan(request);
     CHECK(plan.lowered);
     CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
@@ -306,7 +306,7 @@ TEST_CASE("more dots than there may be are lowered to the most") {
     CHECK(plan.lowered);
     CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
     // Figure 8 emits some dots twice.
-    request = {.stipple = {.placer = PlacerKind::figure8, .scale = 1e6, .count = {}}, .most_dots = 5000};
+    request = {.placer = PlacerKind::figure8, .placing = {.scale = 1e6, .count = {}}, .most_dots = 5000};
     plan = pipeline.plan(request);
     CHECK(plan.lowered);
     const std::size_t emitted = drawn_by(pipeline, plan).size();
@@ -317,7 +317,7 @@ TEST_CASE("more dots than there may be are lowered to the most") {
 TEST_CASE("whoever watches sees every step but the last, with its dots") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
-        DrawingRequest request{.stipple = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}};
+        DrawingRequest request{.placing = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}};
         const DrawingPlan plan = pipeline.plan(request);
         std::vector<int> seen;
         std::vector<Dots> dots;
@@ -342,7 +342,7 @@ TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
         const DrawingPlan plan =
-            pipeline.plan({.stipple = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}});
+            pipeline.plan({.placing = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}});
         for (const int last : {0, 1, 3}) {
             Drawn drawn;
             REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Drawn& now, const auto&) {
@@ -360,7 +360,7 @@ TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
 
 TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingPlan plan = pipeline.plan({.stipple = {.count = 1500}, .relax = 4});
+    const DrawingPlan plan = pipeline.plan({.placing = {.count = 1500}, .relax = 4});
     const Dots right = drawn_by(pipeline, plan);
     for (const int at : {0, 2}) {
         std::stop_source stop;
@@ -377,7 +377,7 @@ TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
 
 TEST_CASE("Figure 8 given a count places about so many different dots") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingPlan plan = pipeline.plan({.stipple = {.placer = PlacerKind::figure8, .count = 8000}});
+    const DrawingPlan plan = pipeline.plan({.placer = PlacerKind::figure8, .placing = {.count = 8000}});
     Drawn drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     CHECK(double(drawn.stippling.dots.size() - drawn.stippling.duplicates) ==

@@ -83,7 +83,7 @@ TEST_CASE("the placer's dots are those that testing every point of every level f
     for (const auto& [rule, size] :
          {std::pair{Rule{}, 16}, {kTurning, 16}, {kTurning, 20}, {kTurning, 64}, {kTurning, 300}}) {
         const Tile tile = random_tile(rule, size, 5 + size);
-        const Ranking ranking = rank(tile, size > 100 ? RankingOrder::paper : RankingOrder::energy);
+        const Ranking ranking = rank(tile, size > 100 ? RankingMethod::paper : RankingMethod::energy);
         const PlacingTable table = make_placing_table(tile, ranking);
         for (const auto& [width, height] : {std::pair{24, 24}, {31, 7}, {1, 1}, {3, 40}}) {
             const Density density(blotches(width, height, size + width));
@@ -99,13 +99,13 @@ TEST_CASE("the placer's dots are those that testing every point of every level f
 
 TEST_CASE("white paper gets no dots") {
     const PlacingTable table = make_placing_table(make_tile(14217, 2895, 16),
-                                                  rank(make_tile(14217, 2895, 16), RankingOrder::energy));
+                                                  rank(make_tile(14217, 2895, 16), RankingMethod::energy));
     CHECK(placed(table, Density(Grid<float>(20, 20)), {1e6}).size() == 0);
 }
 
 TEST_CASE("the number of dots is 16 * scale * mean density, and grows one dot at a time") {
     const Tile tile = make_tile(14217, 2895, 16);
-    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const Density grey(Grid<float>(8, 8, 1.0f));
     for (const double scale : {0.5, 1.0, 3.0, 100.0, 1000.0, 2500.0}) {
         const double expected = 16 * scale;
@@ -116,30 +116,31 @@ TEST_CASE("the number of dots is 16 * scale * mean density, and grows one dot at
 }
 
 TEST_CASE(
-    "dots are the same, in the same order, on any number of threads, with their appearance or without") {
+    "dots are the same, in the same order, on any number of threads, with their thresholds or without") {
     const Tile tile = random_tile(kTurning, 64, 11);
-    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const Density density(blotches(90, 60, 3));
-    const Dots one = placed(table, density, {20000, {}, true, 1});
+    const Dots one = placed(table, density, {.scale = 20000, .thresholds = true});
     CHECK(one.size() > 30000);
     CHECK(one.threshold.size() == one.size());
     CHECK(one.critical.size() == one.size());
-    for (const bool appearance : {true, false}) {
+    for (const bool thresholds : {true, false}) {
         for (const int threads : {1, 2, 3, 0}) {
-            const Dots many = placed(table, density, {20000, {}, appearance, threads});
+            const Dots many =
+                placed(table, density, {.scale = 20000, .threads = threads, .thresholds = thresholds});
             CHECK(many.x == one.x);
             CHECK(many.y == one.y);
-            CHECK(many.threshold == (appearance ? one.threshold : FloatBuffer{}));
-            CHECK(many.critical == (appearance ? one.critical : FloatBuffer{}));
+            CHECK(many.threshold == (thresholds ? one.threshold : FloatBuffer{}));
+            CHECK(many.critical == (thresholds ? one.critical : FloatBuffer{}));
         }
     }
 }
 
 TEST_CASE("a dot exists at scales above its critical scale and not below") {
     const Tile tile = random_tile(kTurning, 16, 2);
-    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const Density density(blotches(16, 16, 9));
-    const Dots dense = placed(table, density, {3000, {}, true});
+    const Dots dense = placed(table, density, {.scale = 3000, .thresholds = true});
     for (const double scale : {17.0, 400.0, 1234.5}) {
         std::multiset<std::pair<float, float>> expected;
         for (std::size_t i = 0; i < dense.size(); ++i) {
@@ -157,14 +158,14 @@ TEST_CASE(
     "on black, each dot comes just above the scale that its rank and level say, wherever its square lies") {
     for (const int size : {16, 300}) {
         const Tile tile = random_tile(kTurning, size, 6);
-        const Ranking ranking = rank(tile, size > 100 ? RankingOrder::paper : RankingOrder::energy);
+        const Ranking ranking = rank(tile, size > 100 ? RankingMethod::paper : RankingMethod::energy);
         const PlacingTable table = make_placing_table(tile, ranking);
         // All dots' thresholds up to a few thousand, one for each tile of a level.
         std::vector<std::pair<float, std::size_t>> thresholds;
-        for (const float birth : ranking.tile) thresholds.emplace_back(birth / 16, 1);
+        for (const float rank : ranking.tile) thresholds.emplace_back(rank / 16, 1);
         for (int level = 0; level < (size > 100 ? 4 : 6); ++level)
-            for (const float birth : ranking.newborn)
-                thresholds.emplace_back(std::ldexp(birth / 16, 2 * level), std::size_t{1} << 2 * level);
+            for (const float rank : ranking.newborn)
+                thresholds.emplace_back(std::ldexp(rank / 16, 2 * level), std::size_t{1} << 2 * level);
         std::sort(thresholds.begin(), thresholds.end());
         // A map that wraps round has a way of its own about its seam.
         for (const Density& black :
@@ -192,11 +193,13 @@ TEST_CASE(
 
 TEST_CASE("a dot on the edge that two windows share is in the right or lower one alone") {
     const Tile tile = random_tile(kTurning, 16, 3);
-    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const CellPoints& points = table.cells[0].all;  // on the page from -1 to 1, when only they are drawn
     for (const Density& black :
          {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Seam::wrap)}) {
-        const auto count = [&](const PageWindow& window) { return placed(table, black, {1, window}).size(); };
+        const auto count = [&](const PageWindow& window) {
+            return placed(table, black, {.scale = 1, .window = window}).size();
+        };
         REQUIRE(count({}) == 16);  // the tile's own
         for (std::size_t i = 0; i < 16; ++i) {
             CAPTURE(i);
@@ -224,7 +227,7 @@ TEST_CASE("a dot on the edge that two windows share is in the right or lower one
 
 TEST_CASE("windows that tile the page share its dots out without a lost or doubled one") {
     const Tile tile = random_tile(kTurning, 64, 4);
-    const PlacingTable table = make_placing_table(tile, rank(tile, RankingOrder::energy));
+    const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const Density density(blotches(50, 40, 1));
     const double scale = 2000;
     const Dots whole = placed(table, density, {scale});
@@ -237,7 +240,7 @@ TEST_CASE("windows that tile the page share its dots out without a lost or doubl
         for (int column = 0; column < 3; ++column) {
             PageWindow window{column * third, row * third, static_cast<double>(third) * 0x1p-62,
                               static_cast<double>(third) * 0x1p-62};
-            const Dots part = placed(table, density, {scale, window});
+            const Dots part = placed(table, density, {.scale = scale, .window = window});
             total += part.size();
             for (std::size_t i = 0; i < part.size(); ++i) {
                 CHECK(part.x[i] >= 0);
@@ -270,14 +273,14 @@ TEST_CASE("a column of dots keeps its numbers while it grows into large memory a
     CHECK(column == FloatBuffer{1, 2});
 }
 
-TEST_CASE("birthplaces can be read off thresholds") {
+TEST_CASE("level and rank can be read off thresholds") {
     for (const std::size_t n : {16u, 64u, 4096u}) {
-        CHECK(birthplace_of(0.5f / 16, n).level == 0);
-        CHECK(birthplace_of(static_cast<float>(double(n) - 0.5) / 16, n).rank == static_cast<int>(n) - 1);
+        CHECK(tile_rank_of(0.5f / 16, n).level == 0);
+        CHECK(tile_rank_of(static_cast<float>(double(n) - 0.5) / 16, n).rank == static_cast<int>(n) - 1);
         for (int level = 1; level < 20; ++level) {
             for (const double rank : {double(n), 2 * double(n), 4 * double(n) - 1}) {
-                const Birthplace born =
-                    birthplace_of(static_cast<float>(std::ldexp((rank + 0.5) / 16, 2 * level - 2)), n);
+                const TileRank born =
+                    tile_rank_of(static_cast<float>(std::ldexp((rank + 0.5) / 16, 2 * level - 2)), n);
                 CHECK(born.level == level);
                 CHECK(born.rank == static_cast<int>(rank));
             }

@@ -12,39 +12,39 @@
 
 using namespace dapple;
 
-TEST_CASE("births are a permutation: the tile's own points first, then its children's newborn ones") {
+TEST_CASE("ranks are a permutation: the tile's own points first, then its children's newborn ones") {
     for (const Rule& rule :
          {Rule{}, Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}}}) {
         const Tile tile = make_tile(rule, {"0301213303211022"});
-        for (const RankingOrder order : {RankingOrder::farthest, RankingOrder::energy}) {
+        for (const RankingMethod order : {RankingMethod::farthest, RankingMethod::energy}) {
             const Ranking ranking = rank(tile, order);
-            std::set<float> births(ranking.tile.begin(), ranking.tile.end());
-            CHECK(births.size() == 16);
-            CHECK(*births.rbegin() == 15.5f);
-            births.insert(ranking.newborn.begin(), ranking.newborn.end());
-            CHECK(births.size() == 64);
-            CHECK(*births.rbegin() == 63.5f);
+            std::set<float> ranks(ranking.tile.begin(), ranking.tile.end());
+            CHECK(ranks.size() == 16);
+            CHECK(*ranks.rbegin() == 15.5f);
+            ranks.insert(ranking.newborn.begin(), ranking.newborn.end());
+            CHECK(ranks.size() == 64);
+            CHECK(*ranks.rbegin() == 63.5f);
         }
     }
 }
 
-TEST_CASE("farthest-point births: each point that appears is the one farthest from all before it") {
+TEST_CASE("farthest-point ranks: each point that appears is the one farthest from all before it") {
     const Tile tile = make_tile(Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}},
                                 {"0301213303211022", "2011>3", "33121>17", "002>7", "2211>9"});
     const auto neighbours = legal_neighbours(tile.rule);
-    const Ranking ranking = rank(tile, RankingOrder::farthest);
-    std::vector<std::pair<float, glm::dvec2>> births;
+    const Ranking ranking = rank(tile, RankingMethod::farthest);
+    std::vector<std::pair<float, glm::dvec2>> ranks;
     for (std::size_t i = 0; i < tile.size(); ++i)
-        births.emplace_back(ranking.tile[i], to_unit_square(tile.points[i]));
+        ranks.emplace_back(ranking.tile[i], to_unit_square(tile.points[i]));
     const auto newborns = newborns_of(tile);
     for (std::size_t i = 0; i < newborns.size(); ++i)
-        births.emplace_back(ranking.newborn[i], to_unit_square(newborns[i].position));
-    std::sort(births.begin(), births.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        ranks.emplace_back(ranking.newborn[i], to_unit_square(newborns[i].position));
+    std::sort(ranks.begin(), ranks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
     const auto distance = [&](glm::dvec2 p, std::size_t count) {
         double nearest = 10;
         for (std::size_t j = 0; j < count; ++j) {
-            const glm::dvec2 q = births[j].second;
+            const glm::dvec2 q = ranks[j].second;
             nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
             for (const Neighbour& n : neighbours) {
                 const glm::dvec2 copy = position_in(n, q);
@@ -53,22 +53,22 @@ TEST_CASE("farthest-point births: each point that appears is the one farthest fr
         }
         return nearest;
     };
-    for (std::size_t k = 1; k < births.size(); ++k) {
-        const double chosen = distance(births[k].second, k);
-        const std::size_t end = k < tile.size() ? tile.size() : births.size();
+    for (std::size_t k = 1; k < ranks.size(); ++k) {
+        const double chosen = distance(ranks[k].second, k);
+        const std::size_t end = k < tile.size() ? tile.size() : ranks.size();
         for (std::size_t other = k + 1; other < end; ++other)
-            CHECK(distance(births[other].second, k) <= chosen + 1e-9);
+            CHECK(distance(ranks[other].second, k) <= chosen + 1e-9);
     }
 }
 
 TEST_CASE("the energy order of a larger tile fills every quarter of it at the same pace") {
     const Tile tile =
         make_tile(Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}}, even_words(256, 4));
-    const Ranking ranking = rank(tile, RankingOrder::energy);
+    const Ranking ranking = rank(tile, RankingMethod::energy);
     for (const float shown : {64.0f, 128.0f, 400.0f, 700.0f}) {
         std::array<int, 16> held{};
-        const auto count = [&](BinaryPoint p, float birth) {
-            if (birth >= shown) return;
+        const auto count = [&](BinaryPoint p, float rank) {
+            if (rank >= shown) return;
             const glm::dvec2 at = to_unit_square(p) * 4.0;
             ++held[std::size_t(at.y) * 4 + std::size_t(at.x)];
         };

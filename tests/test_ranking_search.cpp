@@ -47,7 +47,7 @@ TEST_CASE("the energy of a ranking is the sum over stages of the pairs that are 
     const Tile tile = make_tile(aperiodic_rule(), even_words(16, 3));
     RankingSearchSettings settings;
     settings.stages = 5;
-    for (const RankingOrder order : {RankingOrder::farthest, RankingOrder::energy}) {
+    for (const RankingMethod order : {RankingMethod::farthest, RankingMethod::energy}) {
         const Ranking ranking = rank(tile, order);
         CHECK(ranking_energy(tile, ranking, settings) ==
               doctest::Approx(energy_by_brute_force(tile, ranking, settings)).epsilon(2e-3));
@@ -58,13 +58,13 @@ TEST_CASE("the search finds an order of lower energy, each place taken once, the
     const Tile tile = make_tile(aperiodic_rule(), even_words(64, 3));
     RankingSearchSettings settings;
     settings.exchanges = 30'000;
-    const Ranking greedy = rank(tile, RankingOrder::energy);
+    const Ranking greedy = rank(tile, RankingMethod::energy);
     const Ranking found = search_ranking(tile, settings);
     CHECK(energy_by_brute_force(tile, found, settings) < energy_by_brute_force(tile, greedy, settings));
     CHECK(found.tile == greedy.tile);
-    const std::set<float> births(found.newborn.begin(), found.newborn.end());
-    CHECK(births.size() == 3 * 64);
-    CHECK(*births.begin() == 64.5f);
-    CHECK(*births.rbegin() == 255.5f);
+    const std::set<float> ranks(found.newborn.begin(), found.newborn.end());
+    CHECK(ranks.size() == 3 * 64);
+    CHECK(*ranks.begin() == 64.5f);
+    CHECK(*ranks.rbegin() == 255.5f);
     CHECK(search_ranking(tile, settings).newborn == found.newborn);
 }

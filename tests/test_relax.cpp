@@ -24,7 +24,7 @@ using namespace dapple;
 namespace {
 
 RankedTile& test_tile() {
-    static RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    static RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
     return tile;
 }
 
@@ -35,9 +35,10 @@ Grid<float> picture_of(int width, int height, const std::function<double(int, in
     return grid;
 }
 
-Stippling placed(const Density& density, std::uint64_t count, bool appearance = false) {
+Stippling placed(const Density& density, std::uint64_t count, bool thresholds = false) {
     Stippling result;
-    REQUIRE(stipple(test_tile(), density, {.count = count, .appearance = appearance}, result));
+    REQUIRE(
+        stipple(test_tile(), density, PlacerKind::exact, {.count = count, .thresholds = thresholds}, result));
     return result;
 }
 

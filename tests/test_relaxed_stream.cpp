@@ -44,7 +44,7 @@ Grid<float> on_its_side(const Grid<float>& grid) {
 }
 
 RankedTile& test_tile() {
-    static RankedTile tile(make_tile(14217, 2895, 16), RankingOrder::energy);
+    static RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
     return tile;
 }
 
@@ -63,16 +63,16 @@ bool same(const Dots& a, const Dots& b) {
            a.radius == b.radius;
 }
 
-Dots whole_page(const Density& density, const StippleRequest& request, int steps, double& scale) {
+Dots whole_page(const Density& density, const PlacingRequest& request, int steps, double& scale) {
     Stippling all;
-    REQUIRE(stipple(test_tile(), density, request, all));
+    REQUIRE(stipple(test_tile(), density, PlacerKind::exact, request, all));
     REQUIRE(relax(all.dots, density, steps, {.scale = all.scale, .threads = request.threads}));
     scale = all.scale;
     return joined(all.dots);
 }
 
-const std::vector<StippleRequest> kRequests{{.scale = 12'000, .count = {}, .appearance = true},
-                                            {.count = 5000, .threads = 3, .appearance = true}};
+const std::vector<PlacingRequest> kRequests{{.scale = 12'000, .count = {}, .thresholds = true},
+                                            {.count = 5000, .threads = 3, .thresholds = true}};
 
 // In millimetres a pixel.
 PageSize page_of(const Density& density) {
@@ -98,7 +98,7 @@ void give_radii(Dots& dots) {
 
 TEST_CASE("a drawing relaxed in bands is the whole page relaxed at once, to the bit and in its order") {
     const Density density(photograph());
-    for (const StippleRequest& request : kRequests) {
+    for (const PlacingRequest& request : kRequests) {
         for (const int steps : {1, 2, 3, 4}) {
             CAPTURE(request.scale);
             CAPTURE(request.count.value_or(0));
@@ -107,7 +107,7 @@ TEST_CASE("a drawing relaxed in bands is the whole page relaxed at once, to the 
             const Dots whole = whole_page(density, request, steps, scale);
             const std::uint64_t at_once = steps == 2 ? 300 : 1000;
             const DotStream bands = relaxed_stream(test_tile().placer(), density,
-                                                   {.stipple = request, .part = {}}, steps, at_once);
+                                                   {.placing = request, .part = {}}, steps, at_once);
             std::size_t pieces = 0;
             const Dots streamed = all_of(bands, &pieces);
             CHECK(pieces > (steps == 2 ? 10 : 3));
@@ -122,11 +122,11 @@ TEST_CASE("a drawing relaxed in bands is the whole page relaxed at once, to the 
 
 TEST_CASE("a drawing that fits into one band is kept, and the same") {
     const Density density(photograph());
-    for (const StippleRequest& request : kRequests) {
+    for (const PlacingRequest& request : kRequests) {
         double scale = 0;
         const Dots whole = whole_page(density, request, 3, scale);
         const DotStream one =
-            relaxed_stream(test_tile().placer(), density, {.stipple = request, .part = {}}, 3);
+            relaxed_stream(test_tile().placer(), density, {.placing = request, .part = {}}, 3);
         std::size_t pieces = 0;
         CHECK(same(all_of(one, &pieces), whole));
         CHECK(pieces == 1);
@@ -138,7 +138,7 @@ TEST_CASE("a drawing that fits into one band is kept, and the same") {
 
 TEST_CASE("six relaxed sheets are the page's dots, each exactly once and in the page's order") {
     for (const Density& density : {Density(photograph()), Density(on_its_side(photograph()))}) {
-        for (const StippleRequest& request : kRequests) {
+        for (const PlacingRequest& request : kRequests) {
             const int steps = request.count ? 1 : 3;
             double scale = 0;
             const Dots whole = whole_page(density, request, steps, scale);
@@ -147,7 +147,7 @@ TEST_CASE("six relaxed sheets are the page's dots, each exactly once and in the 
                 Dots expected = whole;
                 cut_to(part, expected);
                 const DotStream sheet = relaxed_stream(test_tile().placer(), density,
-                                                       {.stipple = request, .part = part}, steps, 700);
+                                                       {.placing = request, .part = part}, steps, 700);
                 CHECK(same(all_of(sheet), expected));
                 CHECK(sheet.count == expected.size());
                 CHECK(sheet.scale == scale);
@@ -162,16 +162,17 @@ TEST_CASE("six relaxed sheets are the page's dots, each exactly once and in the 
 TEST_CASE("a relaxed region has the whole page's dots there, with their radii") {
     const Density density(photograph());
     const PageSize page = page_of(density);
-    for (const StippleRequest& request : kRequests) {
+    for (const PlacingRequest& request : kRequests) {
         double scale = 0;
         Dots whole = whole_page(density, request, 2, scale);
         give_radii(whole);
-        for (const Region& region : {Region{3.3, 70.7, 5.5, 44.4}, {0, 0, 20, 10}, {12, 0, 0.7, 320}}) {
+        for (const Rectangle<double>& region :
+             {Rectangle<double>{{3.3, 70.7}, {8.8, 115.1}}, {{0, 0}, {20, 10}}, {{12, 0}, {12.7, 320}}}) {
             const PagePart part = region_of(page, region).part;
             Dots expected = whole;
             cut_to(part, expected);
             for (const std::uint64_t at_once : {std::uint64_t{300}, kDotsAtOnce}) {
-                const StreamRequest wanted{.stipple = request, .part = part, .finish = give_radii};
+                const StreamRequest wanted{.placing = request, .part = part, .finish = give_radii};
                 const DotStream dots = relaxed_stream(test_tile().placer(), density, wanted, 2, at_once);
                 const Dots found = all_of(dots);
                 CHECK(found.radius.size() == found.size());
@@ -185,7 +186,7 @@ TEST_CASE("a relaxed region has the whole page's dots there, with their radii") 
 TEST_CASE("whoever takes the bands may stop, and begin again") {
     const Density density(photograph());
     const DotStream bands =
-        relaxed_stream(test_tile().placer(), density, {.stipple = {.count = 5000}, .part = {}}, 1, 500);
+        relaxed_stream(test_tile().placer(), density, {.placing = {.count = 5000}, .part = {}}, 1, 500);
     int taken = 0;
     bands.for_each_piece([&](const Dots&) { return ++taken < 2; });
     CHECK(taken == 2);
@@ -195,15 +196,13 @@ TEST_CASE("whoever takes the bands may stop, and begin again") {
 TEST_CASE("what cannot be relaxed in bands is refused") {
     const Density density(photograph());
     Placer& placer = test_tile().placer();
-    CHECK_THROWS(relaxed_stream(placer, density,
-                                {.stipple = {.placer = PlacerKind::figure8, .count = {}}, .part = {}}, 1));
     CHECK_THROWS(
-        relaxed_stream(placer, Density(Grid<float>(4, 4)), {.stipple = {.count = 5}, .part = {}}, 1));
+        relaxed_stream(placer, Density(Grid<float>(4, 4)), {.placing = {.count = 5}, .part = {}}, 1));
 }
 
 TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
     Pipeline pipeline;
-    pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingOrder::energy));
+    pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
     Grid<float> light = photograph();
     for (float& v : light.values) v = 1 - v;
     pipeline.set_light(std::move(light));

@@ -38,9 +38,9 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
                               Case{{}, 2, DotSizing::by_tone, "--relax 2 --dot-radius 0.2..0.5"}}) {
         CAPTURE(asked.options);
         DrawingSettings settings;
-        settings.stipple.count = asked.count;
-        settings.stipple.scale = 2500;
-        settings.stipple.appearance = true;
+        settings.placing.count = asked.count;
+        settings.placing.scale = 2500;
+        settings.placing.thresholds = true;
         settings.relax = asked.relax;
         settings.dot_size = {.sizing = asked.sizing, .smallest_mm = 0.2, .largest_mm = 0.5};
         Pipeline pipeline;

@@ -133,6 +133,16 @@ TEST_CASE("the sheets of a PNG, laid together, are the page: dots reach over the
     }
 }
 
+TEST_CASE("lengths may be in inches, centimetres or points: the same drawing to the byte as in millimetres") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 300 -o ";
+    REQUIRE(run_dapple(from + scene("mm.svg") + " --width 203.2 --margin 12.7 --dot-radius 0.5").status == 0);
+    REQUIRE(run_dapple(from + scene("in.svg") + " --width 8in --margin 1.27cm --dot-radius 0.05cm").status ==
+            0);
+    CHECK(text_of(scene("in.svg")) == text_of(scene("mm.svg")));
+    CHECK(text_of(scene("in.svg")).find("width=\"203.2mm\"") != std::string::npos);
+}
+
 TEST_CASE("within a margin no dot reaches over the edge, in any format, and sheets still join") {
     const Scene scene;
     const std::string from =

@@ -40,7 +40,7 @@ struct Drawing {
     Drawing(std::uint64_t count, const Colours& c) : colours(c) {
         const Density density(ramp());
         RankedTile tile = tile_named(kDefaultTile);
-        REQUIRE(stipple(tile, density, {.count = count, .threads = 0}, stippling));
+        REQUIRE(stipple(tile, density, PlacerKind::exact, {.count = count, .threads = 0}, stippling));
         const PageSize page = page_size(density, 1);
         size = {page.width_mm, page.height_mm};
         radius = radius_for_tone(stippling.scale, 1.6);
@@ -82,10 +82,10 @@ class Screen {
         for (int third = 0; third < 3; ++third) {
             const double left = std::floor(glm::mix(low.x, high.x, third / 3.0)),
                          right = std::floor(glm::mix(low.x, high.x, (third + 1) / 3.0));
-            const PixelBox on_screen{{left, low.y}, {right, high.y}};
+            const Rectangle<double> on_screen{{left, low.y}, {right, high.y}};
             const double file_pixels = drawing_.file.width / (end.x - corner.x);
-            const PixelBox in_file{(on_screen.low - corner) * file_pixels,
-                                   (on_screen.high - corner) * file_pixels};
+            const Rectangle<double> in_file{(on_screen.low - corner) * file_pixels,
+                                            (on_screen.high - corner) * file_pixels};
             const glm::dvec3 apart =
                 glm::abs(mean_light(pixels, on_screen) - mean_light(drawing_.file, in_file));
             largest = std::max({largest, apart.r, apart.g, apart.b});

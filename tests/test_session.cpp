@@ -32,7 +32,7 @@ struct SplitSession {
         : session(
               DrawingSettings{}, [] {}, most_dots) {
         session.settings.density.source = DensitySource::grey;
-        session.settings.drawing.stipple.count = dots;
+        session.settings.drawing.placing.count = dots;
         session.settings.drawing.relax = 0;
         session.settings.comparison.on = true;
         session.open_sample();
@@ -79,7 +79,7 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
     PlaceOrder order;
     order.tile = tile;
     order.density.source = DensitySource::grey;
-    order.drawing.stipple.scale = scale;
+    order.drawing.placing.scale = scale;
     order.drawing.relax = 0;
     PlacedDrawing page;
     bench.place(order, page);
@@ -160,22 +160,22 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
         return session.pane().page().stippling.dots.size();
     };
     DrawingSettings drawing;
-    drawing.stipple.count = 99'999'999'999;
+    drawing.placing.count = 99'999'999'999;
     CHECK(dots(drawing) == 5000);
-    drawing.stipple.count.reset();
-    drawing.stipple.scale = 1e8;
+    drawing.placing.count.reset();
+    drawing.placing.scale = 1e8;
     CHECK(dots(drawing) == doctest::Approx(5000).epsilon(0.02));
     drawing.tone.invert = true;  // another mean
     CHECK(dots(drawing) == doctest::Approx(5000).epsilon(0.02));
-    drawing.stipple.placer = PlacerKind::figure8;
+    drawing.placer = PlacerKind::figure8;
     drawing.tile = "paper16";
     const auto figure8 = dots(drawing);
     CHECK(figure8 < 5000);
     CHECK(figure8 > 3000);
     // A scale that needs no bound is left as it is.
     drawing = {};
-    drawing.stipple.count.reset();
-    drawing.stipple.scale = 300;
+    drawing.placing.count.reset();
+    drawing.placing.scale = 300;
     dots(drawing);
     CHECK(session.pane().page().stippling.scale == 300);
 }
@@ -339,6 +339,17 @@ TEST_CASE("a file that is not a tile is told of with the line that is wrong, and
     CHECK(session.tiles().size() == tiles);
 }
 
+TEST_CASE("what is said of a placing that failed goes with the next one that does not") {
+    SplitSession split(500);
+    split.session.settings.comparison.on = false;
+    split.session.settings.drawing.tile = "no such tile";
+    REQUIRE(split.brings([&] { return !split.session.banner.message.empty(); }));
+    CHECK(split.session.banner.kind == BannerKind::error);
+    split.session.settings.drawing.tile = "paper16";
+    CHECK(split.brings([&] { return split.session.banner.message.empty(); }));
+    CHECK(split.session.pane().tile().name == "paper16");
+}
+
 TEST_CASE("another picture is not saved over the one before") {
     TemporaryFolder folder;
     const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
@@ -361,7 +372,7 @@ TEST_CASE("another picture is not saved over the one before") {
 
 TEST_CASE("a placing that takes too long can be given up: drawing and settings are as before") {
     Session session(DrawingSettings{}, [] {});
-    session.settings.drawing.stipple.count = 1000;
+    session.settings.drawing.placing.count = 1000;
     session.settings.drawing.relax = 0;
     session.open_sample();
     const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
@@ -373,13 +384,13 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
         });
     };
     REQUIRE(brings([&] { return session.pane().page().stippling.dots.size() == 1000; }));
-    session.settings.drawing.stipple.count = 30'000'000;
+    session.settings.drawing.placing.count = 30'000'000;
     REQUIRE(brings([&] {
         const auto since = session.pane().worker().placing_since();
         return since && std::chrono::steady_clock::now() - *since > std::chrono::milliseconds(300);
     }));
     session.stop_placing();
-    CHECK(session.settings.drawing.stipple.count == 1000);
+    CHECK(session.settings.drawing.placing.count == 1000);
     CHECK(brings([&] {
         return session.pane().page_order() == session.pane().page_ordered() &&
                !session.pane().worker().placing_since();

@@ -67,25 +67,25 @@ TEST_CASE(
     std::vector<int> seen(all.size() + 1);
     for (const char* text :
          {"0,0,30.3x20.1", "30.3,0,59.7x20.1", "0,20.1,30.3x39.9", "30.3,20.1,59.7x39.9"}) {
-        const Region region = parse_region(text);
+        const Rectangle<double> region = parse_region(text);
         const Excerpt excerpt = region_of(page, region);
-        CHECK(excerpt.size.width_mm == doctest::Approx(region.width));
-        CHECK(excerpt.size.height_mm == doctest::Approx(region.height));
+        CHECK(excerpt.size.width_mm == doctest::Approx(region.size().x));
+        CHECK(excerpt.size.height_mm == doctest::Approx(region.size().y));
         Dots dots = all;
         cut_to(excerpt.part, dots);
         for (std::size_t i = 0; i < dots.size(); ++i) {
             const auto id = static_cast<std::size_t>(dots.threshold[i]);
             ++seen[id];
-            CHECK(std::abs(dots.x[i] * 90.0 + region.x - all.x[id - 1] * 90.0) < 1e-4);
-            CHECK(std::abs(dots.y[i] * 90.0 + region.y - all.y[id - 1] * 90.0) < 1e-4);
+            CHECK(std::abs(dots.x[i] * 90.0 + region.low.x - all.x[id - 1] * 90.0) < 1e-4);
+            CHECK(std::abs(dots.y[i] * 90.0 + region.low.y - all.y[id - 1] * 90.0) < 1e-4);
         }
     }
     CHECK(std::count(seen.begin() + 1, seen.end(), 1) == static_cast<long>(all.size()));
 }
 
 TEST_CASE("a region is read in millimetres, and has to be one and on the page") {
-    CHECK(parse_region("120,80,50x40.5") == Region{120, 80, 50, 40.5});
-    CHECK(parse_region("0,0.5,1x2") == Region{0, 0.5, 1, 2});
+    CHECK(parse_region("120,80,50x40.5") == Rectangle<double>{{120, 80}, {170, 120.5}});
+    CHECK(parse_region("0,0.5,1x2") == Rectangle<double>{{0, 0.5}, {1, 2.5}});
     for (const char* wrong :
          {"", "1,2", "1,2,3", "1,2,3x", "1,2,3x4mm", "-1,2,3x4", "1,-2,3x4", "1,2,0x4", "1,2,3x0", "1,2,-3x4",
           "nan,2,3x4", "1,2,infx4", "1,2,3x4x5", "a,2,3x4", " 1,2,3x4", "1,2/3x4"}) {
@@ -93,12 +93,12 @@ TEST_CASE("a region is read in millimetres, and has to be one and on the page") 
         CHECK_THROWS_AS(parse_region(wrong), std::runtime_error);
     }
     const PageSize page{200, 133.0 + 1.0 / 3, 200};
-    CHECK(region_of(page, {0, 0, 200, page.height_mm}).part == PagePart{});
+    CHECK(region_of(page, {{0, 0}, {200, page.height_mm}}).part == PagePart{});
     // Someone has read 133.33 as the page's height, someone else 133.34.
-    CHECK(region_of(page, {0, 0, 200, 133.34}).size.height_mm == page.height_mm);
-    CHECK_THROWS_AS(region_of(page, {150, 0, 51, 10}), std::runtime_error);
-    CHECK_THROWS_AS(region_of(page, {0, 100, 10, 34}), std::runtime_error);
-    CHECK_THROWS_AS(region_of(page, {200, 0, 0.01, 10}), std::runtime_error);
+    CHECK(region_of(page, {{0, 0}, {200, 133.34}}).size.height_mm == page.height_mm);
+    CHECK_THROWS_AS(region_of(page, {{150, 0}, {201, 10}}), std::runtime_error);
+    CHECK_THROWS_AS(region_of(page, {{0, 100}, {10, 134}}), std::runtime_error);
+    CHECK_THROWS_AS(region_of(page, {{200, 0}, {200.01, 10}}), std::runtime_error);
 }
 
 TEST_CASE("the window around a part holds its dots, and no more than a hair beyond it") {
@@ -137,7 +137,7 @@ TEST_CASE("a margin surrounds the picture, and sheets of the page with it share 
     CHECK(middle.part.down.end == below.part.down.first);
     CHECK(middle.part.across.first * 180 == doctest::Approx(200 / 3.0 - 10));
     CHECK(below.part.down.offset * 180 == doctest::Approx(60));
-    const Excerpt region = region_of(page, {200 / 3.0, 0, 200 / 3.0, 70}, 10);
+    const Excerpt region = region_of(page, {{200 / 3.0, 0}, {400 / 3.0, 70}}, 10);
     CHECK(region.part.across.first == middle.part.across.first);
     CHECK(region.part.across.end == middle.part.across.end);
     CHECK(region.part.down == middle.part.down);

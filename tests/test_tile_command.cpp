@@ -324,7 +324,7 @@ TEST_CASE("rank makes a tile file of words, and of a tile another ranking") {
     const std::string words = folder / "words.txt", file = folder / "a.tile", other = folder / "b.tile";
     put_text(words, "3760\n0301213303211022\n");
     REQUIRE(run_dapple(fmt::format("tile rank {} -o {} --order farthest", words, file)).status == 0);
-    CHECK(read_tile(text_of(file)).order == RankingOrder::farthest);
+    CHECK(read_tile(text_of(file)).order == RankingMethod::farthest);
     REQUIRE(run_dapple(fmt::format("tile rank {} -o {} --order searched", file, other)).status == 0);
     CHECK_FALSE(read_tile(text_of(other)).order);
     CHECK(read_tile(text_of(other)).tile.points == read_tile(text_of(file)).tile.points);

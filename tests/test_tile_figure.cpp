@@ -30,7 +30,7 @@ pugi::xpath_node_set under(const pugi::xml_document& figure, const std::string& 
 }
 
 StoredTile turned_tile(std::size_t points) {
-    return ranked(make_tile(aperiodic_rule(), even_words(points, 5)), RankingOrder::energy);
+    return ranked(make_tile(aperiodic_rule(), even_words(points, 5)), RankingMethod::energy);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ TEST_CASE("a tile's figure shows every point, every copy, every rank and growing
 
 TEST_CASE("every circled point of a tile's figure lies on a point of a copy, and none twice") {
     for (const StoredTile& stored :
-         {ranked(make_tile(14217, 2895, 16), RankingOrder::paper), turned_tile(64), turned_tile(1024)}) {
+         {ranked(make_tile(14217, 2895, 16), RankingMethod::paper), turned_tile(64), turned_tile(1024)}) {
         const pugi::xml_document figure = figure_of(stored);
         const auto centre = [](const pugi::xpath_node& circle) {
             return glm::dvec2(circle.node().attribute("cx").as_double(),
@@ -98,7 +98,7 @@ TEST_CASE("no caption of a tile's figure is wider than its panel") {
 }
 
 TEST_CASE("a small tile's figure has each rank once, at its point") {
-    const StoredTile stored = ranked(make_tile(14217, 2895, 16), RankingOrder::paper);
+    const StoredTile stored = ranked(make_tile(14217, 2895, 16), RankingMethod::paper);
     const pugi::xml_document figure = figure_of(stored);
     std::set<int> ranks;
     const auto texts = under(figure, "ranks", "text");

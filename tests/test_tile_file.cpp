@@ -61,7 +61,7 @@ const std::string kPaperFile =
 
 TEST_CASE("a tile file reads back as the same tile and is written again as the same text") {
     const std::vector<std::string> comments{"found somewhere", "radius 0.5"};
-    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy}) {
+    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy}) {
         for (const Tile& tile : {make_tile(14217, 2895, 16), tile_with_tails(),
                                  make_tile(aperiodic_rule(), even_words(256, 3))}) {
             const StoredTile stored = ranked(tile, order);
@@ -74,7 +74,7 @@ TEST_CASE("a tile file reads back as the same tile and is written again as the s
 }
 
 TEST_CASE("a ranking that no order makes is kept under its own name") {
-    StoredTile stored = ranked(make_tile(14217, 2895, 16), RankingOrder::energy);
+    StoredTile stored = ranked(make_tile(14217, 2895, 16), RankingMethod::energy);
     stored.order.reset();
     std::reverse(stored.ranking.newborn.begin(), stored.ranking.newborn.end());
     const std::string text = write_tile(stored);
@@ -100,10 +100,10 @@ TEST_CASE("the file of the largest tile is below 100 kB and its lines are short"
 
 TEST_CASE("a hand-written tile file may have comments, blank lines, Windows line ends and any line lengths") {
     const StoredTile stored = read_tile(kPaperFile);
-    CHECK(stored.order == RankingOrder::paper);
+    CHECK(stored.order == RankingMethod::paper);
     CHECK(stored.tile.points == make_tile(14217, 2895, 16).points);
     CHECK(stored.ranking.tile[2] == 8.5f);
-    // The first newborn point's own rank decides, three births for each rank.
+    // The first newborn point's own rank decides, three ranks for each rank.
     const Newborn first = newborns_of(stored.tile)[0];
     CHECK(stored.ranking.newborn[0] == 16 + 3 * stored.ranking.tile[first.point]);
 
@@ -157,7 +157,7 @@ TEST_CASE("a malformed tile file is refused with its line and a reason") {
 }
 
 TEST_CASE("no cut and no changed byte of a tile file brings the reader down") {
-    const std::string text = write_tile(ranked(tile_with_tails(), RankingOrder::energy));
+    const std::string text = write_tile(ranked(tile_with_tails(), RankingMethod::energy));
     for (std::size_t length = 0; length < text.size() - 1; length += 3)
         CHECK_THROWS_AS(read_tile(text.substr(0, length)), std::runtime_error);
     for (std::size_t at = 0; at < text.size(); ++at) {

@@ -95,13 +95,13 @@ TEST_CASE("the tone stays whatever the count, the width of the page and the orde
     for (const std::uint64_t count : {5'000u, 20'000u, 80'000u}) {
         CAPTURE(count);
         DrawingSettings settings;
-        settings.stipple.count = count;
+        settings.placing.count = count;
         CHECK(error_of(ramp(), settings, 10).mean < 0.02);
     }
     DrawingSettings postcard;
     postcard.width_mm = 148;
     CHECK(error_of(ramp(), postcard, 10).mean < 0.02);
-    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest}) {
+    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest}) {
         DrawingSettings settings;
         settings.ranking = order;
         CHECK(error_of(ramp(), settings, 10).mean < 0.04);

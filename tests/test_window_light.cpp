@@ -37,7 +37,7 @@ TEST_CASE("the window is as light as the PNG with the same settings, fitted and 
         const double side = viewer.status()["zoom"].get<double>() * kPictureSide;
         run({"import", "-window", "root", shot});
         // Without the page's edges, which may lie within pixels.
-        const PixelBox page{glm::ceil(kMiddle - side / 2), glm::floor(kMiddle + side / 2)};
+        const Rectangle<double> page{glm::ceil(kMiddle - side / 2), glm::floor(kMiddle + side / 2)};
         const glm::dvec3 apart = glm::abs(mean_light(pixels_of(shot), page) - light);
         return std::max({apart.r, apart.g, apart.b}) < 0.01;
     };

@@ -24,7 +24,7 @@ Picture grey(int side) {
 PlaceOrder dots(std::uint64_t count) {
     PlaceOrder order;
     order.tile = "paper16";
-    order.drawing.stipple.count = count;
+    order.drawing.placing.count = count;
     order.drawing.relax = 0;
     return order;
 }
@@ -142,7 +142,7 @@ TEST_CASE("a tile is told with its first dots, and again when another was chosen
     auto second = next(other);
     REQUIRE(second);
     CHECK(second->name == "28433,5791/16");
-    other.ranking = RankingOrder::farthest;
+    other.ranking = RankingMethod::farthest;
     CHECK(next(other));
 }
 
@@ -289,7 +289,7 @@ TEST_CASE("a placing that takes long is given up for a new order, and nothing is
 }
 
 TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {
-    const auto places = [](Workbench& bench, RankingOrder ranking) {
+    const auto places = [](Workbench& bench, RankingMethod ranking) {
         PlaceOrder order = dots(700);
         order.ranking = ranking;
         PlacedDrawing drawing;
@@ -302,8 +302,8 @@ TEST_CASE("another order of a tile's points draws other dots, those that it draw
     Workbench bench;
     bench.set_picture(Grid<float>(8, 8, 0.5f));
     std::vector<std::pair<float, float>> before;
-    for (const RankingOrder ranking :
-         {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy, RankingOrder::paper}) {
+    for (const RankingMethod ranking :
+         {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy, RankingMethod::paper}) {
         CAPTURE(static_cast<int>(ranking));
         Workbench alone;
         alone.set_picture(Grid<float>(8, 8, 0.5f));

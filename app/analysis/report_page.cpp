@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/files/png_file.h"
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "core/output/raster.h"
 #include "core/reports/html.h"
 #include "core/reports/plot.h"

@@ -32,7 +32,7 @@ Placed place(Pipeline& pipeline, const DrawingSettings& settings) {
     Placed placed{.plan = pipeline.plan(request), .stippling = {}};
     if (placed.plan.lowered) {
         throw std::runtime_error(
-            fmt::format("--scale: {:g} would make more than {} dots", request.stipple.scale, kMostDots));
+            fmt::format("--scale: {:g} would make more than {} dots", request.placing.scale, kMostDots));
     }
     Drawn drawn;
     pipeline.draw(placed.plan, drawn);
@@ -43,7 +43,7 @@ Placed place(Pipeline& pipeline, const DrawingSettings& settings) {
 PlacedBy described(const Stippling& stippling, const DrawingSettings& settings) {
     return {.tile = tile_in_use(settings),
             .ranking = settings.ranking,
-            .placer = settings.stipple.placer,
+            .placer = settings.placer,
             .scale = stippling.scale,
             .emitted = stippling.dots.size(),
             .duplicates = stippling.duplicates};
@@ -85,7 +85,7 @@ std::vector<ToneFromAfar> tone_from_afar(const Placed& placed, const Grid<float>
         coverage_of(stream_of(stippling.dots), page,
                     {.dot_radius_mm = placed.plan.radius(stippling.scale) * page.mm_per_page_unit,
                      .dpi = 25.4 / mm_per_px,
-                     .threads = settings.stipple.threads});
+                     .threads = settings.placing.threads});
     // Light ink on dark paper is the light itself.
     if (!settings.tone.invert)
         for (float& value : drawing.values) value = 1 - value;

@@ -19,7 +19,7 @@ namespace dapple {
 /// How the dots came about, if this program placed them.
 struct PlacedBy {
     std::string tile;
-    std::optional<RankingOrder> ranking{};  // none: the tile's own
+    std::optional<RankingMethod> ranking{};  // none: the tile's own
     PlacerKind placer{};
     double scale = 0;
     std::uint64_t emitted = 0;     // duplicates included

@@ -121,18 +121,9 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     add_number(*command, "--density", options_.grey,
                {.least = 0, .most = 1, .at_least = NumberRange::Least::excluded}, "0..1",
                "Ink of the constant grey: with --scale, 16 S times this many dots");
-    command
-        ->add_option_function<std::string>(
-            "--topology",
-            [this](const std::string& text) {
-                if (text != "torus" && text != "window")
-                    throw CLI::ValidationError("--topology", text + " is not known; there are torus, window");
-                options_.topology = text == "torus" ? Topology::torus : Topology::window;
-            },
-            "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
-            "constant "
-            "grey and window else")
-        ->type_name("torus|window");
+    add_choice(*command, "--topology", options_.topology, {Topology::torus, Topology::window},
+               "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
+               "constant grey and window else");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
     add_number(
         *command, "--width", options_.width, length, "LENGTH",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdio>
 #include <stdexcept>
 
@@ -12,7 +11,7 @@
 #include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "core/image/sky.h"
 #include "core/reports/light_report.h"
 
@@ -121,17 +120,6 @@ LightsCommand::LightsCommand(CLI::App& program) {
             "-o,--output", options_.output,
             std::string("What to write; its name ends in ") + kLightEndings + ". Without it, a window opens")
         ->type_name("OUT");
-    const auto whole = [](const std::string& name, const std::string& text, std::uint64_t least,
-                          std::uint64_t most) {
-        std::uint64_t value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most) {
-            throw CLI::ValidationError(
-                name,
-                fmt::format("{} is not possible; give a whole number from {} to {}", text, least, most));
-        }
-        return value;
-    };
     command
         ->add_option_function<std::string>(
             "-n,--samples",
@@ -141,24 +129,12 @@ LightsCommand::LightsCommand(CLI::App& program) {
             "Exactly so many samples")
         ->type_name("N")
         ->default_str(fmt::format("{}", request.count));
-    command
-        ->add_option_function<std::string>(
-            "--convention",
-            [this](const std::string& text) {
-                for (const SphereConvention c :
-                     {SphereConvention::openexr, SphereConvention::usd, SphereConvention::mitsuba,
-                      SphereConvention::blender, SphereConvention::pbrt}) {
-                    if (name_of(c) == text) options_.convention = c;
-                }
-                if (!options_.convention || name_of(*options_.convention) != text) {
-                    throw CLI::ValidationError(
-                        "--convention",
-                        text + " is not known; there are openexr, usd, mitsuba, blender, pbrt");
-                }
-            },
-            "Which way in space a place on the map lies: openexr, usd, mitsuba, blender or pbrt; without it "
-            "pbrt for .pbrt, mitsuba for .xml, else openexr")
-        ->type_name("openexr|usd|mitsuba|blender|pbrt");
+    add_choice(
+        *command, "--convention", options_.convention,
+        {SphereConvention::openexr, SphereConvention::usd, SphereConvention::mitsuba,
+         SphereConvention::blender, SphereConvention::pbrt},
+        "Which way in space a place on the map lies: openexr, usd, mitsuba, blender or pbrt; without it "
+        "pbrt for .pbrt, mitsuba for .xml, else openexr");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Turn the map about the up axis, by the right-hand rule");
     add_choice(*command, "--radiance", request.radiance, {SampleRadiance::mean, SampleRadiance::point},
@@ -174,17 +150,10 @@ LightsCommand::LightsCommand(CLI::App& program) {
                "exact, or figure8 as the paper prints it");
     add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
-               {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy},
+               {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy},
                "Order in which a tile's dots appear: paper, farthest, or energy, which errs least");
-    command
-        ->add_option_function<std::string>(
-            "--seed",
-            [&request, whole](const std::string& text) {
-                request.seed = whole("--seed", text, 0, std::numeric_limits<std::uint64_t>::max());
-            },
-            "Another choice of samples for every number; 0 lays the tile on the map as it is")
-        ->type_name("N")
-        ->default_str("0");
+    add_seed(*command, request.seed,
+             "Another choice of samples for every number; 0 lays the tile on the map as it is");
     add_whole_number(*command, "--threads", request.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the samples are the same");
     add_number(*command, "--exposure", options_.exposure, {.least = -100, .most = 100}, "STOPS",

@@ -24,7 +24,7 @@ struct LightsOptions {
     bool compare = false;                        // instead: how samplers err; output .html, .csv or .svg
     double rotation_degrees = 0;
     std::string tile = "paper16";
-    RankingOrder ranking = RankingOrder::energy;
+    RankingMethod ranking = RankingMethod::energy;
     std::optional<double> exposure;  // of a PNG, in stops over the natural one
 };
 

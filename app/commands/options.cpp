@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <stdexcept>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "core/image/detail.h"
 #include "core/relaxing/relax.h"
+#include "core/text/length.h"
+#include "core/text/numbers.h"
+#include "core/text/quantity.h"
 
 namespace dapple {
 namespace {
@@ -23,45 +25,6 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string&
     return app.add_option_function<std::string>(name, read, help)->type_name(unit);
 }
 
-template <class T>
-std::optional<T> whole_text_as(const std::string& text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-// "10,000" without its commas; as it is if they don't part thousands.
-std::string without_separators(const std::string& text) {
-    const std::size_t whole = std::min(text.find_first_not_of("0123456789,"), text.size());
-    const std::size_t first = text.find(',');
-    if (first > 3 || first == 0 || (whole - first) % 4 != 0) return text;
-    std::string digits;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool comma_due = i >= first && i < whole && (i - first) % 4 == 0;
-        if (comma_due != (text[i] == ',')) return text;
-        if (!comma_due) digits += text[i];
-    }
-    return digits;
-}
-
-std::optional<std::uint64_t> whole_number(const std::string& text) {
-    std::string number = without_separators(text);
-    double unit = 1;
-    if (number.ends_with('k') || number.ends_with('K')) unit = 1e3;
-    if (number.ends_with('M')) unit = 1e6;
-    if (unit > 1) number.pop_back();
-    // A point without a unit may stand for a comma: "10.000" is ten to some and ten thousand to others.
-    const bool scientific = number.find('e') != std::string::npos;
-    if (unit == 1 && !scientific) return whole_text_as<std::uint64_t>(number);
-    const std::optional<double> value = whole_text_as<double>(number);
-    if (!value || !(*value >= 0 && *value * unit <= 1e15)) return std::nullopt;
-    const double count = std::round(*value * unit);
-    // 1.001k is 1001 but for rounding; 1.0001k is no whole number.
-    if (std::abs(count - *value * unit) > 1e-6) return std::nullopt;
-    return static_cast<std::uint64_t>(count);
-}
-
 std::string in_words(const NumberRange& range) {
     const bool above = range.at_least == NumberRange::Least::excluded;
     if (range.most == std::numeric_limits<double>::max()) {
@@ -70,22 +33,31 @@ std::string in_words(const NumberRange& range) {
     return fmt::format("{} {:g} and at most {:g}", above ? "over" : "at least", range.least, range.most);
 }
 
-double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
-    const std::optional<double> value = whole_text_as<double>(text);
+double in_range(const std::string& name, const std::string& text, std::optional<double> value,
+                const NumberRange& range, const char* kind) {
     if (!value || !std::isfinite(*value)) {
-        throw CLI::ValidationError(name, fmt::format("{} is not a number", text));
+        throw CLI::ValidationError(name, fmt::format("{} is not {}", text, kind));
     }
     const bool excluded = range.at_least == NumberRange::Least::excluded && *value == range.least;
     if (*value < range.least || *value > range.most || excluded) {
         throw CLI::ValidationError(
-            name, fmt::format("{} is not possible; give a number {}", text, in_words(range)));
+            name, fmt::format("{} is not possible; give {} {}", text, kind, in_words(range)));
     }
     return *value;
 }
 
+double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
+    return in_range(name, text, number_of<double>(text), range, "a number");
+}
+
+// In millimetres.
+double length_in(const std::string& name, const std::string& text, const NumberRange& range) {
+    return in_range(name, text, millimetres_of(text), range, "a length in mm, cm, in or pt");
+}
+
 int whole_number_in(const std::string& name, const std::string& text, const NumberRange& range) {
     const double value = number_in(name, text, range);
-    if (!whole_text_as<int>(text)) {
+    if (!number_of<int>(text)) {
         throw CLI::ValidationError(name, fmt::format("{} is not a whole number", text));
     }
     return static_cast<int>(value);
@@ -96,24 +68,14 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
     const NumberRange range{.least = 0, .most = 1000, .at_least = NumberRange::Least::excluded};
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
-        return {.sizing = DotSizing::fixed, .radius_mm = number_in(name, text, range)};
-    const double smallest = number_in(name, text.substr(0, dots), range);
-    const double largest = number_in(name, text.substr(dots + 2), range);
+        return {.sizing = DotSizing::fixed, .radius_mm = length_in(name, text, range)};
+    const double smallest = length_in(name, text.substr(0, dots), range);
+    const double largest = length_in(name, text.substr(dots + 2), range);
     if (smallest > largest) {
         throw CLI::ValidationError(name,
                                    fmt::format("{}: the smaller radius comes first, as in 0.1..0.4", text));
     }
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
-}
-
-template <class Value>
-Value one_of(const std::string& name, const std::string& text, std::initializer_list<Value> values) {
-    std::string names;
-    for (const Value value : values) {
-        if (name_of(value) == text) return value;
-        names += (names.empty() ? "" : ", ") + std::string(name_of(value));
-    }
-    throw CLI::ValidationError(name, fmt::format("{} is not known; there are {}", text, names));
 }
 
 void add_colour(CLI::App& app, const std::string& name, glm::vec3& target, const std::string& help) {
@@ -165,14 +127,33 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
     return add_text(app, name, unit, help, read);
 }
 
+CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
+                        const std::string& help) {
+    const auto read = [=, &target](const std::string& text) { target = length_in(name, text, range); };
+    return add_text(app, name, "LENGTH", help, read)->default_str(fmt::format("{:g}mm", target));
+}
+
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help) {
     const auto read = [=, &target](const std::string& text) { target = whole_number_in(name, text, range); };
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
 }
 
+CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
+    const auto read = [&seed](const std::string& text) {
+        const auto number = number_of<std::uint64_t>(text);
+        if (!number) {
+            throw CLI::ValidationError(
+                "--seed", fmt::format("{} is not possible; give a whole number from 0 to {}", text,
+                                      std::numeric_limits<std::uint64_t>::max()));
+        }
+        seed = *number;
+    };
+    return add_text(app, "--seed", "N", help, read)->default_str(fmt::format("{}", seed));
+}
+
 std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most) {
-    const std::optional<std::uint64_t> count = whole_number(text);
+    const std::optional<std::uint64_t> count = count_of(text);
     if (!count || *count < 1 || *count > most) {
         throw CLI::ValidationError(
             name, fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
@@ -180,16 +161,11 @@ std::uint64_t count_in(const std::string& name, const std::string& text, std::ui
     return *count;
 }
 
-CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking) {
-    const auto read = [&ranking](const std::string& text) {
-        ranking =
-            one_of("--ranking", text, {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy});
-    };
-    return add_text(
-        app, "--ranking", "paper|farthest|energy",
-        "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept with the "
-        "tile",
-        read);
+CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking) {
+    return add_choice(
+        app, "--ranking", ranking, {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy},
+        "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept "
+        "with the tile");
 }
 
 CLI::Option* add_tile(CLI::App& app, std::string& tile) {
@@ -201,32 +177,26 @@ CLI::Option* add_tile(CLI::App& app, std::string& tile) {
 
 void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
-    StippleRequest& stipple = settings.stipple;
+    PlacingRequest& placing = settings.placing;
 
-    const auto read_count = [&stipple](const std::string& text) {
-        stipple.count = count_in("--dots", text, kMostDots);
+    const auto read_count = [&placing](const std::string& text) {
+        placing.count = count_in("--dots", text, kMostDots);
     };
     add_text(app, "--dots", "N", "Exactly so many dots on the page: 40000, 40,000 or 40k", read_count)
         ->default_str(fmt::format("{}", kDefaultDots));
 
     // A scale takes the place of the count, whichever comes first; both are refused once all is read.
-    const auto read_scale = [&stipple](const std::string& text) {
-        stipple.scale = number_in("--scale", text, {.least = 0, .at_least = NumberRange::Least::excluded});
-        stipple.count.reset();
+    const auto read_scale = [&placing](const std::string& text) {
+        placing.scale = number_in("--scale", text, {.least = 0, .at_least = NumberRange::Least::excluded});
+        placing.count.reset();
     };
     add_text(app, "--scale", "S",
              "Instead of --dots: a darker picture gets more dots, an all black one about 16 S", read_scale);
 
-    const auto read_placer = [&stipple](const std::string& text) {
-        stipple.placer = one_of("--placer", text, {PlacerKind::exact, PlacerKind::figure8});
-    };
-    add_text(
-        app, "--placer", "exact|figure8",
-        "exact: each dot once, no line lost; figure8: as the paper prints it, which emits about a quarter of "
-        "the dots twice",
-        read_placer)
-        ->default_str(std::string(name_of(stipple.placer)));
-
+    add_choice(
+        app, "--placer", settings.placer, {PlacerKind::exact, PlacerKind::figure8},
+        "exact: each dot once, no line lost; figure8: as the paper prints it, which emits about a quarter "
+        "of the dots twice");
     add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
@@ -249,12 +219,12 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     const auto read_radius = [&settings](const std::string& text) {
         settings.dot_size = dot_size_in("--dot-radius", text);
     };
-    add_text(app, "--dot-radius", "MM",
+    add_text(app, "--dot-radius", "LENGTH",
              "Radius of a dot on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on "
              "black, and "
              "as many dots as the tone then needs. Without it, one for all that gives the picture's tone",
              read_radius);
-    add_whole_number(app, "--threads", stipple.threads, {.least = 0, .most = 1024},
+    add_whole_number(app, "--threads", placing.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the dots are the same with any number");
 }
 
@@ -295,27 +265,22 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
-    add_number(app, "--width", settings.width_mm, {.least = kShortestSideMm, .most = kLongestSideMm}, "MM",
-               "Width of the page; the picture fills it, so its shape gives the height");
+    add_length(app, "--width", settings.width_mm, {.least = kShortestSideMm, .most = kLongestSideMm},
+               "Width of the page, 210, 21cm or 8in; the picture fills it, so its shape gives the height");
     add_colour(app, "--ink", settings.ink, "Colour of the dots");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
 
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
-                             std::optional<Region>& region) {
+                             std::optional<Rectangle<double>>& region) {
     const Heading heading(app, "Page");
-    const auto read_order = [&order](const std::string& text) {
-        order = one_of("--order", text, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
-    };
-    add_text(
-        app, "--order", "recursion|priority|space",
+    add_choice(
+        app, "--order", order, {DotOrder::space, DotOrder::recursion, DotOrder::priority},
         "Order of the dots in the file, which is the order they are plotted in: space, each near the one "
         "before, for short pen moves; recursion, as they are placed, relaxed ones row by row; priority, the "
-        "first n being the "
-        "drawing with n dots, unless they are relaxed. Without it, space for an SVG of up to 5 million dots, "
-        "else recursion. "
-        "space, priority and --placer figure8 hold all dots in memory",
-        read_order);
+        "first n being the drawing with n dots, unless they are relaxed. Without it, space for an SVG of up "
+        "to "
+        "5 million dots, else recursion. space, priority and --placer figure8 hold all dots in memory");
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
         return [name, parse, &target](const std::string& text) {
             try {
@@ -363,7 +328,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
             name,
             "cannot be given together with two radii: how many dots there are follows from their sizes");
     }
-    if (settings.stipple.placer == PlacerKind::figure8 && settings.relax.value_or(0) > 0)
+    if (settings.placer == PlacerKind::figure8 && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
                                    "the figure8 placer's dots are shown as they are; leave it away");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
@@ -372,7 +337,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
     if (settings.tone.black_point >= settings.tone.white_point) {
         throw CLI::ValidationError("--black-point", "must be below --white-point");
     }
-    if (settings.stipple.placer == PlacerKind::figure8) {
+    if (settings.placer == PlacerKind::figure8) {
         refuse(command, {"--dots"}, "the figure8 placer makes no exact count; give --scale");
         refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
     }

@@ -4,11 +4,13 @@
 // A value that cannot be is refused while parsing, with a sentence that begins with the option's name.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "app/drawing_settings.h"
@@ -28,13 +30,17 @@ struct NumberRange {
     enum class Least { included, excluded } at_least = Least::included;
 };
 
-/// A finite number within a range. `unit` is what help shows: "MM".
+/// A finite number within a range. `unit` is what help shows: "STOPS".
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& unit, const std::string& help);
 CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
                         const std::string& unit, const std::string& help);
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const NumberRange& range, const std::string& unit, const std::string& help);
+
+/// A length, in millimetres unless it names another unit; the range is in millimetres.
+CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
+                        const std::string& help);
 
 /// A whole number.
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
@@ -44,30 +50,33 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
 /// CLI::ValidationError beginning with the option's name.
 std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most);
 
-/// One of several values, by the name that name_of() gives them.
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target, std::vector<Value> values,
-                        const std::string& help) {
-    const auto read = [name, &target, values](const std::string& text) {
-        std::string names;
-        for (const Value value : values) {
-            if (name_of(value) == text) {
-                target = value;
-                return;
-            }
-            names += (names.empty() ? "" : ", ") + std::string(name_of(value));
-        }
-        throw CLI::ValidationError(name, text + " is not known; there are " + names);
+/// --seed, any number of 64 bits.
+CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help);
+
+/// One of several values, by the name that name_of() gives them. The target is a Value, or a
+/// std::optional<Value> that stays empty without the option.
+template <class Target, class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
+                        std::initializer_list<Value> values, const std::string& help) {
+    const auto names = [](const std::vector<Value>& all, const char* separator) {
+        std::string text;
+        for (const Value value : all) text += (text.empty() ? "" : separator) + std::string(name_of(value));
+        return text;
     };
-    std::string type;
-    for (const Value value : values) type += (type.empty() ? "" : "|") + std::string(name_of(value));
-    return app.add_option_function<std::string>(name, read, help)
-        ->type_name(type)
-        ->default_str(std::string(name_of(target)));
+    const auto read = [=, &target, all = std::vector<Value>(values)](const std::string& text) {
+        const auto found = std::ranges::find_if(all, [&](Value value) { return name_of(value) == text; });
+        if (found == all.end())
+            throw CLI::ValidationError(name, text + " is not known; there are " + names(all, ", "));
+        target = *found;
+    };
+    CLI::Option* const option =
+        app.add_option_function<std::string>(name, read, help)->type_name(names(values, "|"));
+    if constexpr (std::is_same_v<Target, Value>) option->default_str(std::string(name_of(target)));
+    return option;
 }
 
 /// --ranking, none without it.
-CLI::Option* add_ranking(CLI::App& app, std::optional<RankingOrder>& ranking);
+CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking);
 
 /// --tile, a name for tile_named().
 CLI::Option* add_tile(CLI::App& app, std::string& tile);
@@ -87,7 +96,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings);
 
 /// --order, --sheet, --region.
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
-                             std::optional<Region>& region);
+                             std::optional<Rectangle<double>>& region);
 
 /// What no single option can see: a tone that is set is not automatic. Throws CLI::ValidationError if options
 /// of the command contradict each other. To be called after parsing.

@@ -19,8 +19,8 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
-#include "app/grouped.h"
 #include "app/progress_line.h"
+#include "app/shown_text.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
 #include "core/output/preflight.h"
@@ -58,10 +58,10 @@ void check_files(const RenderOptions& options) {
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     DrawingRequest request = request_of(options.drawing, options.margin_mm);
-    request.stipple.appearance =
+    request.placing.thresholds =
         drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
-    if (plan.density->mean() == 0 && plan.stipple.count) {
+    if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(
             fmt::format("{}: nothing to draw, all of it is as light as the paper", name_of_image(options)));
     }
@@ -69,7 +69,7 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
         const bool by_size = request.size.sizing == DotSizing::by_tone;
         throw std::runtime_error(fmt::format(
             "{} would make more than {} dots of {}; choose {}",
-            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.stipple.scale),
+            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.placing.scale),
             grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
     }
     return plan;
@@ -102,9 +102,10 @@ PageSize page_of(const Grid<float>& light, const RenderOptions& options) {
 // The page, or the part of it that is drawn.
 Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
     if (!options.region) return sheet_of(page, options.sheet, options.margin_mm);
-    if (std::min(options.region->width, options.region->height) < kShortestSideMm) {
+    const glm::dvec2 size = options.region->size();
+    if (std::min(size.x, size.y) < kShortestSideMm) {
         throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
-                                             options.region->width, options.region->height, kShortestSideMm));
+                                             size.x, size.y, kShortestSideMm));
     }
     try {
         return region_of(page, *options.region, options.margin_mm);
@@ -117,12 +118,12 @@ Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
 void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOptions& options) {
     const bool whole_page = !options.region && options.sheet == Sheet{};
     // The paper's own placer is known for losing all of a thin line.
-    const bool loses = plan.stipple.placer == PlacerKind::figure8;
+    const bool loses = plan.placer == PlacerKind::figure8;
     if (dots > 0 || loses || !whole_page || plan.density->mean() == 0) return;
     const bool by_size = options.drawing.dot_size.sizing == DotSizing::by_tone;
     throw std::runtime_error(
         by_size ? "--dot-radius: no dots so large come out; choose smaller ones"
-                : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.stipple.scale));
+                : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.placing.scale));
 }
 
 struct Times {
@@ -169,7 +170,7 @@ void tell(const RenderOptions& options, const Rendered& drawn) {
 
 void write_stats(std::ostream& out, const RenderOptions& options, const Rendered& drawn) {
     const DrawingSettings& settings = options.drawing;
-    const int threads = settings.stipple.threads;
+    const int threads = settings.placing.threads;
     nlohmann::ordered_json distinct, duplicates;
     if (drawn.duplicates) {
         distinct = drawn.dots - *drawn.duplicates;
@@ -207,7 +208,7 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
         {"mean_density", drawn.mean_density},
         {"tone", tone},
         {"relaxing_steps", drawn.steps},
-        {"placer", name_of(settings.stipple.placer)},
+        {"placer", name_of(settings.placer)},
         {"tile", tile_in_use(settings)},
         {"ranking", name_of(settings.ranking)},
         {"width_mm", drawn.page.width_mm},
@@ -290,7 +291,7 @@ void render(const RenderOptions& options) {
     move_to(excerpt.part, tiles);
     const double left = -excerpt.part.across.offset, top = -excerpt.part.down.offset;
     const double longer = std::max(width, height);
-    const PageBox picture_box{left, top, left + width / longer, top + height / longer};
+    const Rectangle<double> picture_box{{left, top}, {left + width / longer, top + height / longer}};
     const DotOrder order = options.order.value_or(usual_order(format, dots.count));
     Rendered rendered{.width = width,
                       .height = height,
@@ -360,7 +361,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_page_options(*command, options_.drawing);
     add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N", "PNG: pixels to the inch")
         ->group("Page");
-    add_number(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm}, "MM",
+    add_length(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm},
                "Bare paper on each side, within the width; the dots' radius keeps all of them on the sheet")
         ->group("Page");
     command

@@ -19,11 +19,11 @@ struct RenderOptions {
     std::optional<std::filesystem::path> image;  // none: the built-in sample
     std::filesystem::path output;                // .svg, .png or .csv
     DrawingSettings drawing;
-    double dpi = 300;               // of a PNG
-    Sheet sheet;                    // the whole drawing, or a part of it
-    std::optional<Region> region;   // a part instead of a sheet
-    std::optional<DotOrder> order;  // none: usual_order() of the file
-    double margin_mm = 0;           // of bare paper, on each side within the width
+    double dpi = 300;                         // of a PNG
+    Sheet sheet;                              // the whole drawing, or a part of it
+    std::optional<Rectangle<double>> region;  // a part instead of a sheet
+    std::optional<DotOrder> order;            // none: usual_order() of the file
+    double margin_mm = 0;                     // of bare paper, on each side within the width
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
 };

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "app/files/atomic_file.h"
-#include "app/printable.h"
 #include "app/reproduce/figures.h"
+#include "app/shown_text.h"
 #include "core/reports/html.h"
 
 namespace dapple {

@@ -15,7 +15,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "core/reports/tile_figure.h"
 #include "core/tile/ranking_search.h"
 #include "core/tile/rules.h"
@@ -45,11 +45,11 @@ StoredTile load_perhaps_unranked(const std::string& name) {
 StoredTile in_new_order(StoredTile stored, const std::string& name, NewOrder order) {
     switch (order) {
         case NewOrder::paper:
-            return ranked(std::move(stored.tile), RankingOrder::paper);
+            return ranked(std::move(stored.tile), RankingMethod::paper);
         case NewOrder::farthest:
-            return ranked(std::move(stored.tile), RankingOrder::farthest);
+            return ranked(std::move(stored.tile), RankingMethod::farthest);
         case NewOrder::energy:
-            return ranked(std::move(stored.tile), RankingOrder::energy);
+            return ranked(std::move(stored.tile), RankingMethod::energy);
         case NewOrder::searched:
             stored.ranking = search_ranking(stored.tile);
             stored.order.reset();

@@ -48,7 +48,7 @@ class TileCommand {
     std::string name_;  // TILE
     std::filesystem::path output_;
     NewOrder order_ = NewOrder::energy;
-    std::optional<RankingOrder> ranking_;  // none: the tile's own
+    std::optional<RankingMethod> ranking_;  // none: the tile's own
     CheckFormat format_ = CheckFormat::text;
     ShownWords words_ = ShownWords::of_small_tiles;
     int rules_ = 20;  // listed

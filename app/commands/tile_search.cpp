@@ -18,8 +18,8 @@
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
-#include "app/printable.h"
 #include "app/progress_line.h"
+#include "app/shown_text.h"
 #include "app/signals.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
@@ -151,7 +151,7 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
     }
     if (options.output && !state.found.empty()) {
         const Tile best = make_tile(Rule{}, {state.found.front().word});
-        save_tile(*options.output, ranked(best, RankingOrder::energy));
+        save_tile(*options.output, ranked(best, RankingMethod::energy));
     }
     tell_found(state, out);
     if (state.finished) return;
@@ -229,7 +229,8 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
             if (lowest.best >= saved) return;
             saver.save([&] {
                 saved = lowest.best;
-                save_tile(*options.output, ranked(make_tile(lowest.rule, lowest.words), RankingOrder::energy),
+                save_tile(*options.output,
+                          ranked(make_tile(lowest.rule, lowest.words), RankingMethod::energy),
                           {"not finished: the best so far of a search that goes on"});
             });
         };
@@ -259,7 +260,7 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
     }
     std::vector<std::string> comments;
     if (!how.empty()) comments.push_back(how);
-    save_tile(*options.output, ranked(best.tile, RankingOrder::energy), comments);
+    save_tile(*options.output, ranked(best.tile, RankingMethod::energy), comments);
     out << fmt::format("{} points, rule {}, energy a point {:.5f}, the lowest of {} run{}\n{}\n",
                        best.tile.size(), text_of(best.tile.rule), best.energy, runs, runs == 1 ? "" : "s",
                        again);
@@ -313,12 +314,10 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->type_name("N");
     add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},
                      "any: independent runs, the best is kept; 0 for as many as there are cores to use");
-    command
-        .add_option("--seed", options.seed,
-                    "any: the same seed, moves and runs give the same tile; to make it again on another "
-                    "machine, give --runs too")
-        ->type_name("N")
-        ->default_str("1");
+    add_seed(
+        command, options.seed,
+        "any: the same seed, moves and runs give the same tile; to make it again on another machine, give "
+        "--runs too");
     add_whole_number(command, "--threads", options.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; with --runs given, the tiles are the same");
     const NumberRange weights{.least = 0, .most = 1000};

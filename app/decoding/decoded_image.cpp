@@ -1,6 +1,6 @@
 #include "app/decoding/decoded_image.h"
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 
 namespace dapple {
 

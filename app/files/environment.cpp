@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/decoding/decoder_process.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -31,7 +31,8 @@ EnvironmentMap read_environment(const std::filesystem::path& path) {
         decode_file(path, {.over_paper = false}, sink);
         return EnvironmentMap(std::move(sink.radiance));
     } catch (const TooManyPixels& error) {
-        throw std::runtime_error(printable(path.string()) + ": " + error.what() + "; make the map smaller first");
+        throw std::runtime_error(printable(path.string()) + ": " + error.what() +
+                                 "; make the map smaller first");
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }

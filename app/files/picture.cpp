@@ -5,7 +5,7 @@
 
 #include "app/decoding/decoder_process.h"
 #include "app/files/picture_builder.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -33,7 +33,8 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit) {
     try {
         decode_file(path, {.over_paper = true, .most_pixels = most}, sink);
     } catch (const TooManyPixels& error) {
-        throw std::runtime_error(printable(path.string()) + ": " + error.what() + "; --huge reads it all the same");
+        throw std::runtime_error(printable(path.string()) + ": " + error.what() +
+                                 "; --huge reads it all the same");
     } catch (const DecodeError& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }

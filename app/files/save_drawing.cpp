@@ -26,7 +26,7 @@ void write_pixels(std::ostream& out, const DrawingSettings& settings, const Draw
                   double radius, const WritingProgress& progress) {
     const RasterSize size = raster_size(drawing.page, drawing.dpi);
     const RasterRequest request{
-        .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.stipple.threads};
+        .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.placing.threads};
     const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
     const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb};
     write_png(out, header, [&](const PixelSink& pixels) {

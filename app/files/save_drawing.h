@@ -9,6 +9,7 @@
 #include <stop_token>
 
 #include "app/drawing_settings.h"
+#include "core/image/rectangle.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
@@ -34,10 +35,10 @@ struct DrawingToSave {
     PageSize page;
     double dot_radius_mm = 0;                // of all, or of the largest where they have radii of their own
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
-    std::optional<PageBox> picture = {};     // where they end; none: at the page's edges
-    std::size_t tile_size = 16;              // N
-    double dpi = 300;                        // of a PNG
-    std::optional<DotOrder> order = {};      // none: the usual one; `recursion` writes the dots as they come
+    std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
+    std::size_t tile_size = 16;                     // N
+    double dpi = 300;                               // of a PNG
+    std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
 };
 
 /// For someone who waits.

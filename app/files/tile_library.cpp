@@ -10,7 +10,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/text_file.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "core/tile/tile_marks.h"
 #include "dapple_assets_embedded/tile_assets.h"
 
@@ -95,7 +95,7 @@ std::string short_tile_name(const std::string& name) {
 StoredTile load_tile(const std::string& name) {
     for (const Entry& entry : entries())
         if (name == entry.tile.name) return read_tile(entry.text());
-    if (looks_like_integers(name)) return ranked(parse_tile_integers(name), RankingOrder::energy);
+    if (looks_like_integers(name)) return ranked(parse_tile_integers(name), RankingMethod::energy);
     std::error_code error;
     if (std::filesystem::exists(name, error)) return read_tile_file(name);
     throw std::runtime_error(
@@ -103,7 +103,7 @@ StoredTile load_tile(const std::string& name) {
                     fmt::join(built_in_tile_names(), ", ")));
 }
 
-RankedTile tile_named(const std::string& name, std::optional<RankingOrder> order) {
+RankedTile tile_named(const std::string& name, std::optional<RankingMethod> order) {
     StoredTile stored = load_tile(name);
     if (order && *order != stored.order) return {std::move(stored.tile), *order};
     return {std::move(stored.tile), stored.ranking};

@@ -41,7 +41,7 @@ StoredTile load_tile(const std::string& name);
 
 /// The same, ready for placing. If the stored ranking is not of the order given here, the tile is ranked
 /// anew.
-RankedTile tile_named(const std::string& name, std::optional<RankingOrder> order = {});
+RankedTile tile_named(const std::string& name, std::optional<RankingMethod> order = {});
 
 /// Saves a tile as a file with its criteria as comments, `more` last. Throws as save_atomically().
 void save_tile(const std::filesystem::path& file, const StoredTile& tile,

@@ -16,11 +16,11 @@ constexpr std::array<std::uint64_t, 2> kSampleCounts{8'000, 34'000};
 
 void add_map(HtmlPage& page, const EnvironmentMap& map, const std::string& name) {
     const Density density = light_density(map);
-    RankedTile tile = tile_named("paper16", RankingOrder::energy);
+    RankedTile tile = tile_named("paper16", RankingMethod::energy);
     std::vector<HtmlPage::Picture> pictures;
     for (const std::uint64_t count : kSampleCounts) {
         Stippling placed;
-        stipple(tile, density, {.count = count}, placed);
+        stipple(tile, density, PlacerKind::exact, {.count = count}, placed);
         std::vector<glm::dvec2> places;
         // The map is the upper half of the root square.
         for_each_position(placed.dots, [&](float x, float y) { places.push_back({x, 2 * double(y)}); });

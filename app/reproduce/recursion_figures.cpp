@@ -61,7 +61,7 @@ Spectrum spectrum_of(const std::string& name, const DrawingSettings& settings, g
 
 void add_recursion_figures(HtmlPage& page) {
     const Density density = ramp();
-    RankedTile tile(parse_tile_integers("14217,2895/16"), RankingOrder::energy);
+    RankedTile tile(parse_tile_integers("14217,2895/16"), RankingMethod::energy);
     const Figure8Result printed = place_figure8(density, tile.tile(), tile.own_ranks(), kRampScale);
     DotPieces dots;
     tile.placer().place(density, {.scale = kRampScale}, dots);
@@ -86,11 +86,12 @@ void add_recursion_figures(HtmlPage& page) {
         "figure was not at hand: this is our reading of what the text says of the placing.");
 
     DrawingSettings between;
-    between.stipple = {.placer = PlacerKind::figure8, .scale = kFigure8Scale, .count = {}, .threads = 0};
+    between.placer = PlacerKind::figure8;
+    between.placing = {.scale = kFigure8Scale, .count = {}, .threads = 0};
     DrawingSettings complete = between;
-    complete.stipple.scale = 4096;
+    complete.placing.scale = 4096;
     DrawingSettings joint = between;
-    joint.stipple.placer = PlacerKind::exact;
+    joint.placer = PlacerKind::exact;
     const std::array spectra{spectrum_of("Figure 8, complete level", complete, {0.13f, 0.35f, 0.65f}),
                              spectrum_of("Figure 8, between levels", between, {0.85f, 0.35f, 0.1f}),
                              spectrum_of("joint ranking, between levels", joint, {0.1f, 0.55f, 0.35f})};

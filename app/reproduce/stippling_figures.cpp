@@ -35,13 +35,13 @@ HtmlPage::Picture drawing_of(const Density& density, const Stippling& drawn, con
 void add_stippling_figures(HtmlPage& page) {
     const Picture picture = sample_picture();
     const Density density(density_of(picture.light, {}));
-    RankedTile tile = tile_named("paper16", RankingOrder::energy);
+    RankedTile tile = tile_named("paper16", RankingMethod::energy);
 
     page.heading("Figures 5 and 6: shaded primitives");
     for (const std::uint64_t dots : {30'000, 45'000}) {
         Stippling exact, printed;
-        stipple(tile, density, {.count = dots}, exact);
-        stipple(tile, density, {.placer = PlacerKind::figure8, .scale = exact.scale, .count = {}}, printed);
+        stipple(tile, density, PlacerKind::exact, {.count = dots}, exact);
+        stipple(tile, density, PlacerKind::figure8, {.scale = exact.scale}, printed);
         page.pictures(
             std::array{drawing_of(density, printed, "Figure 8 as printed"),
                        drawing_of(density, exact, "The exact placer")},

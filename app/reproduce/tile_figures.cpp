@@ -9,7 +9,7 @@
 namespace dapple {
 
 void add_tile_figures(HtmlPage& page) {
-    const StoredTile stored = ranked(parse_tile_integers("14217,2895/16"), RankingOrder::paper);
+    const StoredTile stored = ranked(parse_tile_integers("14217,2895/16"), RankingMethod::paper);
     std::ostringstream figure;
     write_tile_figure(figure, stored);
     page.heading("Figures 1 and 2: the self-similar tile and its ranks");

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
 #include <stdexcept>
+
+#include "core/text/numbers.h"
 
 namespace dapple {
 namespace {
@@ -36,10 +37,7 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
 
 std::optional<double> number(std::string_view field) {
     if (field.starts_with('+')) field.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc{} || end != field.data() + field.size()) return std::nullopt;
-    return value;
+    return number_of<double>(field);
 }
 
 struct Columns {

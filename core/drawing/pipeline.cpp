@@ -25,14 +25,9 @@ constexpr double kWithDuplicates = 1.4;
 // Of a photograph, where nothing better is known yet.
 constexpr double kUsualMeanDensity = 0.3;
 
-// The scale of about so many dots where the density has that mean; not infinite on white.
-double scale_for(double dots, double mean) {
-    return dots / (16 * std::max(mean, 1e-9));
-}
-
 // The scale at which the largest dots make black.
 double scale_of_radius(double radius, double full_load) {
-    return full_load / (std::numbers::pi * 16 * radius * radius);
+    return full_load / (std::numbers::pi * kDotsPerScale * radius * radius);
 }
 
 double smallest_area(const DotSize& size) {
@@ -57,22 +52,6 @@ std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
 void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
     if (const auto size = sizes_by_tone(plan))
         for (Dots& piece : dots.pieces) size(piece);
-}
-
-// Figure 8's count for a scale is known once it is placed; a few rounds come within a hundredth.
-bool stipple_about(RankedTile& tile, const Density& density, StippleRequest request, Stippling& result,
-                   const std::stop_token& stop) {
-    constexpr int kRounds = 4;
-    const auto wanted = static_cast<double>(*request.count);
-    request.count.reset();
-    request.scale = scale_for(wanted, density.mean());
-    for (int round = 0; round < kRounds; ++round) {
-        if (!stipple(tile, density, request, result, stop)) return false;
-        const double found = static_cast<double>(result.dots.size() - result.duplicates);
-        if (std::abs(found / wanted - 1) < 0.01) break;
-        request.scale *= std::clamp(wanted / std::max(found, 1.0), 0.25, 4.0);
-    }
-    return true;
 }
 
 }  // namespace
@@ -128,23 +107,24 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
 
     Toned toned{plan.tone, {.relaxing_steps = plan.steps, .smallest_area = smallest_area(request.size)}};
     plan.full_load = InkCurve(toned.ink).full_load();
-    plan.stipple = request.stipple;
+    plan.placer = request.placer;
+    plan.placing = request.placing;
     if (request.size.sizing == DotSizing::by_tone) {
-        plan.stipple.count.reset();
-        plan.stipple.scale = scale_of_radius(plan.radius(0), plan.full_load);
+        plan.placing.count.reset();
+        plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
     }
-    const auto dots = plan.stipple.count
-                          ? static_cast<double>(*plan.stipple.count)
-                          : 16 * plan.stipple.scale * kUsualMeanDensity * pixels / (longer * longer);
+    const auto dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
+                                         : kDotsPerScale * plan.placing.scale * kUsualMeanDensity * pixels /
+                                               (longer * longer);
     if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
 
     // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
-    const bool by_level = depends_on_level(plan.steps) && plan.stipple.placer == PlacerKind::exact;
+    const bool by_level = depends_on_level(plan.steps) && plan.placer == PlacerKind::exact;
     const std::size_t tile_size = tile_->tile().size();
-    if (by_level && !plan.stipple.count) toned.ink.level = level_of(plan.stipple.scale, tile_size);
+    if (by_level && !plan.placing.count) toned.ink.level = level_of(plan.placing.scale, tile_size);
     plan.density = toned_density(toned);
-    for (int round = 0; by_level && plan.stipple.count && round < 2 && plan.density->mean() > 0; ++round) {
-        toned.ink.level = level_of(scale_for(dots, plan.density->mean()), tile_size);
+    for (int round = 0; by_level && plan.placing.count && round < 2 && plan.density->mean() > 0; ++round) {
+        toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
         plan.density = toned_density(toned);
     }
 }
@@ -156,12 +136,12 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     plan.size = request.size;
     if (request.automatic_tone && !plain_) plan.tone = auto_tone(histogram(), request.tone);
 
-    const bool moves = request.stipple.placer == PlacerKind::exact;
+    const bool moves = request.placer == PlacerKind::exact;
     plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;
     tone_for(plan, request);
     const auto dots = [&] {
-        return plan.stipple.count ? static_cast<double>(*plan.stipple.count)
-                                  : 16 * plan.stipple.scale * plan.density->mean();
+        return plan.placing.count ? static_cast<double>(*plan.placing.count)
+                                  : expected_dots(*plan.density, plan.placing.scale);
     };
     if (moves && !request.relax) {
         const int steps = usual_steps(dots(), plan.page.width_mm * plan.page.height_mm);
@@ -170,18 +150,15 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
 
     const double most = static_cast<double>(request.most_dots) / (moves ? 1 : kWithDuplicates);
     plan.lowered = dots() > most;
-    if (plan.lowered && plan.stipple.count) plan.stipple.count = static_cast<std::uint64_t>(most);
-    if (plan.lowered && !plan.stipple.count) plan.stipple.scale = scale_for(most, plan.density->mean());
+    if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
+    if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);
     return plan;
 }
 
 bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch) {
     const Density& density = *plan.density;
-    const bool about = plan.stipple.placer == PlacerKind::figure8 && plan.stipple.count;
-    if (!(about ? stipple_about(*tile_, density, plan.stipple, drawn.stippling, watch.stop)
-                : stipple(*tile_, density, plan.stipple, drawn.stippling, watch.stop)))
-        return false;
-    if (plan.stipple.appearance) fill_critical_scales(drawn.stippling.dots, density);
+    if (!stipple(*tile_, density, plan.placer, plan.placing, drawn.stippling, watch.stop)) return false;
+    if (plan.placing.thresholds) fill_critical_scales(drawn.stippling.dots, density);
     drawn.steps = 0;
     drawn.relax_ms = 0;
     const auto sized = [&](DotPieces dots) {
@@ -192,7 +169,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.stippling.dots); }))) {
         auto start = Clock::now();
         Relaxation relaxation(std::exchange(drawn.stippling.dots, {}), density,
-                              {.scale = drawn.stippling.scale, .threads = plan.stipple.threads});
+                              {.scale = drawn.stippling.scale, .threads = plan.placing.threads});
         while (drawn.steps < plan.steps) {
             if (!relaxation.step(watch.stop)) return false;
             drawn.relax_ms += milliseconds_since(start);
@@ -209,7 +186,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
 }
 
 DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
-    if (plan.stipple.placer == PlacerKind::figure8) {
+    if (plan.placer == PlacerKind::figure8) {
         // It needs all dots at once: it counts the duplicates among them.
         const auto drawn = std::make_shared<Drawn>();
         draw(plan, *drawn);
@@ -224,7 +201,7 @@ DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
         std::shared_ptr<const Density> density;
     };
     const auto owned = std::make_shared<Owned>(Owned{Placer(tile_->placer().shared_table()), plan.density});
-    const StreamRequest request{.stipple = plan.stipple, .part = part, .finish = sizes_by_tone(plan)};
+    const StreamRequest request{.placing = plan.placing, .part = part, .finish = sizes_by_tone(plan)};
     DotStream dots = plan.steps > 0 ? relaxed_stream(owned->placer, *owned->density, request, plan.steps)
                                     : dapple::stream(owned->placer, *owned->density, request);
     dots.for_each_piece = [owned, each = std::move(dots.for_each_piece)](const TakePiece& take) {
@@ -234,7 +211,7 @@ DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
 }
 
 std::vector<PlacedTile> Pipeline::outlines(const DrawingPlan& plan, double scale) {
-    if (plan.stipple.placer == PlacerKind::figure8)
+    if (plan.placer == PlacerKind::figure8)
         return place_figure8(*plan.density, tile_->tile(), tile_->own_ranks(), scale).tiles;
     return placed_tiles(tile_->placer().table(), *plan.density, {.scale = scale});
 }

@@ -27,9 +27,10 @@ namespace dapple {
 struct DrawingPlan {
     Tone tone;                               // as drawn, with the values that were chosen automatically
     std::shared_ptr<const Density> density;  // shared with streams; never changes
-    StippleRequest stipple;                  // a count or a scale within the limits
-    bool lowered = false;                    // more was asked for
-    int steps = 0;                           // of relaxation
+    PlacerKind placer = PlacerKind::exact;
+    PlacingRequest placing;  // a count or a scale within the limits
+    bool lowered = false;    // more was asked for
+    int steps = 0;           // of relaxation
     DotSize size;
     PageSize page;         // of the picture
     double full_load = 0;  // see InkCurve

@@ -18,12 +18,10 @@ class Bands {
  public:
     Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps)
         : placer_(placer), density_(density), request_(request), steps_(steps) {
-        const StippleRequest& stipple = request.stipple;
-        if (stipple.count) cut_ = placer.find_cut(density, {*stipple.count, false, stipple.threads});
-        scale_ = cut_ ? cut_->last_scale() : stipple.scale;
+        request_.placing = placing_of(placer, density, request);
     }
 
-    double scale() const { return scale_; }
+    double scale() const { return request_.placing.scale; }
 
     // The bands' edges, whole rows of the relaxation: the order is then that of the page.
     std::vector<double> edges(std::uint64_t dots_at_once) const {
@@ -35,8 +33,9 @@ class Bands {
         };
         const auto [left, right] = on_page(request_.part.across, width);
         const auto [top, bottom] = on_page(request_.part.down, height);
-        const double dots = 16 * scale_ * density_.mean() * (right - left) / width / height;  // a page unit
-        const double row = relaxing_row(scale_);
+        const double dots =
+            expected_dots(density_, scale()) * (right - left) / width / height;  // a page unit
+        const double row = relaxing_row(scale());
         const double rows =
             std::max(1.0, std::floor(static_cast<double>(dots_at_once) / std::max(dots * row, 1e-9)));
         std::vector<double> edges;
@@ -50,27 +49,10 @@ class Bands {
         PagePart part = request_.part;
         if (top) part.down.first = std::max(part.down.first, static_cast<float>(*top));
         if (bottom) part.down.end = std::min(part.down.end, static_cast<float>(*bottom));
-        const PageWindow window = window_around(widened(part, relaxing_rim(scale_, steps_)));
-        const StippleRequest& stipple = request_.stipple;
+        const StreamRequest band{.placing = request_.placing, .part = part};
         DotPieces dots;
-        if (cut_) {
-            const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads, window};
-            Dots all;
-            placer_.place_in_pieces(density_, exact, *cut_, [&](const Dots& piece) {
-                append(all, piece);
-                return true;
-            });
-            dots = in_one_piece(std::move(all));
-        } else {
-            placer_.place(density_,
-                          {.scale = scale_,
-                           .window = window,
-                           .appearance = stipple.appearance,
-                           .threads = stipple.threads,
-                           .origin = PlacingOrigin::page},
-                          dots);
-        }
-        relax(dots, density_, steps_, {.scale = scale_, .threads = stipple.threads});
+        placer_.place(density_, placing_of(placer_, density_, band, relaxing_rim(scale(), steps_)), dots);
+        relax(dots, density_, steps_, {.scale = scale(), .threads = request_.placing.threads});
         Dots result;
         for (Dots& piece : dots.pieces) {
             if (request_.finish) request_.finish(piece);
@@ -85,16 +67,12 @@ class Bands {
     const Density& density_;
     StreamRequest request_;
     int steps_;
-    std::optional<CountCut> cut_;
-    double scale_ = 0;
 };
 
 }  // namespace
 
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
                          std::uint64_t dots_at_once) {
-    if (request.stipple.placer != PlacerKind::exact)
-        throw std::runtime_error("the figure8 placer's dots are not relaxed");
     Bands bands(placer, density, request, steps);
     DotStream result;
     result.scale = bands.scale();
@@ -107,7 +85,7 @@ DotStream relaxed_stream(Placer& placer, const Density& density, const StreamReq
         };
         return result;
     }
-    result.for_each_piece = [bands, edges, threads = request.stipple.threads](const TakePiece& take) mutable {
+    result.for_each_piece = [bands, edges, threads = request.placing.threads](const TakePiece& take) mutable {
         const auto policy = threads == 1 ? std::launch::deferred : std::launch::async;
         const auto begin = [&](std::size_t i) {
             return std::async(policy, [&bands, &edges, i] {

@@ -32,7 +32,9 @@ struct DrawingRequest {
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
     Tone tone = {};
-    StippleRequest stipple = {};  // where dot sizes go by tone, neither its count nor its scale has a say
+    PlacerKind placer = PlacerKind::exact;
+    /// Of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.
+    PlacingRequest placing = {};
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
     DotSize size = {};

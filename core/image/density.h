@@ -5,6 +5,7 @@
 // nothing outside the picture. Between the pixels' centres the density is bilinear, beyond the outermost
 // centres constant.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -68,7 +69,7 @@ class Density {
     Seam seam() const { return seam_; }
     const Grid<float>& values() const { return values_; }
 
-    /// Mean over the root square, the empty part included: a placer puts about 16 * scale * mean() dots.
+    /// Mean over the root square, the empty part included.
     double mean() const { return mean_; }
 
     /// Bilinear density at a point of the page; 0 outside the picture.
@@ -113,5 +114,18 @@ class Density {
     std::array<double, 64> side_{};  // of a square, in pixels, by depth
     std::vector<Level> pyramid_;     // by depth; the last has squares of two to four pixels
 };
+
+/// Dots on a unit area where the density is 1, at scale 1: those of the paper's tile.
+inline constexpr double kDotsPerScale = 16;
+
+/// How many dots there are at a scale, about.
+inline double expected_dots(const Density& density, double scale) {
+    return kDotsPerScale * scale * density.mean();
+}
+
+/// The scale at which so many dots are expected; finite on white too.
+inline double scale_for(const Density& density, double dots) {
+    return dots / (kDotsPerScale * std::max(density.mean(), 1e-9));
+}
 
 }  // namespace dapple

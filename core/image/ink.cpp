@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "core/image/density.h"
+
 namespace dapple {
 
 namespace {
@@ -189,7 +191,7 @@ float coverage_of(const InkedDots& dots, double density, float load) {
 }  // namespace
 
 double level_of(double scale, std::size_t tile_size) {
-    return std::log2(16 * scale / static_cast<double>(tile_size)) / 2;
+    return std::log2(kDotsPerScale * scale / static_cast<double>(tile_size)) / 2;
 }
 
 bool depends_on_level(int relaxing_steps) {
@@ -224,8 +226,8 @@ float InkCurve::density(float coverage) const {
 }
 
 double radius_for_tone(double scale, double full_load) {
-    // At density 1 there are 16 * scale dots on a root square of area 1.
-    return std::sqrt(full_load / (std::numbers::pi * 16 * std::max(scale, 1e-12)));
+    // At density 1 there are kDotsPerScale * scale dots on a root square of area 1.
+    return std::sqrt(full_load / (std::numbers::pi * kDotsPerScale * std::max(scale, 1e-12)));
 }
 
 }  // namespace dapple

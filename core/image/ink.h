@@ -29,7 +29,7 @@ struct InkedDots {
     bool operator==(const InkedDots&) const = default;
 };
 
-/// log4(16 * scale / tile size).
+/// log4(kDotsPerScale * scale / tile size).
 double level_of(double scale, std::size_t tile_size);
 
 /// Whether the coverage of dots relaxed so often depends on InkedDots::level.

@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 #include "core/lights/direction.h"
-#include "core/lights/random.h"
 #include "core/lights/regions.h"
 #include "core/tile/neighbours.h"
+#include "core/tile/random.h"
 
 namespace dapple {
 
@@ -29,46 +29,32 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-constexpr double kFigure8Growth = 1.05;
-constexpr double kMostFigure8Growth = 1e9;
-
 // Of the dots that Figure 8 emits, each place once, and of these the `count` that appear first as its scale
 // grows.
 std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& density, std::uint64_t count) {
-    const double first = static_cast<double>(count) / (16 * density.mean());
-    for (double scale = first; scale < first * kMostFigure8Growth;) {
-        const Dots dots = place_figure8(density, tile.tile(), tile.own_ranks(), scale).dots;
-        struct Place {
-            float x, y;
-            double critical;
-        };
-        std::vector<Place> places(dots.size());
-        for (std::size_t i = 0; i < dots.size(); ++i) {
-            const double here = density.at({dots.x[i], dots.y[i]});
-            places[i] = {dots.x[i], dots.y[i],
-                         here > 0 ? dots.threshold[i] / here : std::numeric_limits<double>::max()};
-        }
-        std::ranges::sort(places, {}, [](const Place& p) { return std::tuple(p.y, p.x, p.critical); });
-        const auto alike = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
-        places.erase(std::unique(places.begin(), places.end(), alike), places.end());
-        if (places.size() >= count) {
-            std::ranges::stable_sort(places, {}, &Place::critical);
-            std::vector<glm::dvec2> chosen(count);
-            for (std::size_t i = 0; i < count; ++i) chosen[i] = {places[i].x, places[i].y};
-            return chosen;
-        }
-        const double share = static_cast<double>(count + 1) / static_cast<double>(places.size() + 1);
-        scale *= std::clamp(share, kFigure8Growth, 4.0);
+    const Dots dots = place_figure8_count(density, tile.tile(), tile.own_ranks(), count)->dots;
+    struct Place {
+        float x, y;
+        double critical;
+    };
+    std::vector<Place> places(dots.size());
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        const double here = density.at({dots.x[i], dots.y[i]});
+        places[i] = {dots.x[i], dots.y[i],
+                     here > 0 ? dots.threshold[i] / here : std::numeric_limits<double>::max()};
     }
-    throw std::runtime_error(
-        fmt::format("the paper's placer (figure8) does not find {} places in this map's light; use the exact "
-                    "placer",
-                    count));
+    std::ranges::sort(places, {}, [](const Place& p) { return std::tuple(p.y, p.x, p.critical); });
+    const auto alike = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
+    places.erase(std::unique(places.begin(), places.end(), alike), places.end());
+    std::ranges::stable_sort(places, {}, &Place::critical);
+    std::vector<glm::dvec2> chosen(count);
+    for (std::size_t i = 0; i < count; ++i) chosen[i] = {places[i].x, places[i].y};
+    return chosen;
 }
 
 std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request) {
     DotPieces dots;
-    tile.placer().place_exactly(density, {.count = request.count, .threads = request.threads}, dots);
+    tile.placer().place(density, {.count = request.count, .threads = request.threads}, dots);
     std::vector<glm::dvec2> places;
     places.reserve(dots.size());
     for_each_position(dots, [&](float x, float y) { places.emplace_back(x, y); });
@@ -98,7 +84,10 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
         throw std::runtime_error(
             fmt::format("{} samples are not possible; ask for 1 to {}", request.count, kMostLightSamples));
     }
-    const int turn = request.seed == 0 ? 0 : static_cast<int>(RandomBits(request.seed).next() % map.width());
+    const int turn =
+        request.seed == 0
+            ? 0
+            : static_cast<int>(Random(request.seed).below(static_cast<std::size_t>(map.width())));
     const Density density = light_density(map, request.importance, turn);
     std::vector<glm::dvec2> places = request.placer == PlacerKind::figure8
                                          ? figure8_dots(tile, density, request.count)

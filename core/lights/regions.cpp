@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/lights/direction.h"
-#include "core/lights/random.h"
+#include "core/tile/random.h"
 
 namespace dapple {
 
@@ -222,11 +222,11 @@ void add(LightRegion& region, const LightRegion& patch, double share, const glm:
 // A texel drawn for each region: every quarter of a patch replaces what was drawn before with its share of
 // the light so far.
 void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByPatch& by_patch,
-                 const Owners& owners, RandomBits random, std::vector<LightRegion>& regions) {
+                 const Owners& owners, Random random, std::vector<LightRegion>& regions) {
     std::vector<double> so_far(regions.size());
     const auto offer = [&](std::size_t dot, int column, int row, double light) {
         so_far[dot] += light;
-        if (!(light > 0) || random.uniform() * so_far[dot] >= light) return;
+        if (!(light > 0) || random.unit() * so_far[dot] >= light) return;
         regions[dot].drawn = {(column + 0.5) / map.width(), (row + 0.5) / map.height()};
     };
     for (int j = 0; j < grid.rows(); ++j) {
@@ -293,7 +293,7 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const 
             }
         }
     }
-    if (seed) draw_places(map, grid, by_patch, owners, RandomBits(*seed), regions);
+    if (seed) draw_places(map, grid, by_patch, owners, Random(*seed), regions);
     return regions;
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
-#include "core/lights/random.h"
+#include "core/tile/random.h"
 
 namespace dapple {
 
@@ -28,10 +28,10 @@ Step step_at(std::span<const double> cumulative, double value) {
             to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : 0.5};
 }
 
-std::vector<DistantLight> uniform_lights(const EnvironmentMap& map, std::uint64_t count, RandomBits& random) {
+std::vector<DistantLight> uniform_lights(const EnvironmentMap& map, std::uint64_t count, Random& random) {
     std::vector<DistantLight> lights(count);
     for (DistantLight& light : lights) {
-        const glm::dvec2 uv(random.uniform(), std::acos(1 - 2 * random.uniform()) / std::numbers::pi);
+        const glm::dvec2 uv(random.unit(), std::acos(1 - 2 * random.unit()) / std::numbers::pi);
         const int x = std::min(static_cast<int>(uv.x * map.width()), map.width() - 1);
         const int y = std::min(static_cast<int>(uv.y * map.height()), map.height() - 1);
         light = {direction_of(uv, SphereConvention::openexr),
@@ -101,7 +101,7 @@ LightInversion::Place LightInversion::at(double s, double t) const {
 
 std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& tile, LightSampler sampler,
                                          std::uint64_t count, std::uint64_t seed) {
-    RandomBits random(seed * 5 + static_cast<std::uint64_t>(sampler));
+    Random random(seed * 5 + static_cast<std::uint64_t>(sampler));
     std::vector<DistantLight> lights;
     switch (sampler) {
         case LightSampler::uniform:
@@ -109,7 +109,7 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
         case LightSampler::importance: {
             const LightInversion inversion(map);
             for (std::uint64_t i = 0; i < count; ++i) {
-                const double s = random.uniform(), t = random.uniform();
+                const double s = random.unit(), t = random.unit();
                 lights.push_back(inverted_light(map, inversion, {s, t}, count));
             }
             return lights;
@@ -118,10 +118,8 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
             const LightInversion inversion(map);
             const auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
             for (std::uint64_t i = 0; i < side * side; ++i) {
-                const double s =
-                    (static_cast<double>(i % side) + random.uniform()) / static_cast<double>(side);
-                const double t =
-                    (static_cast<double>(i / side) + random.uniform()) / static_cast<double>(side);
+                const double s = (static_cast<double>(i % side) + random.unit()) / static_cast<double>(side);
+                const double t = (static_cast<double>(i / side) + random.unit()) / static_cast<double>(side);
                 lights.push_back(inverted_light(map, inversion, {s, t}, side * side));
             }
             return lights;

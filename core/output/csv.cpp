@@ -17,9 +17,9 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
             report.next();
             const double radius_mm =
                 piece.radius.empty() ? columns.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
-            const Birthplace birth = birthplace_of(piece.threshold[i], columns.tile_size);
+            const TileRank at = tile_rank_of(piece.threshold[i], columns.tile_size);
             text << piece.x[i] * page.mm_per_page_unit << ',' << piece.y[i] * page.mm_per_page_unit << ','
-                 << radius_mm << ',' << std::int64_t{birth.level} << ',' << std::int64_t{birth.rank} << ','
+                 << radius_mm << ',' << std::int64_t{at.level} << ',' << std::int64_t{at.rank} << ','
                  << piece.critical[i] << '\n';
         }
         return true;

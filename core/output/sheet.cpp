@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+
+#include "core/text/numbers.h"
 
 namespace dapple {
 
@@ -33,25 +33,10 @@ PageSpan span_between(double from, double to, double page_mm, double mm_per_page
             from / mm_per_page_unit - margin};
 }
 
-// Numbers with a separator after each but the last; nothing if the text is not that.
-template <class Number, std::size_t n>
-std::optional<std::array<Number, n>> numbers_in(std::string_view text, std::string_view separators) {
-    std::array<Number, n> numbers{};
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto [rest, error] = std::from_chars(at, end, numbers[i]);
-        const bool ended = i < separators.size() ? rest != end && *rest == separators[i] : rest == end;
-        if (error != std::errc{} || !ended) return std::nullopt;
-        at = rest + 1;
-    }
-    return numbers;
-}
-
 }  // namespace
 
 Sheet parse_sheet(std::string_view text) {
-    const auto numbers = numbers_in<int, 4>(text, ",/x");
+    const auto numbers = numbers_of<int, 4>(text, ",/x");
     if (!numbers) {
         throw std::runtime_error(
             fmt::format("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text));
@@ -68,8 +53,8 @@ Sheet parse_sheet(std::string_view text) {
     return {column, row, columns, rows};
 }
 
-Region parse_region(std::string_view text) {
-    const auto numbers = numbers_in<double, 4>(text, ",,x");
+Rectangle<double> parse_region(std::string_view text) {
+    const auto numbers = numbers_of<double, 4>(text, ",,x");
     if (!numbers) {
         throw std::runtime_error(fmt::format(
             "'{}' is not a region; write X,Y,WIDTHxHEIGHT in millimetres, for example 20,15,100x80", text));
@@ -83,7 +68,7 @@ Region parse_region(std::string_view text) {
     if (!(width > 0) || !(height > 0) || !std::isfinite(width + height)) {
         throw std::runtime_error(fmt::format("'{}': a region needs a width and a height over 0", text));
     }
-    return {x, y, width, height};
+    return {{x, y}, {x + width, y + height}};
 }
 
 PageSize with_margin(const PageSize& picture, double margin_mm) {
@@ -97,19 +82,19 @@ Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm) {
             {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
 }
 
-Excerpt region_of(const PageSize& page, const Region& region, double margin_mm) {
+Excerpt region_of(const PageSize& page, const Rectangle<double>& region, double margin_mm) {
     const double margin = margin_mm / page.mm_per_page_unit;
-    const double right = region.x + region.width, lower = region.y + region.height;
-    const bool begins_on_page = region.x < page.width_mm && region.y < page.height_mm;
-    if (!begins_on_page || right > page.width_mm + kRoundingMm || lower > page.height_mm + kRoundingMm) {
+    const auto [low, high] = region;
+    const bool begins_on_page = low.x < page.width_mm && low.y < page.height_mm;
+    if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm) {
         throw std::runtime_error(
             fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
-                        right, lower, page.width_mm, page.height_mm));
+                        high.x, high.y, page.width_mm, page.height_mm));
     }
-    return {{span_between(region.x, right, page.width_mm, page.mm_per_page_unit, margin),
-             span_between(region.y, lower, page.height_mm, page.mm_per_page_unit, margin)},
-            {std::min(region.width, page.width_mm - region.x),
-             std::min(region.height, page.height_mm - region.y), page.mm_per_page_unit}};
+    return {{span_between(low.x, high.x, page.width_mm, page.mm_per_page_unit, margin),
+             span_between(low.y, high.y, page.height_mm, page.mm_per_page_unit, margin)},
+            {std::min(high.x, page.width_mm) - low.x, std::min(high.y, page.height_mm) - low.y,
+             page.mm_per_page_unit}};
 }
 
 }  // namespace dapple

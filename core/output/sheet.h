@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "core/image/rectangle.h"
 #include "core/placing/page.h"
 
 namespace dapple {
@@ -15,20 +16,13 @@ struct Sheet {
     bool operator==(const Sheet&) const = default;
 };
 
-/// A rectangle of the page, in millimetres from its upper left corner.
-struct Region {
-    double x = 0, y = 0, width = 0, height = 0;
-
-    bool operator==(const Region&) const = default;
-};
-
 /// "2,1/3x4": the second sheet of the first row, of three columns and four rows. Throws std::runtime_error
 /// saying what is wrong.
 Sheet parse_sheet(std::string_view text);
 
-/// "120,80,50x40.5": 50 mm wide and 40.5 mm high, its corner 120 mm from the left and 80 mm from the top.
-/// Throws std::runtime_error saying what is wrong.
-Region parse_region(std::string_view text);
+/// A part of a page in millimetres from its upper left corner. "120,80,50x40.5": 50 mm wide and 40.5 mm high,
+/// its corner 120 mm from the left and 80 mm from the top. Throws std::runtime_error saying what is wrong.
+Rectangle<double> parse_region(std::string_view text);
 
 /// A part of a page, and its own size.
 struct Excerpt {
@@ -45,6 +39,6 @@ Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm = 0)
 
 /// Regions with a common edge join as sheets do. A tenth of a millimetre over the page's edge is cut off:
 /// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
-Excerpt region_of(const PageSize& page, const Region& region, double margin_mm = 0);
+Excerpt region_of(const PageSize& page, const Rectangle<double>& region, double margin_mm = 0);
 
 }  // namespace dapple

@@ -1,6 +1,7 @@
 #include "core/output/svg.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -49,28 +50,31 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
 }
 
 // The part of the picture that is on the page, in px.
-PageBox drawn_area(const PageSize& page, const std::optional<PageBox>& picture) {
+Rectangle<double> drawn_area(const PageSize& page, const std::optional<Rectangle<double>>& picture) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    const PageBox area{0, 0, page.width_mm * kPxPerMm, page.height_mm * kPxPerMm};
+    const Rectangle<double> area{{0, 0}, glm::dvec2(page.width_mm, page.height_mm) * kPxPerMm};
     if (!picture) return area;
-    return {std::max(area.left, picture->left * px_per_unit), std::max(area.top, picture->top * px_per_unit),
-            std::min(area.right, picture->right * px_per_unit),
-            std::min(area.bottom, picture->bottom * px_per_unit)};
+    return {glm::max(area.low, picture->low * px_per_unit), glm::min(area.high, picture->high * px_per_unit)};
+}
+
+Rectangle<double> outline_of(const PlacedTile& tile, double px_per_unit) {
+    const glm::dvec2 corner(tile.x, tile.y);
+    return {corner * px_per_unit, (corner + tile.side) * px_per_unit};
 }
 
 void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page,
-                 const PageBox& area) {
+                 const Rectangle<double>& area) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     // Tiles cover a square, the picture need not be one and a part of it may be on the page: what lies over
     // the edges is cut off, and an outline that lies all around is none.
-    std::map<int, std::vector<PlacedTile>> by_level;
+    std::map<int, std::vector<Rectangle<double>>> by_level;
     for (const PlacedTile& tile : tiles) {
-        const double left = tile.x * px_per_unit, right = (tile.x + tile.side) * px_per_unit;
-        const double top = tile.y * px_per_unit, bottom = (tile.y + tile.side) * px_per_unit;
-        const bool beside =
-            left >= area.right || top >= area.bottom || right <= area.left || bottom <= area.top;
-        const bool around = left < area.left && top < area.top && right > area.right && bottom > area.bottom;
-        if (!beside && !around) by_level[tile.level].push_back(tile);
+        const Rectangle<double> outline = outline_of(tile, px_per_unit);
+        const bool around = outline.low.x < area.low.x && outline.low.y < area.low.y &&
+                            outline.high.x > area.high.x && outline.high.y > area.high.y;
+        if (overlap(outline, area) && !around)
+            by_level[tile.level].push_back(
+                {glm::max(outline.low, area.low), glm::min(outline.high, area.high)});
     }
     begin_layer(text, 2, "Tiles");
     text << R"( fill="none" stroke-width="0.3">)" << '\n';
@@ -78,17 +82,15 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
     for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
         text << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
              << hex_of(level_colour(level->first)) << "\">\n";
-        for (const PlacedTile& tile : level->second) {
-            const double left = std::max(tile.x * px_per_unit, area.left),
-                         top = std::max(tile.y * px_per_unit, area.top);
+        for (const Rectangle<double>& outline : level->second) {
             text << R"(<rect x=")";
-            text.fixed(left, 3);
+            text.fixed(outline.low.x, 3);
             text << R"(" y=")";
-            text.fixed(top, 3);
+            text.fixed(outline.low.y, 3);
             text << R"(" width=")";
-            text.fixed(std::min((tile.x + tile.side) * px_per_unit, area.right) - left, 3);
+            text.fixed(outline.size().x, 3);
             text << R"(" height=")";
-            text.fixed(std::min((tile.y + tile.side) * px_per_unit, area.bottom) - top, 3);
+            text.fixed(outline.size().y, 3);
             text << "\"/>\n";
         }
         text << "</g>\n";

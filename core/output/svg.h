@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/image/colour.h"
+#include "core/image/rectangle.h"
 #include "core/output/progress.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
@@ -24,7 +25,8 @@ struct SvgStyle {
     glm::vec3 ink = kBlack;
     std::optional<glm::vec3> background;     // a rectangle under everything
     std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
-    std::optional<PageBox> picture = {};     // outlines end at its edges; none: at the page's
+    std::optional<Rectangle<double>> picture =
+        {};  // page units: outlines end at its edges; none: at the page's
 };
 
 /// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where

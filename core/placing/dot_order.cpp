@@ -34,16 +34,28 @@ std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y) {
     return index;
 }
 
-std::uint32_t cell_of(float position) {
-    constexpr float kCells = 1 << kHilbertDepth;
-    return static_cast<std::uint32_t>(std::clamp(position * kCells, 0.0f, kCells - 1));
-}
+// The square around all dots, in cells: they may lie anywhere, as on a page with a margin.
+class HilbertGrid {
+ public:
+    explicit HilbertGrid(const Dots& dots) {
+        if (dots.size() == 0) return;
+        const auto [left, right] = std::ranges::minmax(dots.x);
+        const auto [top, bottom] = std::ranges::minmax(dots.y);
+        left_ = left;
+        top_ = top;
+        const float side = std::max(right - left, bottom - top);
+        if (side > 0) cells_per_unit_ = kCells / side;
+    }
+    std::uint32_t index(float x, float y) const { return hilbert_index(cell(x - left_), cell(y - top_)); }
 
-// What dots are sorted by; positive floats are ordered as their bits are.
-std::uint32_t key_of(const Dots& dots, std::size_t i, DotOrder order) {
-    if (order == DotOrder::priority) return std::bit_cast<std::uint32_t>(dots.critical[i]);
-    return hilbert_index(cell_of(dots.x[i]), cell_of(dots.y[i]));
-}
+ private:
+    static constexpr float kCells = 1 << kHilbertDepth;
+    std::uint32_t cell(float from_edge) const {
+        return static_cast<std::uint32_t>(std::clamp(from_edge * cells_per_unit_, 0.0f, kCells - 1));
+    }
+
+    float left_ = 0, top_ = 0, cells_per_unit_ = 0;
+};
 
 // Keys by which dots are sorted by priority, where some of them tie.
 void sort_ties(const Dots& dots, std::vector<std::uint64_t>& keys) {
@@ -86,7 +98,13 @@ void sort_dots(Dots& dots, DotOrder order) {
     assert(order != DotOrder::priority ||
            (dots.threshold.size() == dots.size() && dots.critical.size() == dots.size()));
     std::vector<std::uint64_t> keys(dots.size());  // key above, index below
-    for (std::size_t i = 0; i < dots.size(); ++i) keys[i] = std::uint64_t{key_of(dots, i, order)} << 32 | i;
+    const HilbertGrid grid(dots);
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        // Positive floats are ordered as their bits are.
+        const std::uint32_t key = order == DotOrder::priority ? std::bit_cast<std::uint32_t>(dots.critical[i])
+                                                              : grid.index(dots.x[i], dots.y[i]);
+        keys[i] = std::uint64_t{key} << 32 | i;
+    }
     tbb::parallel_sort(keys.begin(), keys.end());
     if (order == DotOrder::priority) sort_ties(dots, keys);
     for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {

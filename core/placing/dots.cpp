@@ -1,40 +1,18 @@
 #include "core/placing/dots.h"
 
-#include <cmath>
-
-#if defined(DAPPLE_LINUX)
-#include <sys/mman.h>
-#endif
+#include "core/image/density.h"
 
 namespace dapple {
 
-namespace {
-
-constexpr std::align_val_t kHugePage{2 << 20};
-
-}  // namespace
-
-void* allocate_large(std::size_t bytes) {
-    void* const memory = ::operator new(bytes, kHugePage);
-#if defined(DAPPLE_LINUX)
-    madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: without, it is memory as well
-#endif
-    return memory;
-}
-
-void deallocate_large(void* memory) {
-    ::operator delete(memory, kHugePage);
-}
-
-void Dots::resize(std::size_t count, bool appearance) {
+void Dots::resize(std::size_t count, bool thresholds) {
     for (FloatBuffer* column : {&x, &y}) column->resize(count);
-    for (FloatBuffer* column : {&threshold, &critical}) column->resize(appearance ? count : 0);
+    for (FloatBuffer* column : {&threshold, &critical}) column->resize(thresholds ? count : 0);
     radius.clear();
 }
 
-void Dots::reserve(std::size_t count, bool appearance) {
+void Dots::reserve(std::size_t count, bool thresholds) {
     for (FloatBuffer* column : {&x, &y}) column->reserve(count);
-    if (!appearance) return;
+    if (!thresholds) return;
     for (FloatBuffer* column : {&threshold, &critical}) column->reserve(count);
 }
 
@@ -61,14 +39,14 @@ DotPieces in_one_piece(Dots dots) {
     return result;
 }
 
-Birthplace birthplace_of(float threshold, std::size_t tile_size) {
-    double birth = threshold * 16.0;
+TileRank tile_rank_of(float threshold, std::size_t tile_size) {
+    double rank = threshold * kDotsPerScale;
     const auto n = static_cast<double>(tile_size);
     int level = 0;
-    for (; birth >= (level == 0 ? n : 4 * n); ++level) {
-        if (level > 0) birth /= 4;
+    for (; rank >= (level == 0 ? n : 4 * n); ++level) {
+        if (level > 0) rank /= 4;
     }
-    return {level, static_cast<int>(birth)};
+    return {level, static_cast<int>(rank)};
 }
 
 }  // namespace dapple

@@ -1,47 +1,12 @@
 #pragma once
-// What a placer gives: positions, and for each dot its place in the order of appearance.
+// What a placer gives: positions, and for each dot the scale at which it appears.
 
 #include <cstddef>
-#include <memory>
-#include <new>
-#include <utility>
 #include <vector>
 
+#include "core/placing/large_memory.h"
+
 namespace dapple {
-
-inline constexpr std::size_t kLargeMemory = 4 << 20;
-
-/// Memory of kLargeMemory and more, in huge pages where it is Linux that has them: there, fresh memory and
-/// writing through a hundred megabytes cost less. Throws std::bad_alloc.
-void* allocate_large(std::size_t bytes);
-void deallocate_large(void* memory);
-
-/// Leaves numbers unset when a vector grows: a million dots a frame are written once, not twice.
-template <class T>
-struct UnsetAllocator : std::allocator<T> {
-    template <class U>
-    struct rebind {
-        using other = UnsetAllocator<U>;
-    };
-    T* allocate(std::size_t count) {
-        if (count < kLargeMemory / sizeof(T)) return std::allocator<T>::allocate(count);
-        if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
-        return static_cast<T*>(allocate_large(count * sizeof(T)));
-    }
-    void deallocate(T* memory, std::size_t count) {
-        if (count < kLargeMemory / sizeof(T)) return std::allocator<T>::deallocate(memory, count);
-        deallocate_large(memory);
-    }
-    template <class U>
-    void construct(U* place) noexcept {
-        ::new (static_cast<void*>(place)) U;
-    }
-    template <class U, class... Args>
-    void construct(U* place, Args&&... args) {
-        ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
-    }
-};
-using FloatBuffer = std::vector<float, UnsetAllocator<float>>;
 
 /// Dots as columns of equal length; those that say when a dot appears are empty unless asked for, and radii
 /// are where all dots are alike.
@@ -54,8 +19,8 @@ struct Dots {
 
     std::size_t size() const { return x.size(); }
     /// Leaves no radii.
-    void resize(std::size_t count, bool appearance);
-    void reserve(std::size_t count, bool appearance);
+    void resize(std::size_t count, bool thresholds);
+    void reserve(std::size_t count, bool thresholds);
 };
 
 void append(Dots& to, const Dots& more);
@@ -79,21 +44,21 @@ void for_each_position(const DotPieces& dots, const Visit& visit) {
 DotPieces in_one_piece(Dots dots);
 
 /// A dot among others, and when it appears.
-struct LateDot {
+struct TailDot {
     std::size_t index;
     float threshold, critical;
 };
-using LateDots = std::vector<LateDot, UnsetAllocator<LateDot>>;
+using TailDots = std::vector<TailDot, UnsetAllocator<TailDot>>;
 
-/// Where in the subdivision a dot was born.
-struct Birthplace {
-    int level =
-        0;         // 0: a point of the root tile; l: a newborn point of the children of a tile of level l - 1
+/// Which point of which tile a dot is.
+struct TileRank {
+    // 0: a point of the root tile; l: a newborn point of the children of a tile of level l - 1
+    int level = 0;
     int rank = 0;  // level 0: 0..N-1; else N..4N-1, the joint order of those newborn points
 };
 
 /// A threshold is rank + 1/2, over 16, times 4^(level - 1) from level 1 on: it says both. N is the tile's
 /// size.
-Birthplace birthplace_of(float threshold, std::size_t tile_size);
+TileRank tile_rank_of(float threshold, std::size_t tile_size);
 
 }  // namespace dapple

@@ -1,5 +1,7 @@
 #include "core/placing/figure8.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -24,7 +26,7 @@ class Figure8 {
         const auto count = static_cast<double>(points_.size());
         const double side = std::ldexp(1.0, -level);
         // The paper's 1/A is for 16 points; with other sizes scale keeps its meaning.
-        const double max = count / 16 / (side * side), min = max / 4;
+        const double max = count / kDotsPerScale / (side * side), min = max / 4;
         result_.tiles.push_back({level, corner.x, corner.y, side, Orientation{}});
         bool subdivide = false;
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -77,8 +79,33 @@ Figure8Result place_figure8(const Density& density, const Tile& tile, const std:
     if (!(scale >= 0) || !std::isfinite(scale))
         throw std::runtime_error("the scale must be a number from 0 up");
     Figure8Result result;
+    result.scale = scale;
     Figure8(density, tile, ranks, scale, result).place_tile({0, 0}, 0, 0);
     return result;
+}
+
+std::optional<Figure8Result> place_figure8_count(const Density& density, const Tile& tile,
+                                                 const std::vector<int>& ranks, std::uint64_t count,
+                                                 const std::stop_token& stop) {
+    constexpr int kCloseRounds = 4;  // from then on any scale will do that has enough
+    constexpr double kClose = 1.01;
+    constexpr double kMostGrowth = 1e9;
+    const auto wanted = static_cast<double>(count);
+    const double first = scale_for(density, wanted);
+    double scale = first;
+    for (int round = 1; scale <= first * kMostGrowth; ++round) {
+        if (stop.stop_requested()) return std::nullopt;
+        Figure8Result result = place_figure8(density, tile, ranks, scale);
+        const auto found = static_cast<double>(result.dots.size() - result.duplicates);
+        if (found >= wanted && (found <= kClose * wanted + 1 || round > kCloseRounds)) return result;
+        // Aims at the middle of what is close enough.
+        const double share = std::sqrt(kClose) * (wanted + 1) / (found + 1);
+        scale *= std::clamp(share, 0.25, 4.0);
+    }
+    throw std::runtime_error(
+        fmt::format("the paper's placer (figure8) does not find {} places in this picture's dark parts; use "
+                    "the exact placer",
+                    count));
 }
 
 }  // namespace dapple

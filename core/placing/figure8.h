@@ -3,6 +3,8 @@
 // viewer.
 
 #include <cstdint>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/image/density.h"
@@ -14,6 +16,7 @@ namespace dapple {
 
 struct Figure8Result {
     Dots dots;                      // as emitted, duplicates included
+    double scale = 0;               // they were placed at
     std::uint64_t duplicates = 0;   // dots emitted again at a place that has one
     std::vector<PlacedTile> tiles;  // every tile visited, parents first
 };
@@ -23,5 +26,12 @@ struct Figure8Result {
 /// std::runtime_error if the tile's rule is not the identity: the paper knows no other.
 Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
                             double scale);
+
+/// The same at a scale that has so many distinct dots, or a few more: how many a scale has is known once they
+/// are placed. Nothing if stopped. Throws std::runtime_error as above, and if so many are not found: what a
+/// tile's points miss is lost.
+std::optional<Figure8Result> place_figure8_count(const Density& density, const Tile& tile,
+                                                 const std::vector<int>& ranks, std::uint64_t count,
+                                                 const std::stop_token& stop = {});
 
 }  // namespace dapple

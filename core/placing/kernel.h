@@ -16,8 +16,8 @@ namespace dapple {
 /// A square of the page, ready for its points to be tested. Points are given about its centre in half sides,
 /// -1..1.
 struct KernelSquare {
-    const PointBlock* points = nullptr;  // by ascending birth, up to a birth of infinity
-    const float* block_ends = nullptr;   // each block's last birth
+    const PointBlock* points = nullptr;  // by ascending rank, up to a rank of infinity
+    const float* block_ends = nullptr;   // each block's last rank
     bool swap = false;                   // x and y
     std::size_t first = 0;               // the first point to be tested; those before it are dots already
 
@@ -30,11 +30,11 @@ struct KernelSquare {
     bool at_edge = false;
     float low_x = 0, low_y = 0, high_x = 0, high_y = 0;
 
-    float births_per_density = 0;  // a point exists where density * this > birth
-    float sure_below = 0;          // births below this exist all over the square
-    float none_from = 0;           // births from this on exist nowhere in it
-    float threshold_per_birth = 0;
-    float early_per_density = 0;  // below births_per_density: dots that need more are late
+    float ranks_per_density = 0;  // a point exists where density * this > rank
+    float certain_below = 0;      // ranks below this exist all over the square
+    float none_from = 0;          // ranks from this on exist nowhere in it
+    float threshold_per_rank = 0;
+    float tail_per_density = 0;  // below ranks_per_density: dots that need more are the tail
 
     // Where the density at a point comes from.
     enum class Source {
@@ -54,26 +54,26 @@ struct KernelSquare {
 };
 
 /// Where dots go; room for all the square's points plus kKernelPadding. threshold and critical are null
-/// together, late too may be.
+/// together, tail too may be.
 struct KernelOutput {
     float* x = nullptr;
     float* y = nullptr;
     float* threshold = nullptr;
     float* critical = nullptr;
-    LateDot* late = nullptr;
-    std::size_t first_index = 0;  // of x[0], for late dots
+    TailDot* tail = nullptr;
+    std::size_t first_index = 0;  // of x[0], for dots of the tail
     bool beyond_caches = false;   // the columns: their lines are asked for before they are written
 };
 
-/// How many dots of a square there are, and late ones, those before its first point among them.
+/// How many dots of a square there are, and of the tail, those before its first point among them.
 struct PlacedCount {
-    std::size_t dots = 0, late = 0;
+    std::size_t dots = 0, tail = 0;
 };
 
 /// The points of a square, from the first one on, that exist wherever in it they lie.
-struct SurePoints {
+struct CertainPoints {
     std::size_t count = 0;
-    bool all = false;  // no other can exist; else some that are sure may not be counted
+    bool all = false;  // no other can exist; else some that are certain may not be counted
 };
 
 inline constexpr std::size_t kKernelPadding = kBlockPoints;
@@ -81,9 +81,9 @@ inline constexpr std::size_t kKernelPadding = kBlockPoints;
 struct Kernels {
     const char* name = nullptr;  // "plain", "avx2", "avx512"
 
-    /// Writes sure points of a square without edges, in the order of their births. Its first point and what
+    /// Writes certain points of a square without edges, in the order of their ranks. Its first point and what
     /// belongs to its source may be unset; only output.x and y are written.
-    SurePoints (*place_sure)(const KernelSquare& square, const KernelOutput& output);
+    CertainPoints (*place_certain)(const KernelSquare& square, const KernelOutput& output);
 
     /// Writes the square's dots from its first point on, in the same order, behind those that are there.
     PlacedCount (*place)(const KernelSquare& square, const KernelOutput& output);

@@ -150,6 +150,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 namespace dapple {
 
 extern const Kernels kAvx2Kernels;
-const Kernels kAvx2Kernels{"avx2", place_sure, place_square};
+const Kernels kAvx2Kernels{"avx2", place_certain, place_square};
 
 }  // namespace dapple

@@ -139,6 +139,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 namespace dapple {
 
 extern const Kernels kAvx512Kernels;
-const Kernels kAvx512Kernels{"avx512", place_sure, place_square};
+const Kernels kAvx512Kernels{"avx512", place_certain, place_square};
 
 }  // namespace dapple

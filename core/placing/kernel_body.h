@@ -7,12 +7,12 @@
 
 namespace {
 
+using dapple::CertainPoints;
 using dapple::kBlockPoints;
 using dapple::KernelOutput;
 using dapple::KernelSquare;
 using dapple::PlacedCount;
 using dapple::PointBlock;
-using dapple::SurePoints;
 using Source = KernelSquare::Source;
 
 inline Mask in_edges(const KernelSquare& s, Lanes x, Lanes y) {
@@ -42,54 +42,54 @@ template <Source kSource>
     __builtin_prefetch(out.y + at + kAhead, 1);
 }
 
-// Few dots are late: one by one.
-inline void list_late(Mask late, Mask exists, Lanes threshold, Lanes density, const KernelOutput& out,
+// The tail is short: one by one.
+inline void list_tail(Mask tail, Mask exists, Lanes threshold, Lanes density, const KernelOutput& out,
                       PlacedCount& placed) {
     float thresholds[kWidth], criticals[kWidth];
     store(thresholds, threshold);
     store(criticals, threshold / density);
-    for (unsigned bits = bits_of(late); bits != 0; bits &= bits - 1) {
+    for (unsigned bits = bits_of(tail); bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits);
         const unsigned before = bits_of(exists) & ((1u << lane) - 1);
-        out.late[placed.late++] = {
+        out.tail[placed.tail++] = {
             out.first_index + placed.dots + static_cast<std::size_t>(__builtin_popcount(before)),
             thresholds[lane], criticals[lane]};
     }
 }
 
-template <Source kSource, bool kAppearance, bool kLate>
+template <Source kSource, bool kThresholds, bool kLate>
 inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& output) {
     const KernelSquare s = square;  // copies: no store can change them, so that they stay in registers
     const KernelOutput out = output;
     const std::size_t swap = s.swap;
     const Block block = load_block(s.block);
-    PlacedCount placed{.dots = s.first, .late = 0};
+    PlacedCount placed{.dots = s.first, .tail = 0};
     for (std::size_t i = s.first;; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
-        if (!(points.birth[at] < s.none_from)) return placed;
+        if (!(points.rank[at] < s.none_from)) return placed;
         ask_for_lines(out, i, placed.dots);
-        const Lanes birth = load(points.birth + at);
+        const Lanes rank = load(points.rank + at);
         const Lanes x = load(points.at[swap] + at), y = load(points.at[1 - swap] + at);
         const Lanes page_x = Lanes(s.centre_x) + Lanes(s.half_x) * x;
         const Lanes page_y = Lanes(s.centre_y) + Lanes(s.half_y) * y;
-        if (!kAppearance && !s.at_edge && points.birth[at + kWidth - 1] < s.sure_below) {
+        if (!kThresholds && !s.at_edge && points.rank[at + kWidth - 1] < s.certain_below) {
             store(out.x + placed.dots, page_x);
             store(out.y + placed.dots, page_y);
             placed.dots += kWidth;
             continue;
         }
         const Lanes density = density_at<kSource>(s, block, x, y);
-        Mask exists = density * Lanes(s.births_per_density) > birth;
+        Mask exists = density * Lanes(s.ranks_per_density) > rank;
         if (s.at_edge) exists = both(exists, in_edges(s, x, y));
-        const Lanes threshold = birth * Lanes(s.threshold_per_birth);
+        const Lanes threshold = rank * Lanes(s.threshold_per_rank);
         if (kLate) {
-            const Mask late = without(exists, density * Lanes(s.early_per_density) > birth);
-            if (bits_of(late) != 0) list_late(late, exists, threshold, density, out, placed);
+            const Mask tail = without(exists, density * Lanes(s.tail_per_density) > rank);
+            if (bits_of(tail) != 0) list_tail(tail, exists, threshold, density, out, placed);
         }
         pack(out.x + placed.dots, page_x, exists);
         pack(out.y + placed.dots, page_y, exists);
-        if (kAppearance) {
+        if (kThresholds) {
             pack(out.threshold + placed.dots, threshold, exists);
             pack(out.critical + placed.dots, threshold / density, exists);
         }
@@ -97,7 +97,7 @@ inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& 
     }
 }
 
-SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
+CertainPoints place_certain(const KernelSquare& square, const KernelOutput& output) {
     const KernelSquare s = square;
     const KernelOutput out = output;
     const std::size_t swap = s.swap;
@@ -107,7 +107,7 @@ SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
         store(out.y + i, Lanes(s.centre_y) + Lanes(s.half_y) * y);
     };
     std::size_t first = 0;
-    for (; s.block_ends[first / kBlockPoints] < s.sure_below; first += kBlockPoints) {
+    for (; s.block_ends[first / kBlockPoints] < s.certain_below; first += kBlockPoints) {
         ask_for_lines(out, first, first);
         const PointBlock& points = s.points[first / kBlockPoints];
         for (std::size_t at = 0; at < kBlockPoints; at += kWidth) place(first + at, points, at);
@@ -115,33 +115,33 @@ SurePoints place_sure(const KernelSquare& square, const KernelOutput& output) {
     for (std::size_t i = first;; i += kWidth) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
-        if (points.birth[at + kWidth - 1] < s.sure_below) {
+        if (points.rank[at + kWidth - 1] < s.certain_below) {
             place(i, points, at);
             continue;
         }
-        const Lanes birth = load(points.birth + at);
-        const unsigned sure = bits_of(Lanes(s.sure_below) > birth);
-        if (sure != bits_of(Lanes(s.none_from) > birth)) return {i, false};
+        const Lanes rank = load(points.rank + at);
+        const unsigned certain = bits_of(Lanes(s.certain_below) > rank);
+        if (certain != bits_of(Lanes(s.none_from) > rank)) return {i, false};
         place(i, points, at);
-        return {i + static_cast<std::size_t>(__builtin_popcount(sure)), true};
+        return {i + static_cast<std::size_t>(__builtin_popcount(certain)), true};
     }
 }
 
-template <bool kAppearance, bool kLate>
+template <bool kThresholds, bool kLate>
 inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
         case Source::block:
-            return place_points<Source::block, kAppearance, kLate>(s, out);
+            return place_points<Source::block, kThresholds, kLate>(s, out);
         case Source::picture:
-            return place_points<Source::picture, kAppearance, kLate>(s, out);
+            return place_points<Source::picture, kThresholds, kLate>(s, out);
         case Source::clamped:
-            return place_points<Source::clamped, kAppearance, kLate>(s, out);
+            return place_points<Source::clamped, kThresholds, kLate>(s, out);
     }
     return {};
 }
 
 PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
-    if (out.late) return out.critical ? place_square<true, true>(s, out) : place_square<false, true>(s, out);
+    if (out.tail) return out.critical ? place_square<true, true>(s, out) : place_square<false, true>(s, out);
     return out.critical ? place_square<true, false>(s, out) : place_square<false, false>(s, out);
 }
 

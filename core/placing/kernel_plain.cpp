@@ -87,6 +87,6 @@ inline Square4 from_clamped(const dapple::KernelSquare& s, Whole left, Whole top
 
 namespace dapple {
 
-const Kernels kPlainKernels{"plain", place_sure, place_square};
+const Kernels kPlainKernels{"plain", place_certain, place_square};
 
 }  // namespace dapple

@@ -24,11 +24,6 @@ struct PageSpan {
     bool operator==(const PageSpan&) const = default;
 };
 
-/// A rectangle in page units, as seen from the corner of a page or a part of it.
-struct PageBox {
-    double left = 0, top = 0, right = 0, bottom = 0;
-};
-
 /// A rectangle of the page; the whole of it, unless said otherwise.
 struct PagePart {
     PageSpan across, down;

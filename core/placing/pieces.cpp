@@ -21,7 +21,8 @@ struct Division {
 
     void add(const Visit& visit) {
         const double side = std::ldexp(1.0, -visit.square.depth);
-        const double most = 16 * traversal.request().scale * visit.density.bounds.max * side * side;
+        const double most =
+            kDotsPerScale * traversal.request().scale * visit.density.bounds.max * side * side;
         const bool whole = most <= dots || traversal.ends_at(visit);
         pieces.squares.push_back({visit, whole});
         if (whole) {

@@ -12,14 +12,14 @@ namespace {
 void collect(const Traversal& traversal, const QuadSquare& square, Orientation orientation,
              std::vector<PlacedTile>& tiles) {
     const PlacingTable& table = traversal.table();
-    if (!traversal.window().touches(square)) return;
-    const double births = std::ldexp(16 * traversal.request().scale, -2 * square.depth);
+    if (!overlap(traversal.window(), area_of(square))) return;
+    const double ranks = std::ldexp(kDotsPerScale * traversal.request().scale, -2 * square.depth);
     const double max = traversal.density().bounds(square).max;
-    if (births * max <= (square.depth == 0 ? 0.0 : static_cast<double>(table.tile_size))) return;
+    if (ranks * max <= (square.depth == 0 ? 0.0 : static_cast<double>(table.tile_size))) return;
     const glm::dvec2 corner = traversal.corner_in_window(square);
     tiles.push_back({square.depth, corner.x, corner.y, std::ldexp(1.0, -square.depth), orientation});
     // Its children appear with the first of their newborn points.
-    if (births * max <= static_cast<double>(table.tile_size) || square.depth >= kMaxDepth) return;
+    if (ranks * max <= static_cast<double>(table.tile_size) || square.depth >= kMaxDepth) return;
     for (int q = 0; q < 4; ++q) {
         const int placed = apply_to_quadrant(orientation, q);
         collect(traversal, {square.depth + 1, 2 * square.x + (placed & 1), 2 * square.y + (placed >> 1)},

@@ -22,23 +22,23 @@ constexpr std::size_t kMostSquareDots = 1024;  // about
 constexpr double kBeyondCaches = 2 << 20;      // dots: two columns of 8 MiB
 
 // About so many dots are in the window.
-double expected_dots(const Traversal& traversal) {
+double dots_in_window(const Traversal& traversal) {
     const PageWindow& window = traversal.request().window;
-    return 16 * traversal.request().scale * traversal.density().mean() * std::min(window.width, 1.0) *
+    return expected_dots(traversal.density(), traversal.request().scale) * std::min(window.width, 1.0) *
            std::min(window.height, 1.0);
 }
 
 double piece_dots(const Traversal& traversal, double most) {
     const auto threads = static_cast<double>(threads_for(traversal.request().threads));
-    return std::clamp(expected_dots(traversal) / (kPiecesPerThread * threads), kLeastPieceDots, most);
+    return std::clamp(dots_in_window(traversal) / (kPiecesPerThread * threads), kLeastPieceDots, most);
 }
 
 // Room for what is expected where there is far less: to grow step by step takes longer than placing.
-void reserve(Dots& dots, double expected, bool appearance) {
+void reserve(Dots& dots, double expected, bool thresholds) {
     const auto room = static_cast<std::size_t>(std::min(expected * 1.01, 1e12)) + kMostSquareDots;
-    if (2 * dots.x.capacity() >= room && (!appearance || 2 * dots.critical.capacity() >= room)) return;
+    if (2 * dots.x.capacity() >= room && (!thresholds || 2 * dots.critical.capacity() >= room)) return;
     dots = {};
-    dots.reserve(room, appearance);
+    dots.reserve(room, thresholds);
 }
 
 // Gives each piece to a function.
@@ -59,9 +59,9 @@ std::size_t threads_for(int wanted) {
 
 bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots,
                const std::stop_token& stop) {
-    const bool appearance = traversal.request().appearance, whole_page = traversal.root().in_window;
+    const bool thresholds = traversal.request().thresholds, whole_page = traversal.root().in_window;
     const std::size_t threads = threads_for(traversal.request().threads);
-    const double expected = expected_dots(traversal);
+    const double expected = dots_in_window(traversal);
     const bool shared = threads > 1 && (!whole_page || expected >= kWorthSharing);
     divide_into_pieces(traversal, shared ? piece_dots(traversal, kMostKept) : kWhole, memory.pieces);
 
@@ -69,11 +69,11 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     // Pieces that are not needed stay for the next time.
     if (dots.pieces.size() < count) dots.pieces.resize(count);
     if (memory.emitters.size() < count) memory.emitters.resize(count);
-    for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, appearance);
-    for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].late.clear();
+    for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, thresholds);
+    for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].tail.clear();
     const double most = std::accumulate(memory.pieces.most.begin(), memory.pieces.most.end(), 0.0);
     for_each_on_threads(count, threads, [&](std::size_t i) {
-        if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, appearance);
+        if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, thresholds);
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);
         place_piece(traversal, memory.pieces, i, emitter, stop);
     });
@@ -94,13 +94,16 @@ Placer::Placer(Placer&&) noexcept = default;
 Placer& Placer::operator=(Placer&&) noexcept = default;
 Placer::~Placer() = default;
 
-bool Placer::place(const Density& density, const PlacingRequest& request, DotPieces& dots,
-                   std::stop_token stop) {
-    return keep_dots(Traversal(*table_, density, request), *memory_, dots, stop);
+std::optional<double> Placer::place(const Density& density, const PlacingRequest& request, DotPieces& dots,
+                                    std::stop_token stop) {
+    if (request.count) return place_count(density, request, dots, stop);
+    if (!keep_dots(Traversal(*table_, density, request), *memory_, dots, stop)) return std::nullopt;
+    return request.scale;
 }
 
-bool Placer::place_in_pieces(const Density& density, const PlacingRequest& request, const TakePiece& take,
-                             std::stop_token stop) {
+bool Placer::hand_over(const Density& density, const PlacingRequest& request, const TakePiece& take,
+                       std::stop_token stop) {
+    if (request.count) return hand_over_count(density, request, take, stop);
     Stream stream(take);
     return hand_over_dots(Traversal(*table_, density, request), *memory_, stream, stop);
 }

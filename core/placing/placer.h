@@ -31,32 +31,32 @@ struct PageWindow {
 /// Where positions are counted from.
 enum class PlacingOrigin { window, page };
 
-struct PlacingRequest {
-    double scale = 0;         // finite, >= 0: about 16 * scale * mean density dots, whatever the tile
-    PageWindow window{};      // which dots: those whose position is in [x, x + width) x [y, y + height)
-    bool appearance = false;  // fill Dots::threshold and Dots::critical too
-    int threads = 1;          // the dots and their order are the same for any number; 0: all cores
-    PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots have
-};
-
-/// A drawing of the whole page with exactly so many dots: those of lowest critical scale; where some are
-/// equal, the first in the order of core/placing/tie_order.h.
-struct ExactCount {
-    std::uint64_t count = 0;
-    bool appearance = false;  // as above
-    int threads = 1;
-    PageWindow window{};  // which of them are handed over, at the positions that they have on the page
-};
-
 /// Where a drawing of exactly so many dots ends.
 struct CountCut {
-    double scale = 0;        // all of the dots exist there, and a few more
-    double early_scale = 0;  // below the critical scale of any dot that is dropped
-    float limit = 0;         // the highest critical scale of a dot that stays
-    TieKey last_tie{};       // of the dots with just that one, those up to this stay
+    double scale = 0;       // all of the dots exist there, and a few more
+    double tail_scale = 0;  // below the critical scale of any dot that is dropped
+    float limit = 0;        // the highest critical scale of a dot that stays
+    TieKey last_tie{};      // of the dots with just that one, those up to this stay
 
     /// The lowest scale at which all of the dots exist.
     double last_scale() const;
+    bool operator==(const CountCut&) const = default;
+};
+
+/// Which dots, and what is to be known of them.
+struct PlacingRequest {
+    double scale = 2500;  // finite, >= 0: about expected_dots(density, scale), whatever the tile
+    /// Instead of the scale: exactly so many on the whole page, those of lowest critical scale; where some
+    /// are equal, the first in the order of core/placing/tie_order.h.
+    std::optional<std::uint64_t> count = {};
+    int threads = 1;          // the dots and their order are the same for any number; 0: all cores
+    bool thresholds = false;  // fill Dots::threshold and Dots::critical too
+    PageWindow window = {};   // of these dots those whose position is in [x, x + width) x [y, y + height)
+    PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots
+                                                   // have; always so where a count is given
+    std::optional<CountCut> cut = {};  // that of the count, if find_cut() was asked before
+
+    bool operator==(const PlacingRequest&) const = default;
 };
 
 /// Gets a drawing piece by piece, in order. False ends the placing.
@@ -78,28 +78,28 @@ class Placer {
     const std::shared_ptr<const PlacingTable>& shared_table() const { return table_; }
 
     /// Places into `dots`, overwriting it and using its memory again, in the order of the recursion. Returns
-    /// false, with `dots` in an unspecified state, if the stop token asked to stop first.
-    bool place(const Density& density, const PlacingRequest& request, DotPieces& dots,
-               std::stop_token stop = {});
+    /// a scale at which all of them exist: the one given, or the lowest that has the count. Nothing, with
+    /// `dots` in an unspecified state, if the stop token asked to stop first. Throws std::runtime_error if
+    /// the scale is negative or not finite, and given a count if the density is 0 everywhere, or dark nowhere
+    /// that so many dots fit.
+    std::optional<double> place(const Density& density, const PlacingRequest& request, DotPieces& dots,
+                                std::stop_token stop = {});
 
     /// The same dots in the same order, handed over in pieces of some thousands: a drawing of any size in
-    /// constant memory.
-    bool place_in_pieces(const Density& density, const PlacingRequest& request, const TakePiece& take,
-                         std::stop_token stop = {});
+    /// constant memory. False if stopped, or ended by the taker.
+    bool hand_over(const Density& density, const PlacingRequest& request, const TakePiece& take,
+                   std::stop_token stop = {});
 
-    /// Places exactly request.count dots. Returns a scale at which all of them exist, or nothing if stopped.
-    /// Throws std::runtime_error if the density is 0 everywhere, or dark nowhere that so many dots fit.
-    std::optional<double> place_exactly(const Density& density, const ExactCount& request, DotPieces& dots,
-                                        std::stop_token stop = {});
-
-    /// The two halves of that, for drawings too large to be held: the search for the end, and the same dots
-    /// in the same order in pieces.
-    std::optional<CountCut> find_cut(const Density& density, const ExactCount& request,
+    /// The end of a drawing with a count, for who hands it over more than once. Nothing if stopped.
+    std::optional<CountCut> find_cut(const Density& density, const PlacingRequest& request,
                                      std::stop_token stop = {});
-    bool place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,
-                         const TakePiece& take, std::stop_token stop = {});
 
  private:
+    std::optional<double> place_count(const Density& density, const PlacingRequest& request, DotPieces& dots,
+                                      const std::stop_token& stop);
+    bool hand_over_count(const Density& density, const PlacingRequest& request, const TakePiece& take,
+                         const std::stop_token& stop);
+
     std::shared_ptr<const PlacingTable> table_;
     std::unique_ptr<PlacerMemory> memory_;
 };

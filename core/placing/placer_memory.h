@@ -12,7 +12,7 @@ namespace dapple {
 struct PlacerMemory {
     Pieces pieces;
     std::vector<PieceMemory> piece_memories;
-    std::vector<EmitterMemory> emitters;  // of pieces that are kept: piece i's late dots are emitters[i].late
+    std::vector<EmitterMemory> emitters;  // of pieces that are kept: piece i's tail is emitters[i].tail
 
     // Of an exact count.
     std::vector<float> criticals;
@@ -22,12 +22,12 @@ struct PlacerMemory {
 /// As many threads as are asked for, 0 being all cores.
 std::size_t threads_for(int wanted);
 
-/// Places all that the traversal reaches into `dots`, and each piece's late dots into memory.emitters. False
+/// Places all that the traversal reaches into `dots`, and each piece's tail into memory.emitters. False
 /// if stopped.
 bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots,
                const std::stop_token& stop);
 
-/// Hands the same over piece by piece, each with its late dots. False if stopped or ended by the taker.
+/// Hands the same over piece by piece, each with its tail. False if stopped or ended by the taker.
 bool hand_over_dots(const Traversal& traversal, PlacerMemory& memory, PieceTaker& taker,
                     const std::stop_token& stop);
 

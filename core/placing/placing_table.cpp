@@ -29,12 +29,12 @@ InCell find_cell(BinaryPoint p, int depth) {
 
 PointBlock empty_block() {
     PointBlock block{};
-    std::ranges::fill(block.birth, std::numeric_limits<float>::infinity());
+    std::ranges::fill(block.rank, std::numeric_limits<float>::infinity());
     return block;
 }
 
-CellPoints by_birth(std::vector<CellPoint> points) {
-    std::ranges::stable_sort(points, {}, &CellPoint::birth);
+CellPoints by_rank(std::vector<CellPoint> points) {
+    std::ranges::stable_sort(points, {}, &CellPoint::rank);
     CellPoints sorted;
     for (const CellPoint& point : points) sorted.add(point);
     return sorted;
@@ -48,13 +48,13 @@ float on_grid(double offset) {
     return static_cast<float>(std::clamp(std::round(offset / kStep) * kStep, -kLast, kLast));
 }
 
-// Each cell's points, of these tile points and births.
+// Each cell's points, of these tile points and ranks.
 std::vector<std::vector<CellPoint>> share_out(const PlacingTable& table, const auto& position_of,
-                                              const std::vector<float>& births) {
+                                              const std::vector<float>& ranks) {
     std::vector<std::vector<CellPoint>> points(table.cells.size());
-    for (std::size_t i = 0; i < births.size(); ++i) {
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
         const InCell in = find_cell(position_of(i), table.cell_depth);
-        points[in.cell].push_back({on_grid(in.offset.x), on_grid(in.offset.y), births[i]});
+        points[in.cell].push_back({on_grid(in.offset.x), on_grid(in.offset.y), ranks[i]});
     }
     return points;
 }
@@ -85,7 +85,7 @@ struct Subtree {
             const glm::dvec2 offset(steps.negate_x ? -point.x : point.x, steps.negate_y ? -point.y : point.y);
             const glm::dvec2 position = centre + half * offset;
             points.push_back({static_cast<float>(position.x), static_cast<float>(position.y),
-                              static_cast<float>(point.birth / (half * half))});
+                              static_cast<float>(point.rank / (half * half))});
         }
         if (generations == 0) return;
         for (int q = 0; q < 4; ++q) {
@@ -97,9 +97,9 @@ struct Subtree {
     }
 };
 
-// The lowest birth below the subtree of so many generations, in the cell's ranks.
+// The lowest rank below the subtree of so many generations, in the cell's ranks.
 float end_of_subtree(const PlacingTable& table, const Cell& cell, int generations) {
-    if (generations == 0) return 4 * cell.first_next_birth;
+    if (generations == 0) return 4 * cell.first_next_rank;
     float end = std::numeric_limits<float>::infinity();
     for (const std::uint16_t next : cell.next_cell)
         end = std::min(end, 4 * end_of_subtree(table, table.cells[next], generations - 1));
@@ -110,7 +110,7 @@ float end_of_subtree(const PlacingTable& table, const Cell& cell, int generation
 
 void CellPoints::clear() {
     blocks_.assign(1, empty_block());
-    block_ends_.assign(1, blocks_[0].birth[kBlockPoints - 1]);
+    block_ends_.assign(1, blocks_[0].rank[kBlockPoints - 1]);
     size_ = 0;
 }
 
@@ -120,17 +120,17 @@ void CellPoints::add(const CellPoint& point) {
         block_ends_.push_back(block_ends_.back());
         blocks_.push_back(empty_block());
     }
-    if (i == kBlockPoints - 1) block_ends_[size_ / kBlockPoints] = point.birth;
+    if (i == kBlockPoints - 1) block_ends_[size_ / kBlockPoints] = point.rank;
     PointBlock& block = blocks_[size_++ / kBlockPoints];
     block.at[0][i] = point.x;
     block.at[1][i] = point.y;
-    block.birth[i] = point.birth;
-    last_birth_ = point.birth;
+    block.rank[i] = point.rank;
+    last_rank_ = point.rank;
 }
 
 CellPoint CellPoints::operator[](std::size_t i) const {
     const PointBlock& block = blocks_[i / kBlockPoints];
-    return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.birth[i % kBlockPoints]};
+    return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.rank[i % kBlockPoints]};
 }
 
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
@@ -149,10 +149,10 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
 
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Cell& cell = table.cells[c];
-        cell.newborn = by_birth(newborn[c]);
+        cell.newborn = by_rank(newborn[c]);
         std::vector<CellPoint> all = own[c];
         all.insert(all.end(), newborn[c].begin(), newborn[c].end());
-        cell.all = by_birth(std::move(all));
+        cell.all = by_rank(std::move(all));
         // A quadrant of a cell is a cell of the child tile in the cell's outermost quadrant: drop the first
         // digit, append the quadrant, and see the digits from the child's frame.
         for (int q = 0; q < 4; ++q) {
@@ -171,15 +171,15 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
         for (std::size_t q = 0; q < 4; ++q) {
             // Its own newborn points come before those of its quadrants, if it has any.
             const float last = 4 * static_cast<float>(tile.size());
-            cell.next_birth[q] = std::min(table.cells[cell.next_cell[q]].newborn[0].birth, last);
+            cell.next_rank[q] = std::min(table.cells[cell.next_cell[q]].newborn[0].rank, last);
         }
-        cell.first_next_birth = *std::ranges::min_element(cell.next_birth);
+        cell.first_next_rank = *std::ranges::min_element(cell.next_rank);
     }
     const int generations = generations_below(cell_points);
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Subtree subtree{table, {}};
         subtree.add(c, {}, {0, 0}, 1, generations);
-        table.cells[c].subtree = by_birth(std::move(subtree.points));
+        table.cells[c].subtree = by_rank(std::move(subtree.points));
         table.cells[c].subtree_end = end_of_subtree(table, table.cells[c], generations);
     }
     return table;

@@ -7,7 +7,7 @@
 //      square (cell c, orientation g)  ->  its quadrant g(q):  (next_cell[q] of c, g * next_turn[q] of c)
 //
 // Making a square ready costs as much as testing some hundred points. So a cell brings up to about a thousand
-// at once, by ascending birth: a tile of more than 64 points is cut into cells, a power of four of them, and
+// at once, by ascending rank: a tile of more than 64 points is cut into cells, a power of four of them, and
 // below each cell several generations of newborn points are sorted into one subtree. Tiles of any size run
 // through one recursion with the same pruning.
 
@@ -21,19 +21,19 @@
 namespace dapple {
 
 struct CellPoint {
-    float x, y;   // from the cell's centre in half sides, -1..1
-    float birth;  // in ranks
+    float x, y;  // from the cell's centre in half sides, -1..1
+    float rank;  // in ranks
 };
 
 inline constexpr std::size_t kBlockPoints = 16;
 
-/// Points as the kernels read them, one cache line after the other. What is not used has a birth of infinity.
+/// Points as the kernels read them, one cache line after the other. What is not used has a rank of infinity.
 struct alignas(64) PointBlock {
     float at[2][kBlockPoints];  // x, y
-    float birth[kBlockPoints];
+    float rank[kBlockPoints];
 };
 
-/// Points by ascending birth.
+/// Points by ascending rank.
 class CellPoints {
  public:
     CellPoints() { clear(); }
@@ -42,14 +42,14 @@ class CellPoints {
 
     std::size_t size() const { return size_; }
     CellPoint operator[](std::size_t i) const;
-    float last_birth() const { return last_birth_; }
+    float last_rank() const { return last_rank_; }
     const PointBlock* blocks() const { return blocks_.data(); }
-    /// Each block's last birth: infinity if it is not full.
+    /// Each block's last rank: infinity if it is not full.
     const float* block_ends() const { return block_ends_.data(); }
 
  private:
     std::size_t size_ = 0;
-    float last_birth_ = 0;
+    float last_rank_ = 0;
     std::vector<PointBlock> blocks_;  // the last is empty: there a kernel stops
     std::vector<float> block_ends_;
 };
@@ -58,8 +58,8 @@ struct Cell {
     // Where the cell's quadrants lead to, by quadrant in the tile's frame.
     std::array<std::uint16_t, 4> next_cell{};
     std::array<Orientation, 4> next_turn{};
-    std::array<float, 4> next_birth{};  // nothing is born in there before
-    float first_next_birth = 0;         // the lowest of these
+    std::array<float, 4> next_rank{};  // nothing is born in there before
+    float first_next_rank = 0;         // the lowest of these
     CellPoints newborn;
     CellPoints subtree;     // the newborn points of the cell and of all squares some generations down
     float subtree_end = 0;  // further down nothing is born before, in this cell's ranks

@@ -37,13 +37,13 @@ SquareEmitter::SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemo
       kernels_(chosen_kernels()) {
     capacity_ = std::max(kFirstCapacity, dots.x.capacity());
     // Columns are used to their full capacity while dots are appended.
-    dots_.resize(capacity_, traversal_.request().appearance);
-    if (traversal_.early_share()) memory_.late.resize(std::max(kFirstCapacity, memory_.late.capacity()));
+    dots_.resize(capacity_, traversal_.request().thresholds);
+    if (traversal_.tail_share()) memory_.tail.resize(std::max(kFirstCapacity, memory_.tail.capacity()));
 }
 
 SquareEmitter::~SquareEmitter() {
-    dots_.resize(count_, traversal_.request().appearance);
-    memory_.late.resize(late_);
+    dots_.resize(count_, traversal_.request().thresholds);
+    memory_.tail.resize(tail_);
 }
 
 void SquareEmitter::emit(const Visit& visit, bool ends) {
@@ -53,7 +53,7 @@ void SquareEmitter::emit(const Visit& visit, bool ends) {
     ask_for_first(points);
     const DepthScale& scale = traversal_.at_depth(visit.square.depth);
     const Bounds& bounds = visit.density.bounds;
-    const double reached = scale.births_per_density * bounds.max;
+    const double reached = scale.ranks_per_density * bounds.max;
     const SwapAndSigns steps = steps_of(visit.orientation);
     const glm::dvec2 centre = traversal_.corner_in_window(visit.square) + scale.half;
     KernelSquare square;
@@ -66,33 +66,33 @@ void SquareEmitter::emit(const Visit& visit, bool ends) {
     square.centre_y = static_cast<float>(centre.y);
     square.half_x = square.sign_x * static_cast<float>(scale.half);
     square.half_y = square.sign_y * static_cast<float>(scale.half);
-    square.births_per_density = static_cast<float>(scale.births_per_density);
+    square.ranks_per_density = static_cast<float>(scale.ranks_per_density);
     square.none_from = static_cast<float>(reached);
-    double sure_per_density = scale.births_per_density;
-    if (const auto early = traversal_.early_share()) {
-        sure_per_density *= *early;
-        square.early_per_density = static_cast<float>(sure_per_density);
+    double certain_per_density = scale.ranks_per_density;
+    if (const auto tail = traversal_.tail_share()) {
+        certain_per_density *= *tail;
+        square.tail_per_density = static_cast<float>(certain_per_density);
     }
-    square.sure_below = static_cast<float>(sure_per_density * bounds.min);
-    square.threshold_per_birth = scale.threshold_per_birth;
+    square.certain_below = static_cast<float>(certain_per_density * bounds.min);
+    square.threshold_per_rank = scale.threshold_per_rank;
     set_edges(visit, square);
     const KernelOutput output = room_for(points.size() + kKernelPadding);
-    SurePoints sure;
-    if (may_be_decided(square, points)) sure = kernels_.place_sure(square, output);
-    PlacedCount placed{.dots = sure.count, .late = 0};
-    if (!sure.all) {
-        square.first = sure.count;
+    CertainPoints certain;
+    if (may_be_decided(square, points)) certain = kernels_.place_certain(square, output);
+    PlacedCount placed{.dots = certain.count, .tail = 0};
+    if (!certain.all) {
+        square.first = certain.count;
         const bool across_seam = set_density(visit, square);
         placed = across_seam ? emit_across_seam(square, output) : kernels_.place(square, output);
     }
     count_ += placed.dots;
-    late_ += placed.late;
+    tail_ += placed.tail;
 }
 
 // Whether the square's bounds may tell which of its points exist, so that nobody has to look the density up.
 bool SquareEmitter::may_be_decided(const KernelSquare& square, const CellPoints& points) const {
-    if (traversal_.request().appearance || square.at_edge) return false;
-    return square.sure_below > std::min(kCloseBounds * square.none_from, points.last_birth());
+    if (traversal_.request().thresholds || square.at_edge) return false;
+    return square.certain_below > std::min(kCloseBounds * square.none_from, points.last_rank());
 }
 
 // Says how the kernel finds the density. True if it can't: a large square at the seam of a map that wraps
@@ -139,28 +139,27 @@ void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
     const bool in_picture = x + 1 <= scale.columns && y + 1 <= scale.rows;
     square.at_edge = !visit.in_window || !in_picture;
     if (!square.at_edge) return;
-    const Traversal::Box& box = traversal_.window();
+    const auto& [low, high] = traversal_.window();
     const int shift = 61 - visit.square.depth;  // half the side is 2^shift units
     const auto in_window = [shift](std::int64_t edge, std::int64_t corner) {
         return std::ldexp(static_cast<double>(edge - ((2 * corner + 1) << shift)), -shift);
     };
     const auto in_picture_at = [](double edge, double corner) { return 2 * (edge - corner) - 1; };
-    square.low_x = not_below(in_window(std::max<std::int64_t>(box.low_x, 0), visit.square.x));
-    square.low_y = not_below(in_window(std::max<std::int64_t>(box.low_y, 0), visit.square.y));
-    square.high_x =
-        not_below(std::min(in_window(box.high_x, visit.square.x), in_picture_at(scale.columns, x)));
-    square.high_y = not_below(std::min(in_window(box.high_y, visit.square.y), in_picture_at(scale.rows, y)));
+    square.low_x = not_below(in_window(std::max<std::int64_t>(low.x, 0), visit.square.x));
+    square.low_y = not_below(in_window(std::max<std::int64_t>(low.y, 0), visit.square.y));
+    square.high_x = not_below(std::min(in_window(high.x, visit.square.x), in_picture_at(scale.columns, x)));
+    square.high_y = not_below(std::min(in_window(high.y, visit.square.y), in_picture_at(scale.rows, y)));
 }
 
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.
 PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelOutput& output) const {
     const Density& density = traversal_.density();
-    PlacedCount placed{.dots = s.first, .late = 0};
+    PlacedCount placed{.dots = s.first, .tail = 0};
     for (std::size_t i = s.first;; ++i) {
         const PointBlock& points = s.points[i / kBlockPoints];
         const std::size_t at = i % kBlockPoints;
-        const float x = points.at[s.swap][at], y = points.at[!s.swap][at], birth = points.birth[at];
-        if (!(birth < s.none_from)) return placed;
+        const float x = points.at[s.swap][at], y = points.at[!s.swap][at], rank = points.rank[at];
+        if (!(rank < s.none_from)) return placed;
         const float page_x = s.sign_x * x, page_y = s.sign_y * y;
         if (s.at_edge &&
             !(page_x >= s.low_x && page_x < s.high_x && page_y >= s.low_y && page_y < s.high_y)) {
@@ -174,36 +173,36 @@ PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         const float v01 = density.pixel(column, row + 1), v11 = density.pixel(column + 1, row + 1);
         const float upper = v00 + (v10 - v00) * fx, lower = v01 + (v11 - v01) * fx;
         const float d = upper + (lower - upper) * fy;
-        if (!(d * s.births_per_density > birth)) continue;
+        if (!(d * s.ranks_per_density > rank)) continue;
         output.x[placed.dots] = s.centre_x + s.half_x * x;
         output.y[placed.dots] = s.centre_y + s.half_y * y;
-        const float threshold = birth * s.threshold_per_birth;
+        const float threshold = rank * s.threshold_per_rank;
         if (output.critical) {
             output.threshold[placed.dots] = threshold;
             output.critical[placed.dots] = threshold / d;
         }
-        if (output.late && !(d * s.early_per_density > birth))
-            output.late[placed.late++] = {output.first_index + placed.dots, threshold, threshold / d};
+        if (output.tail && !(d * s.tail_per_density > rank))
+            output.tail[placed.tail++] = {output.first_index + placed.dots, threshold, threshold / d};
         ++placed.dots;
     }
 }
 
 KernelOutput SquareEmitter::room_for(std::size_t count) {
-    const bool appearance = traversal_.request().appearance;
+    const bool thresholds = traversal_.request().thresholds;
     if (count_ + count > capacity_) {
         capacity_ = std::max(count_ + count, capacity_ + capacity_ / 4);
-        dots_.reserve(capacity_, appearance);  // a vector that is resized may take twice as much
-        dots_.resize(capacity_, appearance);
+        dots_.reserve(capacity_, thresholds);  // a vector that is resized may take twice as much
+        dots_.resize(capacity_, thresholds);
     }
-    const bool late = traversal_.early_share().has_value();
-    if (late && late_ + count > memory_.late.size()) {
-        memory_.late.resize(std::max(late_ + count, late_ + late_ / 2));
+    const bool with_tail = traversal_.tail_share().has_value();
+    if (with_tail && tail_ + count > memory_.tail.size()) {
+        memory_.tail.resize(std::max(tail_ + count, tail_ + tail_ / 2));
     }
     return {dots_.x.data() + count_,
             dots_.y.data() + count_,
-            appearance ? dots_.threshold.data() + count_ : nullptr,
-            appearance ? dots_.critical.data() + count_ : nullptr,
-            late ? memory_.late.data() + late_ : nullptr,
+            thresholds ? dots_.threshold.data() + count_ : nullptr,
+            thresholds ? dots_.critical.data() + count_ : nullptr,
+            with_tail ? memory_.tail.data() + tail_ : nullptr,
             count_,
             beyond_caches_};
 }

@@ -11,13 +11,13 @@ namespace dapple {
 
 /// Working memory that is kept from one emitter to the next.
 struct EmitterMemory {
-    LateDots late;  // see SquareEmitter
+    TailDots tail;  // see SquareEmitter
 };
 
 /// Appends squares' dots to columns that it overwrites; they get their length when it is destroyed.
 class SquareEmitter {
  public:
-    /// Dots that do not exist yet at the traversal's early scale are listed in memory.late too, in their
+    /// Dots that do not exist yet at the traversal's tail scale are listed in memory.tail too, in their
     /// order. `beyond_caches`: the drawing will be larger than the caches.
     SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory, bool beyond_caches = false);
     ~SquareEmitter();
@@ -40,7 +40,7 @@ class SquareEmitter {
     const bool beyond_caches_;
     const Kernels& kernels_;
     std::size_t count_ = 0, capacity_ = 0;
-    std::size_t late_ = 0;
+    std::size_t tail_ = 0;
 };
 
 }  // namespace dapple

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 
 namespace dapple {
 
@@ -16,32 +15,24 @@ RankedTile::RankedTile(Tile tile, const Ranking& ranking)
     if (tile_.rule == Rule{}) own_ranks_ = farthest_point_ranks(tile_);
 }
 
-RankedTile::RankedTile(Tile tile, RankingOrder order) : RankedTile(tile, rank(tile, order)) {}
+RankedTile::RankedTile(Tile tile, RankingMethod order) : RankedTile(tile, rank(tile, order)) {}
 
-bool stipple(RankedTile& tile, const Density& density, const StippleRequest& request, Stippling& result,
-             std::stop_token stop) {
+bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const PlacingRequest& request,
+             Stippling& result, std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     result.duplicates = 0;
-    result.scale = request.scale;
-    if (request.placer == PlacerKind::figure8) {
-        if (request.count) {
-            throw std::runtime_error(
-                "an exact number of dots needs the exact placer; give figure8 a scale instead");
-        }
-        Figure8Result placed = place_figure8(density, tile.tile(), tile.own_ranks(), request.scale);
-        result.dots = in_one_piece(std::move(placed.dots));
-        result.duplicates = placed.duplicates;
-    } else if (request.count) {
-        const ExactCount exact{*request.count, request.appearance, request.threads};
-        const auto scale = tile.placer().place_exactly(density, exact, result.dots, stop);
+    if (placer == PlacerKind::figure8) {
+        std::optional<Figure8Result> placed =
+            request.count ? place_figure8_count(density, tile.tile(), tile.own_ranks(), *request.count, stop)
+                          : place_figure8(density, tile.tile(), tile.own_ranks(), request.scale);
+        if (!placed) return false;
+        result.dots = in_one_piece(std::move(placed->dots));
+        result.duplicates = placed->duplicates;
+        result.scale = placed->scale;
+    } else {
+        const auto scale = tile.placer().place(density, request, result.dots, stop);
         if (!scale) return false;
         result.scale = *scale;
-    } else {
-        PlacingRequest placing;
-        placing.scale = request.scale;
-        placing.appearance = request.appearance;
-        placing.threads = request.threads;
-        if (!tile.placer().place(density, placing, result.dots, stop)) return false;
     }
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     result.place_ms = took.count();
@@ -84,34 +75,26 @@ Pieces finished(const StreamRequest& request, const Pieces& pieces) {
 
 }  // namespace
 
+PlacingRequest placing_of(Placer& placer, const Density& density, const StreamRequest& request,
+                          double around) {
+    PlacingRequest placing = request.placing;
+    placing.window = window_around(widened(request.part, around));
+    placing.origin = PlacingOrigin::page;
+    if (placing.count && !placing.cut) placing.cut = placer.find_cut(density, placing);
+    if (placing.cut) placing.scale = placing.cut->last_scale();
+    return placing;
+}
+
 DotStream stream(Placer& placer, const Density& density, const StreamRequest& request) {
-    const StippleRequest& stipple = request.stipple;
-    if (stipple.placer != PlacerKind::exact)
-        throw std::runtime_error("the figure8 placer cannot place piece by piece");
-    DotStream result;
-    Pieces pieces;
-    if (stipple.count) {
-        const ExactCount exact{*stipple.count, stipple.appearance, stipple.threads,
-                               window_around(request.part)};
-        const CountCut cut = *placer.find_cut(density, exact);
-        result.scale = cut.last_scale();
-        pieces = [&placer, &density, exact, cut](const TakePiece& take) {
-            placer.place_in_pieces(density, exact, cut, take);
-        };
-    } else {
-        result.scale = stipple.scale;
-        const PlacingRequest placing{.scale = stipple.scale,
-                                     .window = window_around(request.part),
-                                     .appearance = stipple.appearance,
-                                     .threads = stipple.threads,
-                                     .origin = PlacingOrigin::page};
-        pieces = [&placer, &density, placing](const TakePiece& take) {
-            placer.place_in_pieces(density, placing, take);
-        };
-    }
+    const PlacingRequest placing = placing_of(placer, density, request);
+    const Pieces pieces = [&placer, &density, placing](const TakePiece& take) {
+        placer.hand_over(density, placing, take);
+    };
     const bool whole_page = request.part == PagePart{};
+    DotStream result;
+    result.scale = placing.scale;
     result.for_each_piece = whole_page && !request.finish ? pieces : finished(request, pieces);
-    result.count = stipple.count && whole_page ? *stipple.count : count_of(result.for_each_piece);
+    result.count = placing.count && whole_page ? *placing.count : count_of(result.for_each_piece);
     return result;
 }
 

@@ -31,7 +31,7 @@ std::string_view name_of(PlacerKind kind);
 class RankedTile {
  public:
     RankedTile(Tile tile, const Ranking& ranking);
-    RankedTile(Tile tile, RankingOrder order);
+    RankedTile(Tile tile, RankingMethod order);
 
     const Tile& tile() const { return tile_; }
     const std::vector<int>& own_ranks() const { return own_ranks_; }  // for Figure 8; none if it can't be
@@ -43,16 +43,6 @@ class RankedTile {
     Placer placer_;
 };
 
-struct StippleRequest {
-    PlacerKind placer = PlacerKind::exact;
-    double scale = 2500;                 // ignored when a count is given
-    std::optional<std::uint64_t> count;  // exactly so many dots; the exact placer only
-    int threads = 1;                     // 0: all cores
-    bool appearance = false;             // fill Dots::threshold and Dots::critical too; the exact placer only
-
-    bool operator==(const StippleRequest&) const = default;
-};
-
 struct Stippling {
     DotPieces dots;                // as emitted
     double scale = 0;              // the one given, or the one that gives the count
@@ -60,22 +50,27 @@ struct Stippling {
     double place_ms = 0;           // wall time of the placing alone
 };
 
-/// Places into `result` (its memory is used again). Returns false if stopped. Throws std::runtime_error if a
-/// count is asked of Figure 8, the scale is negative or not finite, or what the placers throw.
-bool stipple(RankedTile& tile, const Density& density, const StippleRequest& request, Stippling& result,
-             std::stop_token stop = {});
+/// Places into `result` (its memory is used again). Figure 8 gives the whole page's dots with their
+/// thresholds, and of a count a few more. Returns false if stopped. Throws what the placers throw.
+bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const PlacingRequest& request,
+             Stippling& result, std::stop_token stop = {});
 
 /// What a drawing that is written piece by piece is to have.
 struct StreamRequest {
-    StippleRequest stipple;  // the exact placer only
-    PagePart part;           // of the page; a count is that of the whole page
+    PlacingRequest placing;  // its window has no say, nor has its origin
+    PagePart part = {};      // of the page; a count is that of the whole page
     /// Called with dots in page units from the page's corner before they are cut; may be empty.
     std::function<void(Dots& piece)> finish = {};
 };
 
+/// The placing of those dots of the part and of so many page units around it: at the positions that they have
+/// on the page, and with the end of a count found, so that it is found once for all passes and parts.
+PlacingRequest placing_of(Placer& placer, const Density& density, const StreamRequest& request,
+                          double around = 0);
+
 /// The same dots in the same order, without holding them: finds the scale and the number of dots now, and
 /// places anew for every pass over the stream. The placer and the density have to outlive it. Throws as
-/// stipple() does, and if Figure 8 is asked for: its duplicates are counted over all dots.
+/// Placer::place() does.
 DotStream stream(Placer& placer, const Density& density, const StreamRequest& request);
 
 /// Fills Dots::critical if it isn't there: Figure 8 fills Dots::threshold only. Positions have to be the

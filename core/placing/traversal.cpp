@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kUnitsPerPage = 0x1p62;
 constexpr int kUnitBits = 62;
-// Far more than single precision errs: what is not late by so much has a lower critical scale, rounded or
-// not.
-constexpr double kSurelyEarly = 1 - 1e-5;
+// Far more than single precision errs: what is not in the tail by so much has a lower critical scale, rounded
+// or not.
+constexpr double kSurelyBefore = 1 - 1e-5;
 
 // A window may reach over the page's ends; integers may not.
 std::int64_t window_end(std::int64_t start, double length) {
@@ -24,27 +24,20 @@ std::int64_t window_end(std::int64_t start, double length) {
 
 }  // namespace
 
-bool Traversal::Box::touches(const QuadSquare& s) const {
+Rectangle<std::int64_t> area_of(const QuadSquare& s) {
     const int shift = kUnitBits - s.depth;
-    return s.x << shift < high_x && s.y << shift < high_y && (s.x + 1) << shift > low_x &&
-           (s.y + 1) << shift > low_y;
-}
-
-bool Traversal::Box::contains(const QuadSquare& s) const {
-    const int shift = kUnitBits - s.depth;
-    return s.x << shift >= low_x && s.y << shift >= low_y && (s.x + 1) << shift <= high_x &&
-           (s.y + 1) << shift <= high_y;
+    return {{s.x << shift, s.y << shift}, {(s.x + 1) << shift, (s.y + 1) << shift}};
 }
 
 Traversal::Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request,
-                     std::optional<double> early_scale)
+                     std::optional<double> tail_scale)
     : table_(table), density_(density), request_(request) {
     if (!(request.scale >= 0) || !std::isfinite(request.scale)) {
         throw std::runtime_error("the scale must be a number from 0 up");
     }
-    if (early_scale) early_share_ = request.scale > 0 ? kSurelyEarly * *early_scale / request.scale : 0;
+    if (tail_scale) tail_share_ = request.scale > 0 ? kSurelyBefore * *tail_scale / request.scale : 0;
     const PageWindow& w = request.window;
-    window_ = {w.x, w.y, window_end(w.x, w.width), window_end(w.y, w.height)};
+    window_ = {{w.x, w.y}, {window_end(w.x, w.width), window_end(w.y, w.height)}};
     if (request.origin == PlacingOrigin::window) {
         origin_x_ = w.x;
         origin_y_ = w.y;
@@ -56,33 +49,33 @@ Traversal::Traversal(const PlacingTable& table, const Density& density, const Pl
                   longer_side,
                   density.width() / longer_side,
                   density.height() / longer_side,
-                  std::ldexp(16 * request.scale, 2 * table.cell_depth),
-                  static_cast<float>(std::ldexp(1.0 / 16, -2 * table.cell_depth))};
+                  std::ldexp(kDotsPerScale * request.scale, 2 * table.cell_depth),
+                  static_cast<float>(std::ldexp(1 / kDotsPerScale, -2 * table.cell_depth))};
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
         const DepthScale& above = depths_[depth - 1];
-        depths_[depth] = {above.half / 2, above.side_pixels / 2,        above.columns * 2,
-                          above.rows * 2, above.births_per_density / 4, above.threshold_per_birth * 4};
+        depths_[depth] = {above.half / 2, above.side_pixels / 2,       above.columns * 2,
+                          above.rows * 2, above.ranks_per_density / 4, above.threshold_per_rank * 4};
     }
 }
 
 Visit Traversal::root() const {
     Visit visit;
-    visit.in_window = window_.contains(visit.square);
+    visit.in_window = contains(window_, area_of(visit.square));
     visit.density = 0 < density_.small_depth() ? SmallSquare{density_.bounds(visit.square), false, {}, {}}
                                                : density_.look(visit.square);
     return visit;
 }
 
 bool Traversal::starts() const {
-    return request_.scale > 0 && density_.bounds({}).max > 0 && window_.touches({});
+    return request_.scale > 0 && density_.bounds({}).max > 0 && overlap(window_, area_of({}));
 }
 
 bool Traversal::ends_at(const Visit& visit) const {
     const int depth = visit.square.depth;
     if (depth < table_.cell_depth) return false;
     const Cell& cell = table_.cells[visit.cell];
-    const float end = depth == table_.cell_depth ? 4 * cell.first_next_birth : cell.subtree_end;
-    return depths_[depth].births_per_density * visit.density.bounds.max <= end || depth >= kMaxDepth;
+    const float end = depth == table_.cell_depth ? 4 * cell.first_next_rank : cell.subtree_end;
+    return depths_[depth].ranks_per_density * visit.density.bounds.max <= end || depth >= kMaxDepth;
 }
 
 const CellPoints& Traversal::points_of(const Visit& visit, bool ends) const {
@@ -105,7 +98,7 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
     } else {
         child.density = density_.look(child.square);
     }
-    const double reached = depths_[depth].births_per_density * child.density.bounds.max;
+    const double reached = depths_[depth].ranks_per_density * child.density.bounds.max;
     if (depth <= table_.cell_depth) {
         // Cells of the root tile have the tile's own points as well, born from the first on.
         if (!(reached > 0)) return false;
@@ -114,15 +107,15 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
     } else {
         const Cell& cell = table_.cells[parent.cell];
         const int q = apply_to_quadrant(inverse(parent.orientation), page_quadrant);
-        if (!(reached > cell.next_birth[q])) return false;
+        if (!(reached > cell.next_rank[q])) return false;
         child.cell = cell.next_cell[q];
         child.orientation = compose(parent.orientation, cell.next_turn[q]);
     }
 
     child.in_window = parent.in_window;
     if (!parent.in_window) {
-        if (!window_.touches(child.square)) return false;
-        child.in_window = window_.contains(child.square);
+        if (!overlap(window_, area_of(child.square))) return false;
+        child.in_window = contains(window_, area_of(child.square));
     }
     return true;
 }

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "core/image/density.h"
+#include "core/image/rectangle.h"
 #include "core/placing/placer.h"
 #include "core/placing/placing_table.h"
 
@@ -32,25 +33,28 @@ struct Visit {
 
 /// What depends on a square's depth alone.
 struct DepthScale {
-    double half = 0;                // half the side, page units
-    double side_pixels = 0;         // side, in pixels of the density
-    double columns = 0, rows = 0;   // of such squares in the density, with a part of one at the end
-    double births_per_density = 0;  // scale * 16 / 4^(level of the tile that the square is a cell of)
-    float threshold_per_birth = 0;  // 4^level / 16
+    double half = 0;               // half the side, page units
+    double side_pixels = 0;        // side, in pixels of the density
+    double columns = 0, rows = 0;  // of such squares in the density, with a part of one at the end
+    double ranks_per_density = 0;  // scale * 16 / 4^(level of the tile that the square is a cell of)
+    float threshold_per_rank = 0;  // 4^level / 16
 };
+
+/// In 2^-62 page units.
+Rectangle<std::int64_t> area_of(const QuadSquare& square);
 
 class Traversal {
  public:
-    /// Dots that do not exist at `early_scale`, or hardly, are late; see SquareEmitter.
+    /// Dots that do not exist at `tail_scale`, or hardly, are the tail; see SquareEmitter.
     Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request,
-              std::optional<double> early_scale = {});
+              std::optional<double> tail_scale = {});
 
     const PlacingTable& table() const { return table_; }
     const Density& density() const { return density_; }
     const PlacingRequest& request() const { return request_; }
     const DepthScale& at_depth(int depth) const { return depths_[depth]; }
-    /// The early scale as a share of the scale; nothing: no dot is late.
-    std::optional<double> early_share() const { return early_share_; }
+    /// The tail scale as a share of the scale; nothing: there is no tail.
+    std::optional<double> tail_share() const { return tail_share_; }
 
     /// The root square; the recursion starts there if starts().
     Visit root() const;
@@ -73,21 +77,15 @@ class Traversal {
     /// A square's corner from where positions are counted, the window's or the page's corner, in page units.
     glm::dvec2 corner_in_window(const QuadSquare& square) const;
 
-    /// A box in 2^-62 page units, from `low` to below `high`.
-    struct Box {
-        std::int64_t low_x, low_y, high_x, high_y;
-
-        bool touches(const QuadSquare& square) const;
-        bool contains(const QuadSquare& square) const;
-    };
-    const Box& window() const { return window_; }
+    /// The request's window in 2^-62 page units, from `low` to below `high`.
+    const Rectangle<std::int64_t>& window() const { return window_; }
 
  private:
     const PlacingTable& table_;
     const Density& density_;
     PlacingRequest request_;
-    std::optional<double> early_share_;
-    Box window_;
+    std::optional<double> tail_share_;
+    Rectangle<std::int64_t> window_;
     std::int64_t origin_x_ = 0, origin_y_ = 0;
     std::array<DepthScale, kMaxDepth + 1> depths_;
 };

@@ -45,7 +45,7 @@ constexpr auto kOutwards = [] {
 
 // Rows about as high as dots on black are apart.
 int depth_for(double scale) {
-    return std::max(0, static_cast<int>(std::lround(std::log2(16 * std::max(scale, 1e-12)) / 2)));
+    return std::max(0, static_cast<int>(std::lround(std::log2(kDotsPerScale * std::max(scale, 1e-12)) / 2)));
 }
 
 // Moves the dots of some rows. Its unit is a row's height.
@@ -57,7 +57,7 @@ class RowsMover {
               std::ldexp(density.width() / static_cast<double>(density.longer_side()), depth))),
           height_(static_cast<float>(
               std::ldexp(density.height() / static_cast<double>(density.longer_side()), depth))),
-          spacing_(static_cast<float>(std::ldexp(1.0, depth) / std::sqrt(16 * scale))),
+          spacing_(static_cast<float>(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale))),
           centroid_(density, std::ldexp(1.0, -depth)) {}
 
     void move_row(std::int64_t row, DotRows::Positions& to_x, DotRows::Positions& to_y) {

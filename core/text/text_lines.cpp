@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
+
+#include "core/text/numbers.h"
 
 namespace dapple {
 
@@ -47,11 +48,10 @@ std::string_view TextLines::value_of(std::string_view line, std::string_view key
 }
 
 int TextLines::whole_number(std::string_view text, std::string_view name, int least, int most) const {
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size() || number < least || number > most)
+    const std::optional<int> number = number_of<int>(text);
+    if (!number || *number < least || *number > most)
         fail(fmt::format("{} must be a whole number from {} to {}", name, least, most));
-    return number;
+    return *number;
 }
 
 void TextLines::fail(std::string_view reason) const {

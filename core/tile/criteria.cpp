@@ -105,7 +105,7 @@ double relative_radius(const Tile& tile) {
 
 double worst_relative_radius(const Tile& tile, const Ranking& ranking) {
     struct Born {
-        float birth;
+        float rank;
         glm::dvec2 place;
     };
     std::vector<Born> born;
@@ -113,8 +113,7 @@ double worst_relative_radius(const Tile& tile, const Ranking& ranking) {
     const auto newborns = newborns_of(tile);
     for (std::size_t i = 0; i < newborns.size(); ++i)
         born.push_back({ranking.newborn[i], to_unit_square(newborns[i].position)});
-    std::stable_sort(born.begin(), born.end(),
-                     [](const Born& a, const Born& b) { return a.birth < b.birth; });
+    std::stable_sort(born.begin(), born.end(), [](const Born& a, const Born& b) { return a.rank < b.rank; });
     std::vector<glm::dvec2> places;
     for (const Born& b : born) places.push_back(b.place);
 
@@ -123,7 +122,7 @@ double worst_relative_radius(const Tile& tile, const Ranking& ranking) {
     double smallest = far * far, worst = 1;
     for (std::size_t i = 0; i < born.size(); ++i) {
         smallest = std::min(smallest, nearest[i]);
-        if (i + 1 < born.size() && born[i + 1].birth == born[i].birth) continue;
+        if (i + 1 < born.size() && born[i + 1].rank == born[i].rank) continue;
         worst = std::min(worst, std::sqrt(smallest) / widest_spacing(static_cast<double>(i + 1)));
     }
     return worst;

@@ -19,7 +19,7 @@ std::array<int, 4> letter_counts(const Tile& tile);
 double relative_radius(const Tile& tile);
 
 /// The lowest relative radius between two levels: of the tile's N points with the first k newborn ones of its
-/// children in the order of their births, k = 0 .. 3 N, r_max being that of N + k points. Births that are
+/// children in the order of their ranks, k = 0 .. 3 N, r_max being that of N + k points. Ranks that are
 /// equal come together.
 double worst_relative_radius(const Tile& tile, const Ranking& ranking);
 

@@ -87,7 +87,7 @@ std::vector<glm::dvec2> positions_of(const Tile& tile) {
     return positions;
 }
 
-std::vector<float> births(const std::vector<int>& ranks, float first) {
+std::vector<float> half_way(const std::vector<int>& ranks, float first) {
     std::vector<float> result;
     for (const int rank : ranks) result.push_back(first + static_cast<float>(rank) + 0.5f);
     return result;
@@ -95,13 +95,13 @@ std::vector<float> births(const std::vector<int>& ranks, float first) {
 
 }  // namespace
 
-std::string_view name_of(RankingOrder order) {
+std::string_view name_of(RankingMethod order) {
     switch (order) {
-        case RankingOrder::paper:
+        case RankingMethod::paper:
             return "paper";
-        case RankingOrder::farthest:
+        case RankingMethod::farthest:
             return "farthest";
-        case RankingOrder::energy:
+        case RankingMethod::energy:
             return "energy";
     }
     return "";
@@ -114,18 +114,18 @@ std::vector<int> farthest_point_ranks(const Tile& tile) {
 std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int> stage) {
     std::vector<glm::dvec2> born;
     for (const Newborn& n : newborns_of(tile)) born.push_back(to_unit_square(n.position));
-    return births(energy_order(positions_of(tile), std::move(born), legal_neighbours(tile.rule), stage),
-                  static_cast<float>(tile.size()));
+    return half_way(energy_order(positions_of(tile), std::move(born), legal_neighbours(tile.rule), stage),
+                    static_cast<float>(tile.size()));
 }
 
-std::vector<float> paper_newborn_births(const Tile& tile, std::span<const float> tile_births) {
-    std::vector<float> births;
+std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks) {
+    std::vector<float> ranks;
     for (const Newborn& n : newborns_of(tile))
-        births.push_back(static_cast<float>(tile.size()) + 3 * tile_births[n.point]);
-    return births;
+        ranks.push_back(static_cast<float>(tile.size()) + 3 * tile_ranks[n.point]);
+    return ranks;
 }
 
-Ranking rank(const Tile& tile, RankingOrder order) {
+Ranking rank(const Tile& tile, RankingMethod order) {
     const auto neighbours = legal_neighbours(tile.rule);
     const auto own = positions_of(tile);
     const auto newborns = newborns_of(tile);
@@ -133,16 +133,16 @@ Ranking rank(const Tile& tile, RankingOrder order) {
     for (const Newborn& n : newborns) born.push_back(to_unit_square(n.position));
     const float count = static_cast<float>(tile.size());
 
-    if (order == RankingOrder::energy) {
-        return {births(energy_order({}, own, neighbours), 0),
-                births(energy_order(own, born, neighbours), count)};
+    if (order == RankingMethod::energy) {
+        return {half_way(energy_order({}, own, neighbours), 0),
+                half_way(energy_order(own, born, neighbours), count)};
     }
     const std::vector<int> ranks = farthest_order({}, own, neighbours);
-    Ranking ranking{births(ranks, 0), {}};
-    if (order == RankingOrder::farthest) {
-        ranking.newborn = births(farthest_order(own, born, neighbours), count);
+    Ranking ranking{half_way(ranks, 0), {}};
+    if (order == RankingMethod::farthest) {
+        ranking.newborn = half_way(farthest_order(own, born, neighbours), count);
     } else {
-        ranking.newborn = paper_newborn_births(tile, ranking.tile);
+        ranking.newborn = paper_newborn_ranks(tile, ranking.tile);
     }
     return ranking;
 }

@@ -1,9 +1,9 @@
 #pragma once
 // The order in which a tile's points, and then its children's, appear as the density rises.
 //
-// A birth is a place in that order: with n = density in dots per tile, a tile shows its points of birth < n.
+// A rank is a place in that order: with n = density in dots per tile, a tile shows its points of rank < n.
 // Birth 0..N belongs to the tile's own N points, N..4N to the 3 N newborn ones of its four children, where
-// the children together are the complete tile of the next level. On level l of a subdivision a dot of birth b
+// the children together are the complete tile of the next level. On level l of a subdivision a dot of rank b
 // needs scale * density > 4^l * b / 16.
 
 #include <span>
@@ -15,32 +15,32 @@
 
 namespace dapple {
 
-enum class RankingOrder {
+enum class RankingMethod {
     paper,     // each tile ranked by itself, newborn points by their rank in their own tile (section 5)
     farthest,  // newborn points of all four children together, farthest point first, inherited ones counted
     energy,    // as farthest, but lowest Gaussian energy first: evener tone
 };
 
 /// "paper", "farthest", "energy".
-std::string_view name_of(RankingOrder order);
+std::string_view name_of(RankingMethod order);
 
 struct Ranking {
-    std::vector<float> tile;     // N births of the tile's points
-    std::vector<float> newborn;  // 3 N births, in the order of newborns_of()
+    std::vector<float> tile;     // N ranks of the tile's points
+    std::vector<float> newborn;  // 3 N ranks, in the order of newborns_of()
 };
 
 /// Ranks a tile. Distances and energies are over all legal neighbours of the tile's rule.
-Ranking rank(const Tile& tile, RankingOrder order);
+Ranking rank(const Tile& tile, RankingMethod order);
 
-/// The paper's newborn births from the births of a tile's own points: a child of density 1..4 parents shows
+/// The paper's newborn ranks from the ranks of a tile's own points: a child of density 1..4 parents shows
 /// the ranks below N (n / N - 1) / 3 of its own.
-std::vector<float> paper_newborn_births(const Tile& tile, std::span<const float> tile_births);
+std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks);
 
 /// Greedy farthest-point order (section 5; Eldar et al. 1997): the ranks 0..N-1 of the tile's points, the
 /// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A.
 std::vector<int> farthest_point_ranks(const Tile& tile);
 
-/// The births of the newborn points in an order that takes them stage by stage, a whole number for each in
+/// The ranks of the newborn points in an order that takes them stage by stage, a whole number for each in
 /// the order of newborns_of(), and within a stage lowest energy first.
 std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int> stage);
 

@@ -130,7 +130,7 @@ class Stages {
 }  // namespace
 
 Ranking search_ranking(const Tile& tile, const RankingSearchSettings& settings) {
-    const Ranking start = rank(tile, RankingOrder::energy);
+    const Ranking start = rank(tile, RankingMethod::energy);
     Stages stages(tile, start, settings);
     const std::uint64_t exchanges = settings.exchanges > 0 ? settings.exchanges : 1000 * stages.newborns();
     Random random(settings.seed);

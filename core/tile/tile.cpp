@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
+
+#include "core/text/numbers.h"
 
 namespace dapple {
 
@@ -47,14 +48,12 @@ ParsedWord parse_word(std::string_view word) {
             fmt::format("'{}' in a tile's word is not a quadrant 0, 1, 2 or 3", parsed.letters[wrong]));
     }
     if (mark == word.size()) return parsed;
-    std::uint32_t end = 0;
-    const auto [rest, error] = std::from_chars(word.data() + mark + 1, word.data() + word.size(), end);
-    if (error != std::errc{} || rest != word.data() + word.size()) {
+    parsed.end = number_of<std::uint32_t>(word.substr(mark + 1));
+    if (!parsed.end) {
         throw std::runtime_error(
             fmt::format("'{}' at the end of a tile's word leads nowhere; write > and a point's number",
                         word.substr(mark)));
     }
-    parsed.end = end;
     return parsed;
 }
 
@@ -219,20 +218,13 @@ std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const 
 }
 
 Tile parse_tile_integers(std::string_view text) {
-    std::array<std::uint64_t, 3> numbers{};
-    constexpr std::string_view ends = ",/";
-    const char* at = text.data();
-    const char* const end = text.data() + text.size();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto [rest, error] = std::from_chars(at, end, numbers[i]);
-        const bool ended = i < 2 ? rest != end && *rest == ends[i] : rest == end;
-        if (error != std::errc{} || !ended) {
-            throw std::runtime_error(
-                fmt::format("'{}' is not a tile; write A,B/N, for example 14217,2895/16", text));
-        }
-        at = rest + 1;
+    const auto numbers = numbers_of<std::uint64_t, 3>(text, ",/");
+    if (!numbers) {
+        throw std::runtime_error(
+            fmt::format("'{}' is not a tile; write A,B/N, for example 14217,2895/16", text));
     }
-    return make_tile(numbers[0], numbers[1], static_cast<int>(std::min<std::uint64_t>(numbers[2], 1000)));
+    const auto [a, b, size] = *numbers;
+    return make_tile(a, b, static_cast<int>(std::min<std::uint64_t>(size, 1000)));
 }
 
 std::vector<Newborn> newborns_of(const Tile& tile) {

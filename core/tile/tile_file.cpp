@@ -79,40 +79,40 @@ std::string_view read_words(TextLines& lines, const Rule& rule, int points, Tile
     return line;
 }
 
-std::optional<RankingOrder> read_order(const TextLines& lines, std::string_view line) {
+std::optional<RankingMethod> read_order(const TextLines& lines, std::string_view line) {
     const std::string_view name = lines.value_of(line, "ranking");
     if (name == kOwn) return std::nullopt;
-    for (const RankingOrder order : {RankingOrder::paper, RankingOrder::farthest, RankingOrder::energy})
+    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
         if (name == name_of(order)) return order;
     lines.fail(fmt::format("the ranking '{}' is not known; there are paper, farthest, energy, own", name));
 }
 
 // Births first + rank + 1/2; ranks are a permutation.
-std::vector<float> read_births(TextLines& lines, std::size_t count, float first) {
-    std::vector<float> births;
+std::vector<float> read_ranks(TextLines& lines, std::size_t count, float first) {
+    std::vector<float> ranks;
     std::vector<bool> taken(count);
     const int last = static_cast<int>(count) - 1;
-    while (births.size() < count) {
+    while (ranks.size() < count) {
         const std::string_view line = lines.next_content();
         for (const std::string_view word : split(line)) {
-            if (births.size() == count) lines.fail(fmt::format("there are more than {} ranks", count));
+            if (ranks.size() == count) lines.fail(fmt::format("there are more than {} ranks", count));
             if (word.find_first_not_of("0123456789") != std::string_view::npos) {
                 lines.fail(fmt::format("'{}' is not a rank, of which {} are expected, {} so far", word, count,
-                                       births.size()));
+                                       ranks.size()));
             }
             const int rank = lines.whole_number(word, "a rank", 0, last);
             if (taken[rank]) lines.fail(fmt::format("the rank {} comes twice", rank));
             taken[rank] = true;
-            births.push_back(first + static_cast<float>(rank) + 0.5f);
+            ranks.push_back(first + static_cast<float>(rank) + 0.5f);
         }
     }
-    return births;
+    return ranks;
 }
 
-void append_ranks(std::string& text, std::span<const float> births, float first) {
+void append_ranks(std::string& text, std::span<const float> ranks, float first) {
     std::size_t width = 0;
-    for (const float birth : births) {
-        const std::string rank = fmt::format("{}", static_cast<int>(birth - first));
+    for (const float half : ranks) {
+        const std::string rank = fmt::format("{}", static_cast<int>(half - first));
         const bool fits = width > 0 && width + 1 + rank.size() <= kLineWidth;
         if (width > 0) text += fits ? ' ' : '\n';
         width = fits ? width + 1 + rank.size() : rank.size();
@@ -123,11 +123,11 @@ void append_ranks(std::string& text, std::span<const float> births, float first)
 
 }  // namespace
 
-std::string_view name_of(std::optional<RankingOrder> order) {
+std::string_view name_of(std::optional<RankingMethod> order) {
     return order ? name_of(*order) : kOwn;
 }
 
-StoredTile ranked(Tile tile, RankingOrder order) {
+StoredTile ranked(Tile tile, RankingMethod order) {
     Ranking ranking = rank(tile, order);
     return {std::move(tile), order, std::move(ranking)};
 }
@@ -142,7 +142,7 @@ std::string write_tile(const StoredTile& stored, std::span<const std::string> co
     for (const std::string& word : tile.words) text += word + '\n';
     text += fmt::format("ranking {}\nranks\n", name_of(stored.order));
     append_ranks(text, stored.ranking.tile, 0);
-    if (stored.order != RankingOrder::paper) {
+    if (stored.order != RankingMethod::paper) {
         text += "newborn ranks\n";
         append_ranks(text, stored.ranking.newborn, static_cast<float>(tile.size()));
     }
@@ -162,12 +162,12 @@ StoredTile read_tile(std::string_view text) {
     stored.order = read_order(lines, ranking_line);
     expect(lines, lines.next_content(), "ranks");
     const std::size_t count = stored.tile.size();
-    stored.ranking.tile = read_births(lines, count, 0);
-    if (stored.order == RankingOrder::paper) {
-        stored.ranking.newborn = paper_newborn_births(stored.tile, stored.ranking.tile);
+    stored.ranking.tile = read_ranks(lines, count, 0);
+    if (stored.order == RankingMethod::paper) {
+        stored.ranking.newborn = paper_newborn_ranks(stored.tile, stored.ranking.tile);
     } else {
         expect(lines, lines.next_content(), "newborn ranks");
-        stored.ranking.newborn = read_births(lines, 3 * count, static_cast<float>(count));
+        stored.ranking.newborn = read_ranks(lines, 3 * count, static_cast<float>(count));
     }
     expect(lines, lines.next_content(), "end");
     if (!lines.at_end()) {

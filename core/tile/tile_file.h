@@ -32,20 +32,20 @@ namespace dapple {
 /// A tile with its ranking and where that comes from.
 struct StoredTile {
     Tile tile;
-    std::optional<RankingOrder> order;  // none: an order of its own
+    std::optional<RankingMethod> order;  // none: an order of its own
     Ranking ranking;
 };
 
 /// "own" for none.
-std::string_view name_of(std::optional<RankingOrder> order);
+std::string_view name_of(std::optional<RankingMethod> order);
 
 /// A tile ranked by one of the orders.
-StoredTile ranked(Tile tile, RankingOrder order);
+StoredTile ranked(Tile tile, RankingMethod order);
 
 /// The text of a tile. `comments` are lines to stand below the first one, without their #.
 std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
 
-/// What write_tile() wrote: the same points and births to the bit. Throws std::runtime_error, "line 7: ...",
+/// What write_tile() wrote: the same points and ranks to the bit. Throws std::runtime_error, "line 7: ...",
 /// if the text is anything else.
 StoredTile read_tile(std::string_view text);
 

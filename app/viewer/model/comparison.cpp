@@ -10,29 +10,28 @@ namespace dapple {
 Comparison toggled(Comparison comparison, const DrawingSettings& left) {
     comparison.on = !comparison.on;
     const std::string tile = tile_in_use(left);
-    const bool alike = comparison.tile == tile && comparison.placer == left.stipple.placer &&
-                       comparison.ranking == left.ranking;
+    const bool alike =
+        comparison.tile == tile && comparison.placer == left.placer && comparison.ranking == left.ranking;
     if (comparison.on && alike) comparison.tile = tile == "paper16" ? kDefaultTile : "paper16";
     return comparison;
 }
 
 PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stippling& placed) {
     PlaceOrder right = std::move(left);
-    right.drawing.stipple.placer = comparison.placer;
+    right.drawing.placer = comparison.placer;
     right.tile = comparison.tile;
     right.ranking = comparison.ranking;
     right.close.reset();
-    right.drawing.stipple.count.reset();
+    right.drawing.placing.count.reset();
     if (comparison.by == CompareBy::count)
-        right.drawing.stipple.count = std::max<std::uint64_t>(placed.dots.size() - placed.duplicates, 1);
+        right.drawing.placing.count = std::max<std::uint64_t>(placed.dots.size() - placed.duplicates, 1);
     // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
-    right.drawing.stipple.scale = std::nextafter(static_cast<float>(placed.scale), INFINITY);
+    right.drawing.placing.scale = std::nextafter(static_cast<float>(placed.scale), INFINITY);
     return right;
 }
 
 std::string drawn_with(const PlaceOrder& order) {
-    return short_tile_name(order.tile) +
-           (order.drawing.stipple.placer == PlacerKind::figure8 ? ", Figure 8" : "");
+    return short_tile_name(order.tile) + (order.drawing.placer == PlacerKind::figure8 ? ", Figure 8" : "");
 }
 
 }  // namespace dapple

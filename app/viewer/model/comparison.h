@@ -18,7 +18,7 @@ struct Comparison {
     bool on = false;
     PlacerKind placer = PlacerKind::exact;  // these three of the right side
     std::string tile = "paper16";
-    std::optional<RankingOrder> ranking;
+    std::optional<RankingMethod> ranking;
     CompareBy by = CompareBy::scale;
     float divider = 0.5f;  // the left side's share of the canvas, 0..1
 

@@ -21,9 +21,9 @@ glm::u8vec4 packed(glm::vec3 colour) {
     return {glm::u8vec3(glm::round(glm::clamp(colour, 0.0f, 1.0f) * 255.0f)), 255};
 }
 
-double rank_share(const Birthplace& birth, std::size_t tile_size) {
+double rank_share(const TileRank& at, std::size_t tile_size) {
     const auto n = static_cast<double>(tile_size);
-    const double share = birth.level == 0 ? birth.rank / n : (birth.rank - n) / (3 * n);
+    const double share = at.level == 0 ? at.rank / n : (at.rank - n) / (3 * n);
     return std::clamp(share, 0.0, 1.0);
 }
 
@@ -67,7 +67,7 @@ class TileWalk {
 
 }  // namespace
 
-bool tells_birthplaces(const DotColourChoice& choice) {
+bool needs_thresholds(const DotColourChoice& choice) {
     return choice.colouring != DotColouring::ink || choice.deepest_level < kDeepestStep;
 }
 
@@ -76,7 +76,7 @@ std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours,
     if (deepest >= kDeepestStep) return colours;
     if (colours.empty()) colours.assign(dots.size(), packed(ink));
     colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
-        if (birthplace_of(piece.threshold[i], tile_size).level > deepest) colour.a = 0;
+        if (tile_rank_of(piece.threshold[i], tile_size).level > deepest) colour.a = 0;
     });
     return colours;
 }
@@ -116,14 +116,14 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
         return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
     };
     colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
-        const Birthplace birth = birthplace_of(piece.threshold[i], origins.tile_size);
+        const TileRank at = tile_rank_of(piece.threshold[i], origins.tile_size);
         if (colouring == DotColouring::level) {
-            colour = of_level[std::min(birth.level, kMostLevels - 1)];
+            colour = of_level[std::min(at.level, kMostLevels - 1)];
         } else if (colouring == DotColouring::rank) {
-            colour = packed(rank_colour(rank_share(birth, origins.tile_size)));
+            colour = packed(rank_colour(rank_share(at, origins.tile_size)));
         } else {
             const Orientation tile = walk.at(on_page(origins.window.x, piece.x[i]),
-                                             on_page(origins.window.y, piece.y[i]), birth.level);
+                                             on_page(origins.window.y, piece.y[i]), at.level);
             colour = of_orientation[tile.index];
         }
     });

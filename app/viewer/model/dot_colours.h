@@ -27,7 +27,7 @@ struct DotColourChoice {
 };
 
 /// Whether that choice needs Dots::threshold.
-bool tells_birthplaces(const DotColourChoice& choice);
+bool needs_thresholds(const DotColourChoice& choice);
 
 /// What the colours are looked up in: the tile that the dots were placed with, and their window.
 struct DotOrigins {

@@ -6,7 +6,7 @@
 #include "app/files/environment.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "core/image/sky.h"
 
 namespace dapple {
@@ -54,7 +54,7 @@ void LightSession::save(const fs::path& file) {
     if (!lit_ || saving()) return;
     const LightSaving style{settings.convention, settings.turn_degrees, name_, settings.stops};
     saving_.begin([file, style, lit = lit_, asked = settings](const std::stop_token&) {
-        RankedTile tile = tile_named(asked.tile, RankingOrder::energy);
+        RankedTile tile = tile_named(asked.tile, RankingMethod::energy);
         save_lights(file, lit->map, light_samples(lit->map, tile, asked.request), style);
         return std::optional(file);
     });

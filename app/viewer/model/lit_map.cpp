@@ -35,7 +35,7 @@ LitMap::LitMap(EnvironmentMap environment)
       preview(preview_of(map)) {}
 
 SampledMap sampled(const LitMap& lit, const LightsSettings& settings) {
-    RankedTile tile = tile_named(settings.tile, RankingOrder::energy);
+    RankedTile tile = tile_named(settings.tile, RankingMethod::energy);
     const LightSamples lights = light_samples(lit.map, tile, settings.request);
     SampledMap result;
     std::vector<DistantLight> distant;

@@ -17,7 +17,7 @@ constexpr double kFadeHeadStart = 1.07;
 std::optional<CloseView> Pane::close_view(const PlaceOrder& page, const Zoom& zoom) const {
     const bool constant_density = zoom.mode == ZoomMode::constant_density;
     // Figure 8 places whole drawings only.
-    if (page.drawing.stipple.placer != PlacerKind::exact) return {};
+    if (page.drawing.placer != PlacerKind::exact) return {};
     // Relaxed dots are those of the page at any zoom.
     const bool moved = page_.all_steps > 0;
     if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};

@@ -6,7 +6,7 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -70,7 +70,7 @@ void Session::save(const fs::path& path) {
         PlacedDrawing drawing;
         PlaceOrder order = order_of(drawn, choice);
         order.drawing.most_dots = most;
-        order.drawing.stipple.appearance =
+        order.drawing.placing.thresholds =
             format == DrawingFormat::csv ||
             (format == DrawingFormat::svg && saving.order == DotOrder::priority);
         if (!bench.place(order, drawing, stop)) return {};
@@ -155,12 +155,16 @@ void Session::take(PlacedNews& news) {
         picture_ = std::move(*news.picture);
         ++pictures_;
         saved_path_.clear();  // it shows another picture
-        if (banner.kind == BannerKind::notice) banner = {};
+        banner = {};          // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",
                       .offer = "Open as lights"};
     }
-    if (!news.error.empty()) banner = {BannerKind::error, news.error};
+    if (!news.error.empty())
+        banner = {BannerKind::error, news.error};
+    else if (placing_failed_ && banner.kind == BannerKind::error)
+        banner = {};
+    placing_failed_ = !news.error.empty();
     if (news.error.empty() && news.order == pane_.page_ordered()) placed_settings_ = ordered_settings_;
     pane_.take(news);
 }

@@ -90,6 +90,8 @@ class Session {
     Pane pane_;
     std::optional<Pane> right_;  // once it was asked for
     int right_pictures_asked_ = 0, right_pictures_ = 0;
+    bool placing_failed_ =
+        false;  // the last one: what the banner says of it goes with the next that does not
     OpenedPicture picture_;
     int pictures_ = 0;
     std::filesystem::path picture_path_, saved_path_;

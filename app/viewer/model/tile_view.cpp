@@ -25,7 +25,7 @@ glm::vec2 corner_of_cell(std::size_t index, int depth) {
     return corner;
 }
 
-std::vector<glm::vec2> points_by_birth(const PlacingTable& table) {
+std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
     std::vector<std::pair<float, glm::vec2>> born;
     const auto side = std::ldexp(1.0f, -table.cell_depth);
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
@@ -33,13 +33,13 @@ std::vector<glm::vec2> points_by_birth(const PlacingTable& table) {
         const CellPoints& points = table.cells[c].all;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const CellPoint point = points[i];
-            if (point.birth >= static_cast<float>(table.tile_size)) break;  // newborn
-            born.emplace_back(point.birth, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
+            if (point.rank >= static_cast<float>(table.tile_size)) break;  // newborn
+            born.emplace_back(point.rank, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
         }
     }
     std::ranges::stable_sort(born, {}, &std::pair<float, glm::vec2>::first);
     std::vector<glm::vec2> points;
-    for (const auto& [birth, point] : born) points.push_back(point);
+    for (const auto& [rank, point] : born) points.push_back(point);
     return points;
 }
 
@@ -48,7 +48,7 @@ std::vector<glm::vec2> points_by_birth(const PlacingTable& table) {
 TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
     return {std::move(name), tile.tile().rule,
             placer == PlacerKind::figure8 ? points_by_rank(tile.tile(), tile.own_ranks())
-                                          : points_by_birth(tile.placer().table())};
+                                          : points_by_rank(tile.placer().table())};
 }
 
 }  // namespace dapple

@@ -35,7 +35,7 @@ DrawingPlan Workbench::plan(const PlaceOrder& order) {
         tile_key_ = std::move(key);
     }
     DrawingRequest request = order.drawing;
-    if (tells_birthplaces(order.colours)) request.stipple.appearance = true;
+    if (needs_thresholds(order.colours)) request.placing.thresholds = true;
     return pipeline_.plan(request);
 }
 
@@ -57,11 +57,12 @@ bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& 
     const auto begin = std::chrono::steady_clock::now();
     // A window may be as small as 2^-41 of the page.
     const double most = static_cast<double>(order.drawing.most_dots);
-    const double limit = most / (16 * std::max(density_in(*plan.density, order.close->window), 1e-200));
+    const double limit =
+        most / (kDotsPerScale * std::max(density_in(*plan.density, order.close->window), 1e-200));
     const PlacingRequest request{.scale = std::min(order.close->scale, limit),
-                                 .window = order.close->window,
-                                 .appearance = true,
-                                 .threads = order.drawing.stipple.threads};
+                                 .threads = order.drawing.placing.threads,
+                                 .thresholds = true,
+                                 .window = order.close->window};
     Placer& placer = pipeline.tile().placer();
     drawing.stippling.scale = request.scale;
     drawing.stippling.duplicates = 0;
@@ -112,7 +113,7 @@ bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop
     const DrawingPlan made = plan(order);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
-    const bool turns = order.drawing.stipple.placer == PlacerKind::exact;
+    const bool turns = order.drawing.placer == PlacerKind::exact;
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;

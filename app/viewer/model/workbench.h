@@ -28,7 +28,7 @@ struct CloseView {
 struct PlaceOrder {
     DrawingRequest drawing;
     std::string tile;
-    std::optional<RankingOrder> ranking;
+    std::optional<RankingMethod> ranking;
     bool outlines = false;                // the tiles too
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
@@ -77,7 +77,7 @@ class Workbench {
  private:
     struct TileKey {
         std::string name;
-        std::optional<RankingOrder> ranking;
+        std::optional<RankingMethod> ranking;
         bool operator==(const TileKey&) const = default;
     };
 

@@ -63,7 +63,7 @@ bool looks_like_environment(const Grid<float>& light) {
 }
 
 bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
-    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.stipple.placer == b.drawing.stipple.placer;
+    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
 }
 
 }  // namespace
@@ -330,7 +330,7 @@ void Worker::run_order(const PlaceOrder& order) {
     }
     // Steps that fit into a frame are not shown one by one.
     auto shown = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> step(static_cast<double>(order.drawing.stipple.count.value_or(0)) *
+    const std::chrono::duration<double> step(static_cast<double>(order.drawing.placing.count.value_or(0)) *
                                              kSecondsADotAndStep);
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
         if (stop.stop_requested()) return false;
@@ -374,7 +374,7 @@ bool Worker::publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing) {
 void Worker::tell_tile(PlacedNews& news) {
     const PlaceOrder& order = news.order;
     if (tile_told_ && same_tile(*tile_told_, order)) return;
-    news.tile = view_of(order.tile, workbench_.pipeline().tile(), order.drawing.stipple.placer);
+    news.tile = view_of(order.tile, workbench_.pipeline().tile(), order.drawing.placer);
     tile_told_ = order;
 }
 

@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 

@@ -27,7 +27,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
         right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
         DrawingSettings drawing;
         drawing.tile = right.tile;
-        drawing.stipple.placer = right.placer;
+        drawing.placer = right.placer;
         right.tile = tile_in_use(drawing);
         changed = true;
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/relaxing/relax.h"
 
@@ -35,37 +35,38 @@ constexpr SliderRange kRadius{.min = 0.02,
                               .curve = SliderCurve::logarithmic,
                               .format = "%.3f",
                               .hard_min = 0.001,
-                              .hard_max = 100};
+                              .hard_max = 100,
+                              .typed = TypedKind::length};
 constexpr SliderRange kWidth{.min = 20,
                              .max = 2000,
                              .neutral = 200,
                              .curve = SliderCurve::logarithmic,
                              .format = "%.0f",
                              .hard_min = 1,
-                             .hard_max = 100'000};
+                             .hard_max = 100'000,
+                             .typed = TypedKind::length};
+constexpr const char* kOnlyExact =
+    "The paper's placer (Figure 8) knows neither: its dots stay as placed, in the paper's order.";
 
-void use_scale(StippleRequest& request, const DrawnFacts& drawn) {
+void use_scale(PlacingRequest& request, const DrawnFacts& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
 }
 
-bool draw_amount(StippleRequest& request, const DrawnFacts& drawn) {
+bool draw_amount(PlacingRequest& request, const DrawnFacts& drawn) {
     bool changed = false;
     const auto most = static_cast<double>(drawn.most_dots);
     const std::string why = fmt::format(
-        "At most {} dots: as many as this computer's memory holds while they are shown. `dapple render` "
-        "writes more, since it need not hold them.",
+        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
         grouped(drawn.most_dots));
-    // Figure 8 knows a scale only.
-    if (request.placer == PlacerKind::exact) {
-        int by = request.count ? 1 : 0;
-        if (segmented_row("Set by", by, std::array{"scale", "count"})) {
-            if (by == 0)
-                use_scale(request, drawn);
-            else
-                request.count = std::clamp<std::uint64_t>(drawn.dots, 1, drawn.most_dots);
-            changed = true;
-        }
+    int by = request.count ? 1 : 0;
+    if (segmented_row("Set by", by, std::array{"scale", "count"},
+                      "count: so many dots, whatever the picture. scale: a darker picture gets more dots.")) {
+        if (by == 0)
+            use_scale(request, drawn);
+        else
+            request.count = std::clamp<std::uint64_t>(drawn.dots, 1, drawn.most_dots);
+        changed = true;
     }
     if (request.count) {
         auto count = static_cast<double>(*request.count);
@@ -139,14 +140,14 @@ bool draw_relax(std::optional<int>& relax, const DrawnFacts& drawn) {
 
 }  // namespace
 
-bool ranking_row(const char* label, std::optional<RankingOrder>& ranking) {
-    // The tile's own comes first, then RankingOrder's.
+bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
+    // The tile's own comes first, then RankingMethod's.
     int chosen = ranking ? static_cast<int>(*ranking) + 1 : 0;
     if (!choice_row(label, chosen,
                     std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"}))
         return false;
     ranking.reset();
-    if (chosen > 0) ranking = static_cast<RankingOrder>(chosen - 1);
+    if (chosen > 0) ranking = static_cast<RankingMethod>(chosen - 1);
     return true;
 }
 
@@ -156,20 +157,31 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const T
     if (settings.dot_size.sizing == DotSizing::by_tone)
         hint("As many dots as their sizes and the tone ask for.");
     else
-        changed |= draw_amount(settings.stipple, drawn);
+        changed |= draw_amount(settings.placing, drawn);
     changed |= draw_size(settings.dot_size, drawn);
-    if (settings.stipple.placer == PlacerKind::exact) changed |= draw_relax(settings.relax, drawn);
+    const char* const unused = settings.placer == PlacerKind::exact ? nullptr : kOnlyExact;
+    {
+        const Greyed greyed(unused);
+        changed |= draw_relax(settings.relax, drawn);
+    }
     changed |= slider_row("Page, mm", settings.width_mm, kWidth);
 
-    int placer = settings.stipple.placer == PlacerKind::figure8 ? 1 : 0;
-    if (segmented_row("Placer", placer, std::array{"exact", "Figure 8"})) {
-        settings.stipple.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
-        if (placer == 1) use_scale(settings.stipple, drawn);
-        settings.tile = tile_in_use(settings);
+    int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
+    if (segmented_row(
+            "Placer", placer, std::array{"exact", "Figure 8"},
+            "exact: each dot once, and none is lost. Figure 8: as the paper prints it, a quarter of its "
+            "dots lie on others.")) {
+        settings.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
         changed = true;
     }
-    changed |= tile_row("Tile", settings.tile, tiles);
-    if (settings.stipple.placer == PlacerKind::exact) changed |= ranking_row("Order", settings.ranking);
+    // What is drawn with; the own choice comes back with the exact placer.
+    std::string tile = tile_in_use(settings);
+    if (tile_row("Tile", tile, tiles)) {
+        settings.tile = tile;
+        changed = true;
+    }
+    const Greyed greyed(unused);
+    changed |= ranking_row("Order", settings.ranking);
     return changed;
 }
 

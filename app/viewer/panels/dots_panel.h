@@ -7,7 +7,7 @@
 namespace dapple {
 
 /// The order of a tile's dots. True when another was chosen.
-bool ranking_row(const char* label, std::optional<RankingOrder>& ranking);
+bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);
 
 /// Placer, tile, how many dots and how large. True while something changes.
 bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {

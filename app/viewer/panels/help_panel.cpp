@@ -38,7 +38,8 @@ void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts) {
         ImGui::EndTable();
     }
     bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered();
-    if (outside || escape_pressed()) open = false;
+    const bool again = help_pressed() && !ImGui::IsWindowAppearing();
+    if (outside || again || escape_pressed()) open = false;
     if (!open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -70,6 +70,10 @@ bool escape_pressed() {
     return key_pressed(Key::escape);
 }
 
+bool help_pressed() {
+    return key_pressed(Key::f1) || typed('?');
+}
+
 std::vector<Action> pressed_actions() {
     const ImGuiIO& io = ImGui::GetIO();
     std::vector<Action> actions;
@@ -100,7 +104,7 @@ std::vector<Action> pressed_actions() {
         when(typed('E'), Action::darker);
     }
     when(key_pressed(Key::f11), Action::full_screen);
-    when(key_pressed(Key::f1) || typed('?'), Action::help);
+    when(help_pressed(), Action::help);
     return actions;
 }
 

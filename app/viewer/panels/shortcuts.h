@@ -46,4 +46,7 @@ bool photograph_key_down();
 
 bool escape_pressed();
 
+/// A key that asks for help, or sends it away.
+bool help_pressed();
+
 }  // namespace dapple

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -153,7 +153,9 @@ bool draw_spectrum_panel(const SpectrumFacts& facts) {
     draw_picture(facts.picture);
     hint(
         "The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no clumps. "
-        "Orange spots are a pattern that repeats. A bright cross in the middle is the photograph: an even "
+        "Orange spots are stronger than chance makes them: some are in every tile, and many in a lattice are "
+        "a "
+        "pattern that repeats. A bright cross in the middle is the photograph: an even "
         "grey has none.");
     draw_curve(analysis.radial_power);
     hint(fmt::format("The same, averaged round the middle. Below half a wave: {:.2f}; the nearer to 0, the "

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -37,9 +37,7 @@ std::string dots_in_words(const StatusFacts& facts) {
 
 std::vector<StatusItem> status_items(const StatusFacts& facts) {
     std::vector<StatusItem> items{{dots_in_words(facts), 6}};
-    items.push_back({facts.scale < 1e7 ? fmt::format("scale {:.0f}", facts.scale)
-                                       : fmt::format("scale {:.3g}", facts.scale),
-                     4});
+    items.push_back({"scale " + in_round_words(facts.scale), 4});
     if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
     if (facts.placing_seconds > kLongPlacing)
         items.push_back({fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds), 7});
@@ -51,9 +49,9 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
         items.push_back({fmt::format("{} steps {:.0f} ms", facts.steps, facts.relax_ms), 3});
     items.push_back({fmt::format("drawing {:.1f} ms", facts.draw_ms), 2});
     if (facts.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", facts.frames_per_second), 1});
-    items.push_back({facts.zoom < 1000 ? fmt::format("{:.0f} %", facts.zoom * 100)
-                                       : fmt::format("{:.3g} times", facts.zoom),
-                     5});
+    items.push_back(
+        {facts.zoom < 10 ? fmt::format("{:.0f} %", facts.zoom * 100) : in_round_words(facts.zoom) + " times",
+         5});
     return items;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/files/tile_library.h"
-#include "app/grouped.h"
+#include "app/shown_text.h"
 #include "app/viewer/model/dot_colours.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"

@@ -27,7 +27,7 @@ bool draw_view_panel(ViewerSettings& settings) {
     changed |= slider_row("Photograph", settings.picture_opacity, {.min = 0, .max = 1, .neutral = 0});
     changed |= switch_row("Tile boundaries", settings.drawing.show_tiles);
     // Figure 8 places whole drawings only.
-    if (settings.drawing.stipple.placer == PlacerKind::exact) {
+    if (settings.drawing.placer == PlacerKind::exact) {
         int mode = static_cast<int>(settings.zoom_mode);
         if (segmented_row("Zooming in", mode, std::array{"larger dots", "more dots"})) {
             settings.zoom_mode = static_cast<ZoomMode>(mode);

@@ -127,7 +127,8 @@ void DrawingDocument::draw(const Frame& frame) {
     session_.remember(ImGui::IsAnyItemActive());
     session_.order_dots(zoom());
     show_news(frame.window);
-    if (panels) draw_status_line({0, place.size.y + captions.y}, status_size, facts());
+    if (panels && session_.placed_once())
+        draw_status_line({0, place.size.y + captions.y}, status_size, facts());
     draw_over_canvas(place);
     canvas_.handle_mouse(place);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
@@ -203,7 +204,7 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
     if (&pane == &session_.pane()) caption.title += " - this side is saved";
     caption.facts = {dots_in_words({.dots = stippling.dots.size(),
                                     .duplicates = stippling.duplicates,
-                                    .figure8 = order.drawing.stipple.placer == PlacerKind::figure8})};
+                                    .figure8 = order.drawing.placer == PlacerKind::figure8})};
     if (const auto value = meter.periodicity())
         caption.facts.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
                                             std::clamp(*value, 0.0, 1.0)));
@@ -244,7 +245,7 @@ StatusFacts DrawingDocument::facts() const {
     const Stippling& stippling = pane.shown().stippling;
     return {.dots = stippling.dots.size(),
             .duplicates = stippling.duplicates,
-            .figure8 = session_.settings.drawing.stipple.placer == PlacerKind::figure8,
+            .figure8 = session_.settings.drawing.placer == PlacerKind::figure8,
             .scale = stippling.scale,
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
             .place_ms = stippling.place_ms,
@@ -253,7 +254,7 @@ StatusFacts DrawingDocument::facts() const {
             .all_steps = pane.shown().all_steps,
             .draw_ms = canvas_.draw_ms(),
             .placing_seconds = placing_seconds(),
-            .frames_per_second = frame_rate_.per_second(),
+            .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
             .right = right_facts(),
             .loupe = loupe_.facts()};

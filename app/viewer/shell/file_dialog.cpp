@@ -8,7 +8,7 @@
 #include <imgui_stdlib.h>
 
 #include "app/files/file_ending.h"
-#include "app/printable.h"
+#include "app/shown_text.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"

@@ -92,7 +92,7 @@ glm::vec3 rgb_of(ThemeColour colour) {
 
 std::uint32_t colour_of(ThemeColour colour) {
     auto c = bytes_of(colour);
-    return IM_COL32(c.r, c.g, c.b, 255);
+    return ImGui::GetColorU32(IM_COL32(c.r, c.g, c.b, 255));  // paler where a row is greyed
 }
 
 std::optional<std::filesystem::path> find_font(const char* pattern) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <imgui.h>
 
-#include "app/grouped.h"
+#include "app/shown_text.h"
+#include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
 
 namespace dapple {
@@ -16,6 +18,7 @@ constexpr float kValueWidth = 4.6f;   // in letters' heights, at least
 constexpr float kValueAir = 0.4f;     // between a track and a value
 constexpr float kTipWidth = 24;
 constexpr float kTipAfter = 0.5f;  // seconds
+constexpr double kRefusalSeconds = 4;
 
 struct Row {
     ImVec2 start;
@@ -76,6 +79,41 @@ float value_width(const SliderRange& range) {
     return std::ceil(width);
 }
 
+// What was wrong with what was typed last into a row.
+enum Refusal { kNothing, kTooMuch, kTooLittle, kNoNumber };
+
+Refusal refusal_of(std::optional<double> typed, const SliderRange& range) {
+    if (!typed) return kNoNumber;
+    return *typed > range.hard_max ? kTooMuch : *typed < range.hard_min ? kTooLittle : kNothing;
+}
+
+std::string sentence_of(Refusal refusal, const SliderRange& range) {
+    if (refusal == kTooMuch) return "At most " + text_of(range.hard_max, range) + ".";
+    if (refusal == kTooLittle) return "At least " + text_of(range.hard_min, range) + ".";
+    return range.typed == TypedKind::length ? "That is no length; write 210, 21cm or 8in."
+                                            : "That is no number; write 40000, 40k or 1.5M.";
+}
+
+void remember_refusal(Refusal refusal) {
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    storage->SetInt(ImGui::GetID("refusal"), refusal);
+    storage->SetFloat(ImGui::GetID("refused at"), static_cast<float>(ImGui::GetTime()));
+}
+
+// Under the value, for some seconds. True while there is one.
+bool show_refusal(const SliderRange& range, ImVec2 under) {
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const auto refusal = static_cast<Refusal>(storage->GetInt(ImGui::GetID("refusal")));
+    const double since = ImGui::GetTime() - double{storage->GetFloat(ImGui::GetID("refused at"))};
+    if (refusal == kNothing || since > kRefusalSeconds) return false;
+    ImGui::SetNextWindowPos(under, ImGuiCond_Always, {1, 0});
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(sentence_of(refusal, range).c_str());
+    note_place("Refusal");
+    ImGui::EndTooltip();
+    return true;
+}
+
 /// The value as text, or a box to type it in when it was clicked.
 bool value_box(double& value, const SliderRange& range, const Row& row, float width, bool start_typing) {
     ImGuiStorage* storage = ImGui::GetStateStorage();
@@ -89,14 +127,19 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
             storage->SetInt(typing, 1);
         }
         ImGui::SetNextItemWidth(width);
-        double typed = value;
-        bool entered =
-            ImGui::InputDouble("##typed", &typed, 0, 0, range.format,
-                               ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-        if (state == 1 && ImGui::IsItemDeactivated()) storage->SetInt(typing, 0);
-        if (!entered || !std::isfinite(typed)) return false;
-        storage->SetInt(typing, 0);
-        value = std::clamp(typed, range.hard_min, range.hard_max);
+        // ImGui's own copy is what is edited; this one is what it begins with.
+        char text[64];
+        std::snprintf(text, sizeof text, "%s", text_of(value, range).c_str());
+        const bool entered =
+            ImGui::InputText("##typed", text, sizeof text,
+                             ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+        const bool left = state == 1 && ImGui::IsItemDeactivated();
+        if (left || entered) storage->SetInt(typing, 0);
+        if (!entered) return false;
+        const std::optional<double> typed = typed_value(text, range.typed);
+        remember_refusal(refusal_of(typed, range));
+        if (!typed) return false;
+        value = std::clamp(*typed, range.hard_min, range.hard_max);
         return true;
     }
     if (press_area("value", {width, row.height})) storage->SetInt(typing, 2);
@@ -107,6 +150,10 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
         {corner.x + width - size.x, corner.y + (row.height - ImGui::GetTextLineHeight()) / 2}, colour,
         text.c_str());
     return false;
+}
+
+void close_on_escape() {
+    if (key_pressed(Key::escape)) ImGui::CloseCurrentPopup();
 }
 
 // Once the mouse has come to rest on what it is about; moving on must not make it flicker.
@@ -142,6 +189,18 @@ void note_place(const char* label, const WidgetPlace& place) {
 void note_place(const char* label) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     note_place(label, {{min.x, min.y}, {max.x, max.y}});
+}
+
+Greyed::Greyed(const char* reason) : reason_(reason), top_(ImGui::GetCursorScreenPos().y) {
+    if (reason_) ImGui::BeginDisabled();
+}
+
+Greyed::~Greyed() {
+    if (!reason_) return;
+    ImGui::EndDisabled();
+    const ImVec2 end = ImGui::GetCursorScreenPos();
+    const ImVec2 last{end.x + ImGui::GetContentRegionAvail().x, end.y - ImGui::GetStyle().ItemSpacing.y};
+    show_tip(reason_, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({end.x, top_}, last));
 }
 
 bool press_area(const char* name, ImVec2 size) {
@@ -187,7 +246,8 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
     if (value_box(value, range, row, box_width, typing)) changed = true;
     note_place((std::string(label) + " value").c_str());
-    show_row_tip(range.tip, row);
+    if (!show_refusal(range, {row.start.x + row.width, row.start.y + row.height}))
+        show_row_tip(range.tip, row);
     end_row(row);
     return changed;
 }
@@ -234,6 +294,7 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
             }
             note_place(names[i]);
         }
+        close_on_escape();
         ImGui::EndCombo();
     }
     end_row(row);
@@ -288,6 +349,8 @@ bool colour_row(const char* label, glm::vec3& colour) {
         constexpr auto kWheel = ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_PickerHueWheel |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex;
         changed = ImGui::ColorPicker3("##picker", &colour.x, kWheel);
+        note_place("Colour picker");
+        if (!ImGui::GetIO().WantTextInput) close_on_escape();  // else it ends the typing
         ImGui::EndPopup();
     }
     end_row(row);

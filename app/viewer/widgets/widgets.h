@@ -15,6 +15,8 @@
 #include <span>
 #include <string>
 
+#include "app/viewer/widgets/typed_value.h"
+
 namespace dapple {
 
 /// Where a widget's active part was drawn, in window coordinates: how a test knows where to click.
@@ -38,8 +40,24 @@ struct SliderRange {
     SliderCurve curve = SliderCurve::linear;
     const char* format = "%.2f";
     double hard_min = min, hard_max = max;  // what can be typed
-    bool grouped = false;                   // a whole number shown as 40,000
-    const char* tip = nullptr;              // what a mouse at rest on the row is told
+    TypedKind typed = TypedKind::number;
+    bool grouped = false;       // a whole number shown as 40,000
+    const char* tip = nullptr;  // what a mouse at rest on the row is told
+};
+
+/// Rows made while it lives cannot be used, and say why to a mouse that rests on them: they stay where they
+/// are, so that nothing moves under the pointer when what they depend on is changed.
+class Greyed {
+ public:
+    /// Without a reason the rows are as ever.
+    explicit Greyed(const char* reason);
+    ~Greyed();
+    Greyed(const Greyed&) = delete;
+    Greyed& operator=(const Greyed&) = delete;
+
+ private:
+    const char* reason_;
+    float top_ = 0;
 };
 
 /// Of every window that is no dialog: one that asks for the focus when it appears, in the frame in which a

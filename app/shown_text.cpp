@@ -1,9 +1,11 @@
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace dapple {
 namespace {
@@ -63,6 +65,21 @@ std::string printable(std::string_view text) {
         text.remove_prefix(character.bytes);
     }
     return result;
+}
+
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+        text.insert(static_cast<std::size_t>(at), 1, ',');
+    return text;
+}
+
+std::string in_round_words(double number) {
+    if (number < 999'999.5) return grouped(static_cast<std::uint64_t>(std::llround(number)));
+    for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}}) {
+        if (number < 999.5 * unit) return fmt::format("{:#.3g} {}", number / unit, name);
+    }
+    return fmt::format("{:.2g}", number);
 }
 
 }  // namespace dapple

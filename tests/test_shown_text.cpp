@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/printable.h"
+#include "app/shown_text.h"
 
 using namespace dapple;
 
@@ -35,4 +35,19 @@ TEST_CASE("bytes that are no UTF-8 are written out, and what follows them is not
 TEST_CASE("what is printable stays so") {
     const std::string once = printable("\x1b[31m\n\xff\xe2\x80\xae");
     CHECK(printable(once) == once);
+}
+
+TEST_CASE("numbers of any size are told in words that can be read") {
+    CHECK(grouped(0) == "0");
+    CHECK(grouped(999) == "999");
+    CHECK(grouped(1000) == "1,000");
+    CHECK(grouped(1'234'567) == "1,234,567");
+    CHECK(in_round_words(309.2) == "309");
+    CHECK(in_round_words(54'321) == "54,321");
+    CHECK(in_round_words(999'999.4) == "999,999");
+    CHECK(in_round_words(999'999.6) == "1.00 million");
+    CHECK(in_round_words(1.74e7) == "17.4 million");
+    CHECK(in_round_words(9.996e8) == "1.00 billion");
+    CHECK(in_round_words(2.2e12) == "2.20 trillion");
+    CHECK(in_round_words(1.5e16) == "1.5e+16");
 }

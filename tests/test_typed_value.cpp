@@ -1,0 +1,51 @@
+#include <doctest/doctest.h>
+
+#include "app/viewer/widgets/typed_value.h"
+#include "core/text/quantity.h"
+
+using namespace dapple;
+
+namespace {
+
+std::optional<double> number(const char* text) {
+    return typed_value(text, TypedKind::number);
+}
+std::optional<double> length(const char* text) {
+    return typed_value(text, TypedKind::length);
+}
+
+}  // namespace
+
+TEST_CASE("a typed number may have thousands, units of a thousand and a million, and be a sum") {
+    CHECK(number("0.25") == 0.25);
+    CHECK(number("40k") == 40'000);
+    CHECK(number("1.5M") == 1'500'000);
+    CHECK(number("40,000") == 40'000);
+    CHECK(number("1e5") == 100'000);
+    CHECK(number("1e-3") == 0.001);
+    CHECK(number("-0.5") == -0.5);
+    CHECK(number(" 40k + 500 ") == 40'500);
+    CHECK(number("1-0.25-0.5") == 0.25);
+    for (const char* wrong :
+         {"", " ", "k", "4 0", "40kk", "1,00", "two", "1+", "+", "--1", "nan", "inf", "5mm"}) {
+        CAPTURE(wrong);
+        CHECK_FALSE(number(wrong));
+    }
+}
+
+TEST_CASE("a typed length is in millimetres, or in the unit that each of its terms names") {
+    CHECK(length("210") == 210);
+    CHECK(*length("8in") == doctest::Approx(203.2));
+    CHECK(*length("8in + 5mm") == doctest::Approx(208.2));
+    CHECK(length("210-15-15") == 180);
+    CHECK_FALSE(length("40k"));
+}
+
+TEST_CASE("a count is a whole number, and nobody has to guess what a point stands for") {
+    CHECK(count_of("40,000") == 40'000);
+    CHECK(count_of("1.001k") == 1001);
+    CHECK(count_of("1e5") == 100'000);
+    CHECK_FALSE(count_of("1.0001k"));
+    CHECK_FALSE(count_of("10.000"));
+    CHECK_FALSE(count_of("-5"));
+}
