@@ -12,7 +12,8 @@ build_packages=(
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    doctest-dev imagemagick libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool xvfb
+    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool
+    xvfb
 )
 
 ensure_packages() {

@@ -10,6 +10,9 @@ std::atomic<std::size_t> count{0};
 
 }  // namespace
 
+// The thread sanitizer brings its own; with it nothing is counted.
+#if !defined(__SANITIZE_THREAD__)
+
 void* operator new(std::size_t size) {
     ++count;
     if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
@@ -28,6 +31,8 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
+
+#endif
 
 std::size_t dapple::allocations() {
     return count;

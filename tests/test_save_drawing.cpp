@@ -2,24 +2,19 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/files/save_drawing.h"
+#include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Dots many_dots() {
     Dots dots;

@@ -1,0 +1,12 @@
+#pragma once
+// As readers.h has it, of pictures: with the decoder that the program is linked with.
+
+#include <string>
+
+#include "app/decoding/picture_format.h"
+
+namespace dapple {
+
+void read_any_picture(PictureFormat format, const std::string& bytes);
+
+}  // namespace dapple

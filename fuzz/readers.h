@@ -1,0 +1,12 @@
+#pragma once
+// What is fuzzed: each takes any bytes. What a reader says in a sentence is as it should be; whatever else
+// goes wrong ends the process.
+
+#include <string>
+
+namespace dapple {
+
+void read_any_tile(const std::string& text);
+void read_any_points(const std::string& text);
+
+}  // namespace dapple
