@@ -6,6 +6,7 @@
 // lost. Newborn points are ranked jointly, so every density between two levels is about as even as the levels
 // are.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -98,6 +99,11 @@ class Placer {
                                      std::stop_token stop = {});
     bool place_in_pieces(const Density& density, const ExactCount& request, const CountCut& cut,
                          const TakePiece& take, std::stop_token stop = {});
+
+    /// Where place() and place_exactly() say, from now on, which share of their work is done, 0..1: piece by
+    /// piece, for another thread to look at. Now and then a count takes a second try, which begins anew.
+    /// Null: nowhere.
+    void tell_share(std::atomic<float>* share);
 
  private:
     std::shared_ptr<const PlacingTable> table_;
