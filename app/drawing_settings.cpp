@@ -9,6 +9,7 @@ std::string tile_in_use(const DrawingSettings& settings) {
 
 DrawingRequest request_of(const DrawingSettings& settings, double margin_mm) {
     return {.automatic_tone = settings.automatic_tone,
+            .automatic_exposure = settings.automatic_exposure,
             .tone = settings.tone,
             .placer = settings.placer,
             .placing = settings.placing,

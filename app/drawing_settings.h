@@ -20,7 +20,7 @@ inline constexpr std::uint64_t kDefaultDots = 40'000;
 inline constexpr const char* kDefaultTile = "aperiodic4096";
 
 struct DrawingSettings {
-    bool automatic_tone = true;  // see DrawingRequest
+    bool automatic_tone = true, automatic_exposure = true;  // see DrawingRequest
     Tone tone{.detail = kAutoDetail};
     std::string tile = kDefaultTile;       // a name for tile_named()
     std::optional<RankingMethod> ranking;  // none: the tile's own

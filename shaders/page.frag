@@ -1,12 +1,18 @@
 #version 330 core
 // The desk, the sheet's shadow, the sheet, the picture faintly on it and the dots.
+//
+// Compiled in three ways, as there are drivers that work out every branch for every pixel: with the desk,
+// which can draw anything; with SHEET, for pixels wholly on the sheet; with SHEET and PICTURE, if the picture
+// shows there.
 uniform vec2 page_min;  // pixels, y down
 uniform vec2 page_max;
 uniform float canvas_height;
 uniform float shadow;  // width in pixels
 uniform vec3 desk;     // these two sRGB-encoded
 uniform vec3 paper;
+uniform vec3 paper_light;
 uniform float picture_opacity;
+uniform float picture_gain;  // of its light
 uniform sampler2D picture;
 uniform sampler2D dots;    // linear light times alpha, alpha
 uniform int samples;       // of a pixel's side
@@ -36,19 +42,32 @@ vec4 dots_at(ivec2 pixel) {
     return sum / float((end.x - first.x) * (end.y - first.y));
 }
 
+#if !defined(SHEET) || defined(PICTURE)
+vec3 sheet_at(vec2 pixel) {
+    vec4 texel = texture(picture, (pixel - page_min) / (page_max - page_min));
+    vec3 seen = to_encoded(min(to_light(texel.rgb) * picture_gain, 1.0));
+    return to_light(mix(paper, seen, picture_opacity * texel.a));
+}
+#endif
+
 void main() {
     vec2 pixel = vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y);
+    vec3 sheet = paper_light;
+#ifdef PICTURE
+    sheet = sheet_at(pixel);
+#endif
+#ifndef SHEET
     vec2 outside = max(max(page_min - pixel, pixel - page_max), 0.0);
+    if (picture_opacity > 0.0 && outside == vec2(0.0)) sheet = sheet_at(pixel);
+#endif
+    vec4 cover = dots_at(ivec2(gl_FragCoord.xy));
+    vec3 light = sheet * (1.0 - cover.a) + ink * cover.rgb;
+#ifndef SHEET
     vec2 lowered = pixel - vec2(0.0, shadow * 0.25);
     vec2 from_sheet = max(max(page_min - lowered, lowered - page_max), 0.0);
     float shade = exp(-length(from_sheet) / shadow * 3.0) * 0.22;
     vec2 edge = clamp(0.5 + min(pixel - page_min, page_max - pixel), 0.0, 1.0);
-    vec3 sheet = paper;
-    if (picture_opacity > 0.0 && outside == vec2(0.0)) {
-        vec4 texel = texture(picture, (pixel - page_min) / (page_max - page_min));
-        sheet = mix(paper, texel.rgb, picture_opacity * texel.a);
-    }
-    vec4 cover = dots_at(ivec2(gl_FragCoord.xy));
-    vec3 light = to_light(sheet) * (1.0 - cover.a) + ink * cover.rgb;
-    colour = vec4(to_encoded(mix(to_light(desk * (1.0 - shade)), light, edge.x * edge.y)), 1.0);
+    light = mix(to_light(desk * (1.0 - shade)), light, edge.x * edge.y);
+#endif
+    colour = vec4(to_encoded(light), 1.0);
 }

@@ -18,11 +18,11 @@ TEST_CASE("help names every option and shows examples") {
     CHECK(all.err.empty());
     CHECK(all.out.find("render") != std::string::npos);
     for (const char* option :
-         {"--output",     "--scale",      "--dots",   "--placer", "--tile",        "--ranking",
-          "--dot-radius", "--width",      "--margin", "--dpi",    "--black-point", "--white-point",
-          "--contrast",   "--brightness", "--gamma",  "--blur",   "--invert",      "--ink",
-          "--paper",      "--order",      "--sheet",  "--region", "--tiles",       "--background",
-          "--threads",    "--huge",       "--stats",  "Examples:"}) {
+         {"--output",     "--scale",    "--dots",       "--placer", "--tile",        "--ranking",
+          "--dot-radius", "--width",    "--margin",     "--dpi",    "--black-point", "--white-point",
+          "--exposure",   "--contrast", "--brightness", "--gamma",  "--blur",        "--invert",
+          "--ink",        "--paper",    "--order",      "--sheet",  "--region",      "--tiles",
+          "--background", "--threads",  "--huge",       "--stats",  "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }
@@ -99,6 +99,8 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--threads 1.5", "--threads: 1.5 is not a whole number"},
           Wrong{"--black-point 2", "--black-point: 2 is not possible"},
           Wrong{"--black-point 0.5 --white-point 0.5", "--black-point: must be below"},
+          Wrong{"--exposure 21", "--exposure: 21 is not possible"},
+          Wrong{"--exposure bright", "--exposure: bright is not a number"},
           Wrong{"--contrast 1.1", "--contrast: 1.1 is not possible"},
           Wrong{"--gamma 0", "--gamma: 0 is not possible"},
           Wrong{"--blur -3", "--blur: -3 is not possible"},

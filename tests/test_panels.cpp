@@ -65,6 +65,31 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
     CHECK(tone.brightness == 0);
 }
 
+TEST_CASE("exposure is the picture's own until it is moved, and again once it is put back") {
+    DrawingSettings settings;
+    ToneFacts facts{.usual_exposure = -3.2f};
+    bool changed = false;
+    HeadlessUi ui([&] { changed |= draw_tone_panel(settings, facts); });
+    CHECK(ui.has("Exposure chosen"));
+    CHECK_FALSE(changed);
+    ui.enter("Exposure", "1.5");
+    CHECK_FALSE(settings.automatic_exposure);
+    CHECK(settings.tone.exposure == 1.5f);
+    CHECK(settings.automatic_tone);  // black, white and gamma still follow
+    ui.frame();
+    CHECK_FALSE(ui.has("Exposure chosen"));
+    ui.click("true");
+    CHECK(settings.tone.exposure == 1.5f);
+    ui.enter("Exposure", "-3.2");
+    CHECK(settings.automatic_exposure);
+
+    // A picture that needs none says nothing.
+    facts.usual_exposure = 0;
+    ui.frame();
+    ui.frame();
+    CHECK_FALSE(ui.has("Exposure chosen"));
+}
+
 TEST_CASE("a slider goes on following a mouse that leaves its row") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
@@ -545,6 +570,29 @@ TEST_CASE("the status line says that a placing takes long, and how long the last
     CHECK(says(0.2, "placing 12.3 ms"));
     CHECK(says(0.8, "placing, 1 s, Escape stops it"));
     CHECK_FALSE(says(0.8, "placing 12.3 ms"));
+}
+
+TEST_CASE("a placing that takes long shows its share, in words and as a bar, and so does what settles") {
+    StatusFacts facts{.placing_seconds = 0.4, .placed_share = 0.25};
+    HeadlessUi ui([&] { draw_status_line({0, 500}, {400, 30}, facts); });
+    const auto says = [&](const std::string& words) {
+        return std::ranges::any_of(status_items(facts),
+                                   [&](const StatusItem& item) { return item.text == words; });
+    };
+    CHECK_FALSE(ui.has("Progress"));  // not long yet
+    facts.placing_seconds = 0.6;
+    ui.frame();
+    CHECK(says("placing, 25 %, Escape stops it"));
+    CHECK(ui.place("Progress").max.x == 100);
+    facts.steps = 3;
+    facts.all_steps = 4;
+    ui.frame();
+    CHECK(says("settling, step 3 of 4, Escape stops it"));
+    CHECK(ui.place("Progress").max.x == 300);
+    facts = {.placing_seconds = 0.6};  // Figure 8's come at once
+    ui.frame();
+    CHECK_FALSE(ui.has("Progress"));
+    CHECK(says("placing, 1 s, Escape stops it"));
 }
 
 TEST_CASE("a narrow status line keeps the number of dots and lets the rest go, the least important first") {

@@ -64,6 +64,24 @@ TEST_CASE("integer pixels are decoded from sRGB, float ones are light already") 
     for (int i = 0; i < 256; ++i) CHECK(floats.light.at(i, 0) == doctest::Approx(i / 255.0).epsilon(1e-5));
 }
 
+TEST_CASE("light from in front of a camera is exposed so that it can be seen, but not changed") {
+    const TemporaryFolder folder;
+    std::vector<float> values = ramp(256);
+    for (float& v : values) v = 50 * v + 5;
+    write_picture(folder / "sun.exr", {.width = 256, .values = values, .type = "float"});
+    const Picture sun = read_picture(folder / "sun.exr");
+    CHECK(sun.light.at(255, 0) == doctest::Approx(55).epsilon(1e-4));
+    CHECK(sun.exposure < -5);
+    CHECK(sun.exposure > -8);
+    const double middle = sun.light.at(128, 0) * std::exp2(sun.exposure);
+    REQUIRE(middle < 0.9);
+    CHECK(decoded(sun.preview.at(128, 0).x / 255.0) == doctest::Approx(middle).epsilon(0.02));
+
+    // The same light in a file whose white is 1.
+    write_picture(folder / "night.png", {.width = 2, .values = {0, 0.01f}});
+    CHECK(read_picture(folder / "night.png").exposure == 0);
+}
+
 TEST_CASE("a file that says its pixels are linear is believed") {
     const TemporaryFolder folder;
     write_picture(folder / "linear.png",

@@ -99,6 +99,31 @@ TEST_CASE("a renderer draws the SVG as the PNG writer draws the dots") {
     CHECK(encoded_ink(scene("svg.png")) == doctest::Approx(ink).epsilon(0.01));
 }
 
+TEST_CASE("a picture whose light goes far over white is drawn as if it had been exposed for it") {
+    const Scene scene;
+    PictureFile ramp = test_picture();
+    for (float& v : ramp.values) v = std::pow(v, 2.2f);
+    ramp.type = "float";
+    write_picture(scene.folder / "plain.exr", ramp);
+    for (float& v : ramp.values) v *= 100;
+    write_picture(scene.folder / "sun.exr", ramp);
+    const auto dots = [&](const std::string& options) {
+        return drawn_with(scene, "sun.exr", "--scale 300 " + options);
+    };
+    const std::vector<double> plain = drawn_with(scene, "plain.exr", "--scale 300 ");
+    const std::vector<double> chosen = dots("");
+    CHECK(std::abs(static_cast<double>(chosen.size()) / static_cast<double>(plain.size()) - 1) < 0.1);
+    CHECK(dots("--exposure auto") == chosen);
+    // All but the black bar is over white; and all of it nearly black.
+    CHECK(dots("--exposure 0").size() < chosen.size() / 2);
+    CHECK(dots("--exposure -12").size() > chosen.size() * 3 / 2);
+    CHECK(run_dapple("render " + scene("sun.exr") + " -o " + scene("s.csv") + " --stats " + scene("s.json"))
+              .status == 0);
+    const double stops = read_json(scene("s.json"))["tone"]["exposure"];
+    CHECK(stops < -5.5);
+    CHECK(stops > -7.5);
+}
+
 TEST_CASE("each option of tone makes the drawing darker or lighter, or moves its ink, as its help says") {
     const Scene scene;
     const auto with = [&](const std::string& options) {
@@ -107,11 +132,13 @@ TEST_CASE("each option of tone makes the drawing darker or lighter, or moves its
     // A ramp from black to white, with a black bar from 41 to 50.
     const std::vector<double> plain = with("");
     REQUIRE(plain.size() > 1000);
-    for (const std::string darker : {"--brightness -0.2", "--gamma 0.5", "--black-point 0.3"}) {
+    for (const std::string darker :
+         {"--exposure -0.5", "--brightness -0.2", "--gamma 0.5", "--black-point 0.3"}) {
         CAPTURE(darker);
         CHECK(with(darker).size() > plain.size() * 13 / 12);
     }
-    for (const std::string lighter : {"--brightness 0.2", "--gamma 2", "--white-point 0.7"}) {
+    for (const std::string lighter :
+         {"--exposure 0.5", "--brightness 0.2", "--gamma 2", "--white-point 0.7"}) {
         CAPTURE(lighter);
         CHECK(with(lighter).size() < plain.size() * 12 / 13);
     }

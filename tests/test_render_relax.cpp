@@ -218,6 +218,7 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
     const nlohmann::json plain = tone_of("--tone true");
     CHECK(text_of(scene("t.csv")) != drawn);
     CHECK(plain == nlohmann::json{{"automatic", false},
+                                  {"exposure", 0},
                                   {"black_point", 0},
                                   {"white_point", 1},
                                   {"contrast", 0},

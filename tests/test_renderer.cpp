@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/canvas/renderer.h"
+#include "app/viewer/model/mipmaps.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "tests/dot_pieces.h"
@@ -43,6 +44,10 @@ class Picture200 {
     Grid<glm::u8vec4> draw() {
         set_dots(split(dots));
         return draw_again();
+    }
+    void show_photograph(const Grid<glm::u8vec4>& photograph) {
+        renderer.set_picture(std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(photograph)));
+        while (!renderer.upload(1)) continue;
     }
     Grid<glm::u8vec4> draw_again() {
         renderer.draw(framebuffer, camera, look);
@@ -159,7 +164,7 @@ TEST_CASE("the photograph shows through as strongly as asked, the right way up")
     Picture200 picture;
     Grid<glm::u8vec4> photograph(2, 2, glm::u8vec4(0, 0, 0, 255));
     photograph.at(1, 0) = {255, 0, 0, 255};
-    picture.renderer.set_picture(photograph);
+    picture.show_photograph(photograph);
     picture.look.picture_opacity = 1;
     auto pixels = picture.draw();
     CHECK(pixels.at(190, 10) == glm::u8vec4(255, 0, 0, 255));
@@ -169,6 +174,45 @@ TEST_CASE("the photograph shows through as strongly as asked, the right way up")
     CHECK(picture.draw().at(10, 10).r == doctest::Approx(127.5).epsilon(0.02));
     picture.look.picture_opacity = 0;
     CHECK(picture.draw().at(10, 10).r == 255);
+}
+
+TEST_CASE("the photograph's light is multiplied by its gain") {
+    Picture200 picture;
+    picture.show_photograph(Grid<glm::u8vec4>(2, 2, glm::u8vec4(120, 60, 230, 255)));
+    picture.look.picture_opacity = 1;
+    CHECK(picture.draw().at(100, 80) == glm::u8vec4(120, 60, 230, 255));
+    picture.look.picture_gain = 2;
+    const auto twice = [](int encoded) {
+        return 255 * linear_to_srgb(std::min(2 * srgb_to_linear(static_cast<float>(encoded) / 255), 1.0f));
+    };
+    const glm::u8vec4 lighter = picture.draw().at(100, 80);
+    CHECK(lighter.r == doctest::Approx(twice(120)).epsilon(0.01));
+    CHECK(lighter.g == doctest::Approx(twice(60)).epsilon(0.02));
+    CHECK(lighter.b == 255);
+}
+
+TEST_CASE("a photograph uploaded in slices, however short, is there as a whole and not before") {
+    Picture200 picture;
+    Grid<glm::u8vec4> photograph(1500, 1200, glm::u8vec4(0, 0, 255, 255));
+    for (int x = 0; x < 1500; ++x) photograph.at(x, 1199) = {255, 0, 0, 255};
+    picture.look.picture_opacity = 1;
+    picture.renderer.set_picture(
+        std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(photograph)));
+    int slices = 0;
+    while (!picture.renderer.upload(1e-9)) {
+        if (slices++ < 3) CHECK(picture.draw().at(100, 80) == glm::u8vec4(255, 255, 255, 255));
+        REQUIRE(slices < 1000);
+        // One piece of work at least is done in each, or it would never end.
+        picture.renderer.upload(1e-4);
+    }
+    CHECK(slices > 2);
+    CHECK(picture.draw().at(100, 80) == glm::u8vec4(0, 0, 255, 255));
+    // The last row is there too, seen from near.
+    picture.camera = {glm::dvec2(kSize), page_point({1, 1.6}), 1e5};
+    CHECK(picture.draw().at(100, 60) == glm::u8vec4(255, 0, 0, 255));
+    picture.renderer.set_picture(nullptr);
+    CHECK(picture.renderer.upload(0));
+    CHECK(picture.draw().at(100, 60) == glm::u8vec4(255, 255, 255, 255));
 }
 
 TEST_CASE("a tile's outline is a line of its level's colour where its sides are, and only then") {

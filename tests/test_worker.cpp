@@ -218,6 +218,26 @@ TEST_CASE("a worker tells since when it places, and that it does no longer") {
     }));
 }
 
+TEST_CASE("a worker tells which share of the dots is placed, which grows") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(64); });
+    CHECK_FALSE(worker.placed_share());
+    PlaceOrder order = dots(20'000'000);
+    order.drawing.relax = 0;
+    order.drawing.placing.threads = 4;  // many pieces, however few processors there are
+    worker.place(order);
+    std::vector<float> seen;
+    REQUIRE(wait_until([&] {
+        if (const auto share = worker.placed_share()) seen.push_back(*share);
+        return !worker.news().empty();
+    }));
+    CHECK(std::ranges::is_sorted(seen));
+    const auto inside = std::ranges::count_if(seen, [](float share) { return share > 0.1f && share < 0.9f; });
+    CHECK(inside > 0);
+    CHECK(seen.back() <= 1);
+    CHECK(wait_until([&] { return !worker.placed_share(); }));
+}
+
 TEST_CASE("an exception on a drawing's way to the window is told, and the thread goes on") {
     std::atomic<bool> fails = true;
     Worker worker([&] {

@@ -14,6 +14,7 @@
 #include "app/files/tile_library.h"
 #include "core/analysis/point_table.h"
 #include "core/drawing/pipeline.h"
+#include "core/image/exposure.h"
 #include "core/output/raster.h"
 
 namespace dapple {
@@ -137,7 +138,8 @@ Subject dots_of_picture(const std::optional<std::filesystem::path>& image, const
                         Topology topology, PictureLimit limit) {
     Subject subject{.name = image ? image->string() : "the sample", .domain = {}};
     Pipeline pipeline;
-    pipeline.set_light((image ? read_picture(*image, limit) : sample_picture()).light);
+    Picture picture = image ? read_picture(*image, limit) : sample_picture();
+    pipeline.set_light(std::move(picture.light), picture.exposure);
     const Placed placed = place(pipeline, settings);
     const Density& density = *placed.plan.density;
     if (density.mean() == 0) {
@@ -148,7 +150,8 @@ Subject dots_of_picture(const std::optional<std::filesystem::path>& image, const
     subject.points = points_of(placed.stippling, subject.domain);
     subject.placed = described(placed.stippling, settings);
     subject.placed->mean_density = density.mean() / subject.domain.area();
-    if (!subject.points.empty()) subject.tone = tone_from_afar(placed, pipeline.light(), settings);
+    if (!subject.points.empty())
+        subject.tone = tone_from_afar(placed, exposed(pipeline.light(), placed.plan.tone.exposure), settings);
     return subject;
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/shown_text.h"
 #include "core/image/detail.h"
+#include "core/image/exposure.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"
@@ -231,6 +232,19 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Tone");
     Tone& tone = settings.tone;
+    const auto read_exposure = [&settings](const std::string& text) {
+        settings.automatic_exposure = text == "auto";
+        settings.tone.exposure = 0;
+        if (!settings.automatic_exposure)
+            settings.tone.exposure =
+                static_cast<float>(number_in("--exposure", text, {.least = -kMostStops, .most = kMostStops}));
+    };
+    add_text(
+        app, "--exposure", "auto|EV",
+        "Makes all of the picture lighter first, or darker below 0, in stops: 1 is twice as light, -1 half. "
+        "auto: what shows most of an HDR picture; 0 for any other",
+        read_exposure)
+        ->default_str("auto");
     const auto read_tone = [&settings](const std::string& text) {
         if (text != "auto" && text != "true") {
             throw CLI::ValidationError("--tone",

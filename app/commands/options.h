@@ -88,7 +88,8 @@ void refuse(const CLI::App& command, std::initializer_list<const char*> options,
 /// --dots, --scale, --placer, --tile, --ranking, --relax, --dot-radius, --threads.
 void add_dot_options(CLI::App& app, DrawingSettings& settings);
 
-/// --tone, --black-point, --white-point, --contrast, --brightness, --gamma, --blur, --detail, --invert.
+/// --exposure, --tone, --black-point, --white-point, --contrast, --brightness, --gamma, --blur, --detail,
+/// --invert.
 void add_tone_options(CLI::App& app, DrawingSettings& settings);
 
 /// --width, --ink, --paper.

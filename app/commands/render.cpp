@@ -186,6 +186,7 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
                      {"over_the_edge", found.over_edge}};
     }
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
+                                      {"exposure", drawn.tone.exposure},
                                       {"black_point", drawn.tone.black_point},
                                       {"white_point", drawn.tone.white_point},
                                       {"contrast", drawn.tone.contrast},
@@ -265,8 +266,8 @@ void render(const RenderOptions& options) {
     times.tile = watch.lap();
     std::optional<ProgressLine> line(std::in_place);
     line->show(0, "reading the picture");
-    pipeline.set_light(
-        (options.image ? read_picture(*options.image, options.limit) : sample_picture()).light);
+    Picture picture = options.image ? read_picture(*options.image, options.limit) : sample_picture();
+    pipeline.set_light(std::move(picture.light), picture.exposure);
     const int width = pipeline.light().width, height = pipeline.light().height;
     times.read = watch.lap();
 
@@ -304,7 +305,7 @@ void render(const RenderOptions& options) {
                       .page = excerpt.size,
                       .radius_mm = radius_mm,
                       .order = order,
-                      .mostly_black = mostly_black(pipeline.histogram(), plan.tone)};
+                      .mostly_black = mostly_black(*plan.histogram, plan.tone)};
     Dots sorted;
     const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {

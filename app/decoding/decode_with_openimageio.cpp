@@ -127,9 +127,12 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
     PixelLayout layout = layout_of(spec);
     const int orientation = spec.get_int_attribute("Orientation", 1);
     const ImageHeader header{
-        spec.width, spec.height, orientation >= 1 && orientation <= 8 ? orientation : 1,
+        spec.width,
+        spec.height,
+        orientation >= 1 && orientation <= 8 ? orientation : 1,
         layout.channels.grey(),
-        describe(spec.width, spec.height, kind_of(spec), layout.channels, input->format_name())};
+        describe(spec.width, spec.height, kind_of(spec), layout.channels, input->format_name()),
+        spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear};
     if (!request.over_paper) layout.channels.alpha.reset();
     const StoredPixels decoder(layout);
 

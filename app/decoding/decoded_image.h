@@ -17,6 +17,7 @@ struct ImageHeader {
     int orientation = 1;        // EXIF's, 1..8: how the camera was held
     bool grey = false;          // red, green and blue are the same everywhere
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
+    bool scene_light = false;   // as it was in front of a camera, where white is not 1
 };
 
 /// Takes a picture: begin() once, then row() for each row from the top down.

@@ -14,7 +14,7 @@ constexpr std::size_t kLongestText = 1 << 12;
 constexpr char kPicture = 'p', kRow = 'r', kError = 'e', kTooManyPixels = 'm';
 
 struct Numbers {
-    std::int32_t width, height, orientation, grey;
+    std::int32_t width, height, orientation, grey, scene_light;
 };
 
 class Reader {
@@ -71,7 +71,8 @@ void ImagePipe::row(std::span<const glm::vec3> colours) {
     if (!started_) {
         started_ = true;
         put(&kPicture, 1);
-        const Numbers numbers{header_.width, header_.height, header_.orientation, header_.grey ? 1 : 0};
+        const Numbers numbers{header_.width, header_.height, header_.orientation, header_.grey ? 1 : 0,
+                              header_.scene_light ? 1 : 0};
         put(&numbers, sizeof numbers);
         put_text(header_.description);
     }
@@ -121,8 +122,8 @@ bool receive_image(int descriptor, const DecodeRequest& request, ImageSink& sink
     if (kind != kPicture) fail(reader, kind);
     Numbers numbers{};
     if (!reader.get(&numbers, sizeof numbers)) return false;
-    const ImageHeader header{numbers.width, numbers.height, numbers.orientation, numbers.grey != 0,
-                             reader.text()};
+    const ImageHeader header{numbers.width,     numbers.height, numbers.orientation,
+                             numbers.grey != 0, reader.text(),  numbers.scene_light != 0};
     check_size(header.width, header.height, 1, request);
     sink.begin(header);
     std::vector<glm::vec3> colours(static_cast<std::size_t>(header.width));

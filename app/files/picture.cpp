@@ -15,13 +15,15 @@ class PictureSink : public ImageSink {
     void begin(const ImageHeader& header) override {
         builder_.emplace(header.width, header.height, ExifOrientation{header.orientation});
         description_ = header.description;
+        scene_light_ = header.scene_light;
     }
     void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() { return builder_->finish(std::move(description_)); }
+    Picture finish() { return builder_->finish(std::move(description_), scene_light_); }
 
  private:
     std::optional<PictureBuilder> builder_;
     std::string description_;
+    bool scene_light_ = false;
     int row_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <utility>
 
+#include "core/image/exposure.h"
 #include "core/image/tone.h"
 
 namespace dapple {
@@ -70,12 +71,14 @@ void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
     }
 }
 
-Picture PictureBuilder::finish(std::string description) {
+Picture PictureBuilder::finish(std::string description, bool scene_light) {
     Picture picture;
+    if (scene_light) picture.exposure = usual_exposure(light_);
+    const float gain = std::exp2(picture.exposure);
     picture.preview = Grid<glm::u8vec4>(preview_.width, preview_.height);
     for (std::size_t i = 0; i < preview_.values.size(); ++i) {
         const Sum& sum = preview_.values[i];
-        const glm::vec3 mean = sum.light / std::max(sum.count, 1.0f);
+        const glm::vec3 mean = sum.light * (gain / std::max(sum.count, 1.0f));
         picture.preview.values[i] = {encode(mean.x), encode(mean.y), encode(mean.z), 255};
     }
     picture.light = std::move(light_);

@@ -23,8 +23,8 @@ class PictureBuilder {
     /// Linear light over white paper, one stored row: `colours` has width values.
     void add_row(int y, std::span<const glm::vec3> colours);
 
-    /// Once all rows are in.
-    Picture finish(std::string description);
+    /// Once all rows are in. `scene_light`: it is light as it was in front of a camera, not a photograph's.
+    Picture finish(std::string description, bool scene_light = false);
 
  private:
     struct Sum {

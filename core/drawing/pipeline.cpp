@@ -9,6 +9,7 @@
 #include "core/drawing/relaxed_stream.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
+#include "core/image/exposure.h"
 
 namespace dapple {
 
@@ -68,8 +69,9 @@ double DrawingPlan::radius(double scale) const {
     return 0;
 }
 
-void Pipeline::set_light(Grid<float> light) {
+void Pipeline::set_light(Grid<float> light, float usual_exposure) {
     light_ = std::move(light);
+    usual_exposure_ = usual_exposure;
     histogram_.reset();
     toned_.reset();
     density_.reset();
@@ -80,9 +82,12 @@ void Pipeline::set_plain(std::optional<Density> density) {
     if (density) plain_ = std::make_shared<const Density>(std::move(*density));
 }
 
-const Histogram& Pipeline::histogram() {
-    if (!histogram_) histogram_ = histogram_of(light_);
-    return *histogram_;
+std::shared_ptr<const Histogram> Pipeline::histogram(float exposure) {
+    if (light_.empty()) return nullptr;
+    if (!histogram_ || histogram_exposure_ != exposure)
+        histogram_ = std::make_shared<const Histogram>(histogram_of(light_, exposure));
+    histogram_exposure_ = exposure;
+    return histogram_;
 }
 
 std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
@@ -90,7 +95,7 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     if (density_ && toned_ == toned) return density_;
     const auto start = Clock::now();
     density_.reset();  // its memory may be needed
-    Grid<float> light = light_;
+    Grid<float> light = exposed(light_, toned.tone.exposure);
     if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
     density_ = std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
     toned_ = toned;
@@ -134,7 +139,9 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     DrawingPlan plan;
     plan.tone = request.tone;
     plan.size = request.size;
-    if (request.automatic_tone && !plain_) plan.tone = auto_tone(histogram(), request.tone);
+    if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
+    plan.histogram = histogram(plan.tone.exposure);
+    if (request.automatic_tone && !plain_) plan.tone = auto_tone(*plan.histogram, plan.tone);
 
     const bool moves = request.placer == PlacerKind::exact;
     plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;

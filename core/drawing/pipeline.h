@@ -25,8 +25,9 @@ namespace dapple {
 
 /// What a request comes to on a picture: all that is known before a dot is placed.
 struct DrawingPlan {
-    Tone tone;                               // as drawn, with the values that were chosen automatically
-    std::shared_ptr<const Density> density;  // shared with streams; never changes
+    Tone tone;                                   // as drawn, with the values that were chosen automatically
+    std::shared_ptr<const Density> density;      // shared with streams; never changes
+    std::shared_ptr<const Histogram> histogram;  // of the light as exposed; none without a picture
     PlacerKind placer = PlacerKind::exact;
     PlacingRequest placing;  // a count or a scale within the limits
     bool lowered = false;    // more was asked for
@@ -56,13 +57,13 @@ struct DrawingWatch {
 
 class Pipeline {
  public:
-    /// Draws another picture from now on, of linear light: see Picture.
-    void set_light(Grid<float> light);
+    /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
+    /// exposure comes to, in stops.
+    void set_light(Grid<float> light, float usual_exposure = 0);
     /// A density in the picture's place, which no tone changes; none: the picture again.
     void set_plain(std::optional<Density> density);
     bool has_picture() const { return plain_ || !light_.empty(); }
     const Grid<float>& light() const { return light_; }
-    const Histogram& histogram();
 
     void set_tile(RankedTile tile) { tile_.emplace(std::move(tile)); }
     RankedTile& tile() { return *tile_; }
@@ -96,11 +97,14 @@ class Pipeline {
     };
 
     std::shared_ptr<const Density> toned_density(const Toned& toned);
+    std::shared_ptr<const Histogram> histogram(float exposure);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
     Grid<float> light_;
-    std::optional<Histogram> histogram_;  // of the light, once it was asked for
-    std::optional<Toned> toned_;          // what density_ was made with
+    float usual_exposure_ = 0;
+    float histogram_exposure_ = 0;  // what histogram_ was made with
+    std::shared_ptr<const Histogram> histogram_;
+    std::optional<Toned> toned_;  // what density_ was made with
     std::shared_ptr<const Density> density_, plain_;
     std::optional<RankedTile> tile_;
     double tone_ms_ = 0;

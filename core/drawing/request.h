@@ -31,6 +31,8 @@ struct DrawingRequest {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
+    /// If automatic, tone.exposure is the picture's usual one: see Pipeline::set_light().
+    bool automatic_exposure = true;
     Tone tone = {};
     PlacerKind placer = PlacerKind::exact;
     /// Of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.

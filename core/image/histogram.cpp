@@ -16,7 +16,7 @@ namespace {
 // transfer function bends least: a power for each pixel would take ten times as long.
 class EncodedSteps {
  public:
-    EncodedSteps() {
+    explicit EncodedSteps(float exposure) : gain_(std::exp2(exposure)) {
         for (int i = 0; i <= kRoots; ++i) {
             const float root = static_cast<float>(i) / kRoots;
             steps_[i] = linear_to_srgb(root * root) * Histogram::kSteps;
@@ -26,7 +26,8 @@ class EncodedSteps {
 
     float operator()(float light) const {
         // In this order NaN becomes white.
-        const float at_most_1 = light < 1 ? light : 1.0f;
+        const float seen = light * gain_;
+        const float at_most_1 = seen < 1 ? seen : 1.0f;
         const float at = std::sqrt(at_most_1 > 0 ? at_most_1 : 0.0f) * kRoots;
         const int i = static_cast<int>(at);
         return steps_[i] + (steps_[i + 1] - steps_[i]) * (at - static_cast<float>(i));
@@ -34,6 +35,7 @@ class EncodedSteps {
 
  private:
     static constexpr int kRoots = 4096;
+    float gain_;
     std::array<float, kRoots + 2> steps_;
 };
 
@@ -75,9 +77,9 @@ Part within_frame(const Grid<float>& light, const EncodedSteps& steps) {
 
 }  // namespace
 
-Histogram histogram_of(const Grid<float>& light) {
+Histogram histogram_of(const Grid<float>& light, float exposure) {
     if (light.empty()) return {};
-    const EncodedSteps steps;
+    const EncodedSteps steps(exposure);
     const Part part = within_frame(light, steps);
     const auto count = [&](const tbb::blocked_range<int>& rows, Histogram histogram) {
         for (int y = rows.begin(); y != rows.end(); ++y) {

@@ -22,11 +22,12 @@ struct Histogram {
     bool operator==(const Histogram&) const = default;
 };
 
-/// The histogram of a picture of linear light, taken as density_of() takes it: values outside 0..1 are
-/// clamped, NaN is white. A frame of one tone, as around a slide or a film, is left out: on each side the
-/// rows or columns that differ by no more than two 8-bit steps from the picture's corner, if they are a
-/// fiftieth of the picture at least. A picture of one tone is all counted. A few milliseconds a megapixel.
-Histogram histogram_of(const Grid<float>& light);
+/// The histogram of a picture of linear light, exposed by so many stops, taken as density_of() takes it:
+/// values outside 0..1 are clamped, NaN is white. A frame of one tone, as around a slide or a film, is left
+/// out: on each side the rows or columns that differ by no more than two 8-bit steps from the picture's
+/// corner, if they are a fiftieth of the picture at least. A picture of one tone is all counted. A few
+/// milliseconds a megapixel.
+Histogram histogram_of(const Grid<float>& light, float exposure = 0);
 
 /// The encoded value below or at which that percentage (0..100) of the pixels lie, by nearest rank; right to
 /// half a bin. 0 if the histogram is empty.

@@ -6,12 +6,13 @@
 
 namespace dapple {
 
-/// What the tone sliders say. Levels, contrast, brightness and gamma act on the sRGB-encoded value, 0 black
-/// to 1 white, as in photo editors; blur acts on light, and so would detail, whose scale only the caller
-/// knows. The defaults change nothing: the ink covers the light that the photograph lacks. Inverted, for ink
-/// that is lighter than its paper, it covers the light that the photograph has, so the other settings do to
-/// what is seen what they do for dark ink.
+/// What the tone sliders say. Exposure comes first, in stops of light. Levels, contrast, brightness and gamma
+/// act on the sRGB-encoded value, 0 black to 1 white, as in photo editors; blur acts on light, and so would
+/// detail, whose scale only the caller knows. The defaults change nothing: the ink covers the light that the
+/// photograph lacks. Inverted, for ink that is lighter than its paper, it covers the light that the
+/// photograph has, so the other settings do to what is seen what they do for dark ink.
 struct Tone {
+    float exposure = 0;     // stops, see exposed(); not applied by density_of()
     float black_point = 0;  // encoded value drawn as black; 0..1, below white_point
     float white_point = 1;  // encoded value drawn as white
     float contrast = 0;     // -1 flat grey .. 0 as it is .. 1 hard
@@ -30,8 +31,8 @@ float linear_to_srgb(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
-/// with_detail() first. `ink` says which density covers how much. Takes the picture by value so that a large
-/// one can be turned in place.
+/// with_detail() first, and exposed() before that. `ink` says which density covers how much. Takes the
+/// picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 
 }  // namespace dapple

@@ -72,10 +72,16 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     for (std::size_t i = count; i < dots.pieces.size(); ++i) dots.pieces[i].resize(0, thresholds);
     for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].tail.clear();
     const double most = std::accumulate(memory.pieces.most.begin(), memory.pieces.most.end(), 0.0);
+    std::atomic<std::size_t> done = 0;
+    const auto report = [&](std::size_t pieces) {
+        if (memory.share) *memory.share = static_cast<float>(pieces) / static_cast<float>(count);
+    };
+    if (count > 0) report(0);
     for_each_on_threads(count, threads, [&](std::size_t i) {
         if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, thresholds);
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);
         place_piece(traversal, memory.pieces, i, emitter, stop);
+        report(++done);
     });
     return !stop.stop_requested();
 }
@@ -93,6 +99,10 @@ Placer::Placer(std::shared_ptr<const PlacingTable> table)
 Placer::Placer(Placer&&) noexcept = default;
 Placer& Placer::operator=(Placer&&) noexcept = default;
 Placer::~Placer() = default;
+
+void Placer::report_share(std::atomic<float>* share) {
+    memory_->share = share;
+}
 
 std::optional<double> Placer::place(const Density& density, const PlacingRequest& request, DotPieces& dots,
                                     std::stop_token stop) {

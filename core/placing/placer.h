@@ -6,6 +6,7 @@
 // lost. Newborn points are ranked jointly, so every density between two levels is about as even as the levels
 // are.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -93,6 +94,11 @@ class Placer {
     /// The end of a drawing with a count, for who hands it over more than once. Nothing if stopped.
     std::optional<CountCut> find_cut(const Density& density, const PlacingRequest& request,
                                      std::stop_token stop = {});
+
+    /// Where place() says, from now on, which share of its work is done, 0..1: piece by
+    /// piece, for another thread to look at. Now and then a count takes a second try, which begins anew.
+    /// Null: nowhere.
+    void report_share(std::atomic<float>* share);
 
  private:
     std::optional<double> place_count(const Density& density, const PlacingRequest& request, DotPieces& dots,

@@ -1,6 +1,7 @@
 #pragma once
 // What a placer keeps from one placing to the next, and the placing that its calls share.
 
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 namespace dapple {
 
 struct PlacerMemory {
+    std::atomic<float>* share = nullptr;  // see Placer::report_share()
     Pieces pieces;
     std::vector<PieceMemory> piece_memories;
     std::vector<EmitterMemory> emitters;  // of pieces that are kept: piece i's tail is emitters[i].tail

@@ -13,8 +13,10 @@ namespace {
 
 // Between two turns of a wheel, or two moves of a slider, there is less.
 constexpr double kRestSeconds = 0.15;
-// Of dots, in a frame while something moves, and in a frame in which it rests.
+// Of dots, in a frame while something moves, and in a frame in which it rests: at most, see FrameBudget.
 constexpr double kQuickSeconds = 0.015, kStepSeconds = 0.025;
+// Of a picture's pixels, in a frame.
+constexpr double kUploadSeconds = 0.01;
 
 }  // namespace
 
@@ -27,9 +29,21 @@ void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     drawn_camera_.reset();
 }
 
-void Canvas::set_picture(Side side, const Grid<glm::u8vec4>& picture) {
-    renderers_[static_cast<int>(side)].set_picture(picture);
+void Canvas::set_picture(Side side, PictureLevels levels) {
+    renderers_[static_cast<int>(side)].set_picture(std::move(levels));
+    uploading_ = true;
     drawn_camera_.reset();
+}
+
+void Canvas::learn(double last_frame) {
+    budget_.learn(last_frame, std::exchange(budgeted_, 0));
+}
+
+void Canvas::upload() {
+    if (!uploading_) return;
+    uploading_ = false;
+    for (Renderer& renderer : renderers_) uploading_ |= !renderer.upload(kUploadSeconds / 2);
+    if (!uploading_) drawn_camera_.reset();
 }
 
 void Canvas::fit() {
@@ -69,12 +83,13 @@ void Canvas::draw_quickly(glm::ivec2 pixels) {
     job_side_.reset();
     picture_.resize(pixels);
     drawn_ = Fineness::full;
-    const double seconds = drawn_look_.divider < 1 ? kQuickSeconds / 2 : kQuickSeconds;
+    const double all = budget_.seconds(kQuickSeconds), seconds = drawn_look_.divider < 1 ? all / 2 : all;
     for (const Side side : kSides) {
         const auto index = static_cast<std::size_t>(side);
         const Fineness drawn = renderers_[index].draw_quickly(picture_, camera_, drawn_look_.sides[index],
                                                               columns_of(side, pixels), seconds);
         if (drawn == Fineness::quick) drawn_ = drawn;
+        budgeted_ += renderers_[index].dots_seconds();
     }
     glFinish();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -92,12 +107,15 @@ void Canvas::go_on(glm::ivec2 pixels) {
             renderers_[index].begin(camera_, drawn_look_.sides[index], columns_of(side, pixels));
         }
     }
-    while (job_side_ && std::chrono::duration<double>(Clock::now() - begin).count() < kStepSeconds) {
-        if (!renderers_[*job_side_].step(full_, kStepSeconds)) break;
+    const double seconds = budget_.seconds(kStepSeconds);
+    const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    while (job_side_ && passed() < seconds) {
+        if (!renderers_[*job_side_].step(full_, seconds - passed())) break;
         if (++*job_side_ == kSides.size()) job_side_.reset();
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    job_seconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
+    budgeted_ = passed();
+    job_seconds_ += budgeted_;
     if (job_side_) return;
     std::swap(picture_, full_);
     drawn_ = Fineness::full;
@@ -109,6 +127,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
     for (CanvasLook& side : look.sides) side.page_size = page_size_;
     if (redraw == Redraw::later) return;
+    upload();
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         drawn_camera_ = camera_;
         drawn_look_ = look;

@@ -11,6 +11,7 @@
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/renderer.h"
+#include "app/viewer/model/frame_budget.h"
 #include "app/viewer/model/workbench.h"
 
 namespace dapple {
@@ -37,7 +38,8 @@ class Canvas {
  public:
     /// The page is as large as the left side's. The drawing is looked at until the next one is set.
     void set_drawing(Side side, const PlacedDrawing& drawing);
-    void set_picture(Side side, const Grid<glm::u8vec4>& picture);
+    /// Shown once it is uploaded, a part in each frame: see Renderer.
+    void set_picture(Side side, PictureLevels levels);
 
     void fit();
     /// So many pixels for the page's longer side, about the middle.
@@ -50,14 +52,17 @@ class Canvas {
     /// Wheel and drag, unless ImGui's windows want the mouse.
     void handle_mouse(const CanvasPlace& place);
 
+    /// The frame before took so many seconds, all in all: how long it may draw in the next goes by that.
+    void learn(double last_frame);
+
     /// Puts the drawing behind ImGui's windows.
     void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
     /// Of the newest drawing that is whole, in milliseconds.
     double draw_ms() const { return draw_ms_; }
-    /// Another frame is to follow at once: it is being drawn fully, a part in each frame, so that mouse and
-    /// keys are answered in between.
-    bool drawing() const { return job_side_.has_value(); }
+    /// Another frame is to follow at once: it is being drawn fully, or a picture uploaded, a part in each
+    /// frame, so that mouse and keys are answered in between.
+    bool drawing() const { return job_side_.has_value() || uploading_; }
     /// Seconds after which another frame will draw it fully; none if it is.
     std::optional<double> rest() const;
 
@@ -65,6 +70,7 @@ class Canvas {
     using Clock = std::chrono::steady_clock;
 
     Columns columns_of(Side side, glm::ivec2 pixels) const;
+    void upload();
     void draw_quickly(glm::ivec2 pixels);
     void go_on(glm::ivec2 pixels);
 
@@ -72,6 +78,9 @@ class Canvas {
     GlFramebuffer picture_, full_;         // shown, and the one that is being drawn fully
     std::optional<std::size_t> job_side_;  // the side being drawn fully
     double job_seconds_ = 0;
+    FrameBudget budget_;
+    double budgeted_ = 0;  // seconds of the last frame that went by the budget
+    bool uploading_ = false;
     Camera camera_;
     glm::dvec2 page_size_{1, 1};
     bool fitted_ = true;  // until the person zooms or moves

@@ -102,6 +102,22 @@ void GlTexture::write(const Grid<glm::u8vec4>& pixels) {
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 
+void GlTexture::make_room(int width, int height) {
+    bind();
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    for (int level = 0;; ++level, width = std::max(width / 2, 1), height = std::max(height / 2, 1)) {
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        if (width == 1 && height == 1) return;
+    }
+}
+
+void GlTexture::put_rows(int level, const Grid<glm::u8vec4>& pixels, int first, int count) {
+    bind();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, level, 0, first, pixels.width, count, GL_RGBA, GL_UNSIGNED_BYTE,
+                    pixels.row(first));
+}
+
 GlFramebuffer::GlFramebuffer() : name_(generated([](GLsizei n, GLuint* p) { glGenFramebuffers(n, p); })) {}
 
 void GlFramebuffer::resize(glm::ivec2 size, Texels texels) {

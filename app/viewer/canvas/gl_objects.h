@@ -83,6 +83,10 @@ class GlTexture {
     GlTexture();
     void bind() const { glBindTexture(GL_TEXTURE_2D, name_.get()); }
     void write(const Grid<glm::u8vec4>& pixels);
+    /// The same in slices: room for a picture and its mipmaps, each half as large, whose rows are then put
+    /// one after the other. Before all of them are there, what it shows is anything.
+    void make_room(int width, int height);
+    void put_rows(int level, const Grid<glm::u8vec4>& pixels, int first, int count);
     GLuint get() const { return name_.get(); }
 
  private:

@@ -1,6 +1,7 @@
 #include "app/viewer/canvas/pane_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "app/viewer/widgets/theme.h"
@@ -15,6 +16,7 @@ CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, f
     look.ink = settings.drawing.ink;
     look.dot_radius = pane.page().dot_radius;
     if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
+    look.picture_gain = std::exp2(pane.page().tone.exposure - session.picture().exposure);
     look.tiles = settings.drawing.show_tiles;
     look.fade_scale = pane.fade_scale(zoom);
     if (look.fade_scale > 0) look.dot_radius /= zoom.enlargement;

@@ -5,6 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
+#include <initializer_list>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image/colour.h"
@@ -71,6 +74,18 @@ void take(FloatBuffer& to, const FloatBuffer& from, std::size_t first, std::size
     for (std::size_t i = 0; i < count; i += every) to.push_back(from[first + i]);
 }
 
+// The same shader with a few words defined, after its first line, which says the version.
+std::string with_define(std::string_view source, std::initializer_list<const char*> words) {
+    std::string text(source);
+    std::size_t at = text.find('\n') + 1;
+    for (const char* const word : words) {
+        const std::string line = std::string("#define ") + word + "\n";
+        text.insert(at, line);
+        at += line.size();
+    }
+    return text;
+}
+
 // About so long is what is drawn between two looks at the clock.
 constexpr double kSliceSeconds = 0.008;
 constexpr std::size_t kFewestDots = 2048, kMostDotsAtOnce = 1 << 19;
@@ -80,6 +95,8 @@ constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
 Renderer::Renderer()
     : page_(shaders::page_vert(), shaders::page_frag()),
+      sheet_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET"})),
+      sheet_with_picture_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PICTURE"})),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
       tile_(shaders::tile_vert(), shaders::tile_frag()) {
     dot_array_.bind();
@@ -140,10 +157,35 @@ void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& wi
     tile_window_ = window;
 }
 
-void Renderer::set_picture(const Grid<glm::u8vec4>& picture) {
+void Renderer::set_picture(PictureLevels levels) {
     job_.reset();
-    has_picture_ = !picture.empty();
-    if (has_picture_) picture_.write(picture);
+    has_picture_ = false;
+    uploading_ = levels && !levels->empty() ? std::move(levels) : nullptr;
+    upload_level_ = 0;
+    upload_row_ = 0;
+    if (uploading_) picture_.make_room(uploading_->front().width, uploading_->front().height);
+}
+
+bool Renderer::upload(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    constexpr int kPixelsAtOnce = 1 << 17;
+    const auto begin = Clock::now();
+    while (uploading_) {
+        if (upload_level_ == uploading_->size()) {
+            uploading_.reset();
+            has_picture_ = true;
+            return true;
+        }
+        if (std::chrono::duration<double>(Clock::now() - begin).count() >= seconds) return false;
+        const Grid<glm::u8vec4>& level = (*uploading_)[upload_level_];
+        const int rows = std::clamp(kPixelsAtOnce / level.width, 1, level.height - upload_row_);
+        picture_.put_rows(static_cast<int>(upload_level_), level, upload_row_, rows);
+        upload_row_ += rows;
+        if (upload_row_ < level.height) continue;
+        upload_row_ = 0;
+        ++upload_level_;
+    }
+    return true;
 }
 
 Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
@@ -159,6 +201,7 @@ Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, cons
 Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                                 Columns columns, double seconds) {
     job_.reset();
+    dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
     const auto most = std::max(static_cast<std::size_t>(seconds / seconds_per_quick_dot_), kFewestDots);
@@ -184,7 +227,8 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     const auto width = static_cast<int>(camera.canvas.x);
     Job job{.camera = camera,
             .look = look,
-            .columns = {std::max(columns.first, 0), std::min(columns.end, width)}};
+            .columns = {std::max(columns.first, 0), std::min(columns.end, width)},
+            .fineness = fineness};
     if (job.columns.first >= job.columns.end) {
         job.next_row = static_cast<int>(camera.canvas.y);  // nothing to draw
         return job;
@@ -221,6 +265,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
+    const double slice_seconds = std::min(kSliceSeconds, seconds);
     bool goes_on = true;
     const auto spent = [&] {
         if (in_steps) goes_on = passed(begin) < seconds;
@@ -228,7 +273,10 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     };
     if (job.grid.samples > 0 && !job.prepared) {
         prepare_dots(job);
-        if (in_steps) glFinish();
+        if (in_steps) {
+            glFinish();
+            spent();
+        }
     }
     job.prepared = true;
     const std::size_t from = job.next_block;
@@ -236,7 +284,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     while (goes_on && job.next_block < job.blocks.size()) {
         const auto slice = Clock::now();
         const std::size_t before = job.next_block;
-        const auto most = static_cast<std::size_t>(kSliceSeconds / seconds_per_dot_);
+        const auto most = static_cast<std::size_t>(slice_seconds / seconds_per_dot_);
         draw_dots(job, std::clamp(most, kFewestDots, kMostDotsAtOnce));
         if (!in_steps) continue;
         glFinish();
@@ -247,8 +295,9 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     }
     if (!in_steps && job.next_block > from) {
         glFinish();
+        dots_seconds_ = passed(dots_begin);
         const double drawn = static_cast<double>(job.in_view) / static_cast<double>(job.every);
-        if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(passed(dots_begin) / drawn, 1e-9));
+        if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(dots_seconds_ / drawn, 1e-9));
     }
     if (job.next_block < job.blocks.size()) return false;
     picture.bind();
@@ -257,10 +306,9 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     while (goes_on && job.next_row < height) {
         const auto slice = Clock::now();
         const int most =
-            in_steps ? static_cast<int>(std::min(kSliceSeconds / seconds_per_row_, 1e6)) : height;
+            in_steps ? static_cast<int>(std::min(slice_seconds / seconds_per_row_, 1e6)) : height;
         const int rows = std::clamp(most, 1, height - job.next_row);
-        glScissor(job.columns.first, job.next_row, job.columns.end - job.columns.first, rows);
-        draw_page(job);
+        draw_page(job, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
         job.next_row += rows;
         if (!in_steps) continue;
         glFinish();
@@ -299,10 +347,15 @@ Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& loo
     return grid;
 }
 
+GlFramebuffer& Renderer::dots_of(const Job& job) {
+    return job.fineness == Fineness::quick ? quick_dots_ : full_dots_;
+}
+
 void Renderer::prepare_dots(const Job& job) {
     const glm::ivec2 size = (job.grid.high - job.grid.low) * job.grid.samples;
-    dots_.resize(size, has_colours_ ? Texels::light : Texels::cover);
-    dots_.bind();
+    GlFramebuffer& dots = dots_of(job);
+    dots.resize(size, has_colours_ ? Texels::light : Texels::cover);
+    dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
 }
@@ -360,7 +413,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     const double guard = std::ceil(largest) + 1;
     const bool sprites = 2 * guard <= largest_point_;
     const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
-    dots_.bind();
+    dots_of(job).bind();
     glEnable(GL_FRAMEBUFFER_SRGB);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     dot_.use();
@@ -390,20 +443,47 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-void Renderer::draw_page(const Job& job) const {
+// The part of it that is wholly on the sheet, which is most of it, by a program that does only what is needed
+// there, and the rest about it.
+void Renderer::draw_page(const Job& job, const PixelBox& box) {
+    const Camera& camera = job.camera;
+    const int height = static_cast<int>(camera.canvas.y);
+    const glm::vec2 page_low = to_canvas(camera, PagePoint(0)),
+                    page_high = to_canvas(camera, page_point(job.look.page_size));
+    // The page may reach further than integers do.
+    const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
+    const PixelBox inner{
+        glm::clamp(glm::ivec2(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y))),
+                   box.low, box.high),
+        glm::clamp(glm::ivec2(column(std::floor(page_high.x)), height - column(std::ceil(page_low.y))),
+                   box.low, box.high)};
+    if (inner.low.x >= inner.high.x || inner.low.y >= inner.high.y) return draw_page(job, box, page_);
+    const bool picture = has_picture_ && job.look.picture_opacity > 0;
+    draw_page(job, inner, picture ? sheet_with_picture_ : sheet_);
+    draw_page(job, {box.low, {box.high.x, inner.low.y}}, page_);
+    draw_page(job, {{box.low.x, inner.high.y}, box.high}, page_);
+    draw_page(job, {{box.low.x, inner.low.y}, {inner.low.x, inner.high.y}}, page_);
+    draw_page(job, {{inner.high.x, inner.low.y}, {box.high.x, inner.high.y}}, page_);
+}
+
+void Renderer::draw_page(const Job& job, const PixelBox& box, const GlProgram& program) {
+    const glm::ivec2 size_of_box = box.high - box.low;
+    if (size_of_box.x <= 0 || size_of_box.y <= 0) return;
+    glScissor(box.low.x, box.low.y, size_of_box.x, size_of_box.y);
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
     const DotGrid& grid = job.grid;
     glViewport(0, 0, static_cast<GLsizei>(camera.canvas.x), static_cast<GLsizei>(camera.canvas.y));
-    page_.use();
-    set_page(page_, camera, look);
-    glUniform1f(page_.uniform("shadow"), 14 * look.pixel_scale);
-    glUniform1f(page_.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
-    glUniform1i(page_.uniform("picture"), 0);
-    glUniform1i(page_.uniform("dots"), 1);
-    glUniform1i(page_.uniform("samples"), grid.samples);
+    program.use();
+    set_page(program, camera, look);
+    glUniform1f(program.uniform("shadow"), 14 * look.pixel_scale);
+    glUniform1f(program.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
+    glUniform1f(program.uniform("picture_gain"), look.picture_gain);
+    glUniform1i(program.uniform("picture"), 0);
+    glUniform1i(program.uniform("dots"), 1);
+    glUniform1i(program.uniform("samples"), grid.samples);
     const int height = static_cast<int>(camera.canvas.y);
-    glUniform4i(page_.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
+    glUniform4i(program.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
                 height - grid.low.y);
     const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
     const auto sample = [&](PagePoint point) {
@@ -413,12 +493,13 @@ void Renderer::draw_page(const Job& job) const {
     };
     const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));
     const int rows = static_cast<int>(samples.y);
-    glUniform4i(page_.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
-    set_colour(page_, "desk", look.desk);
-    set_colour(page_, "paper", look.paper);
-    set_colour(page_, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
+    glUniform4i(program.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
+    set_colour(program, "desk", look.desk);
+    set_colour(program, "paper", look.paper);
+    set_colour(program, "paper_light", light_of(look.paper));
+    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
     glActiveTexture(GL_TEXTURE1);
-    dots_.bind_texture();
+    dots_of(job).bind_texture();
     glActiveTexture(GL_TEXTURE0);
     picture_.bind();
     empty_.bind();

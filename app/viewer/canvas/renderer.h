@@ -11,6 +11,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,7 @@ struct CanvasLook {
     glm::dvec2 page_size{1, 1};  // page units
     double dot_radius = 0.002;   // page units; of dots that have none of their own
     float picture_opacity = 0;   // 0: bare paper
+    float picture_gain = 1;      // its light is multiplied by this
     bool dots = true;            // shown
     bool tiles = false;          // outlines shown
     double fade_scale = 0;       // dots fade in below this scale; 0: none does
@@ -42,6 +44,9 @@ struct CanvasLook {
 struct Columns {
     int first = 0, end = std::numeric_limits<int>::max();
 };
+
+/// Shared with whoever made them: they are looked at until they are uploaded.
+using PictureLevels = std::shared_ptr<const std::vector<Grid<glm::u8vec4>>>;
 
 class Renderer {
  public:
@@ -56,7 +61,10 @@ class Renderer {
     void set_dot_colours(std::span<const glm::u8vec4> colours);
     /// Large tiles before small ones: drawn last, their lines stay on top.
     void set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window = {});
-    void set_picture(const Grid<glm::u8vec4>& picture);
+    /// mipmaps_of() it, or nothing. It is seen once upload() has handed all of it to OpenGL.
+    void set_picture(PictureLevels levels);
+    /// Goes on with that for about so many seconds. True if all of it is there, or there is none.
+    bool upload(double seconds);
 
     std::size_t dot_count() const { return dot_count_; }
 
@@ -68,6 +76,9 @@ class Renderer {
     /// larger that the page is as dark as with all of them.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                           Columns columns, double seconds);
+
+    /// How long the dots of that took.
+    double dots_seconds() const { return dots_seconds_; }
 
     /// The same fully and in steps. Setting anything, or another drawing, ends it.
     void begin(const Camera& camera, const CanvasLook& look, Columns columns);
@@ -82,6 +93,11 @@ class Renderer {
         int samples;           // of a pixel's side; 0: there are no dots to be seen
     };
 
+    /// Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
+    struct PixelBox {
+        glm::ivec2 low, high;
+    };
+
     /// A drawing under way: dots, then the page with them, then tiles.
     struct Job {
         Camera camera;
@@ -94,22 +110,26 @@ class Renderer {
         std::size_t tiles = 0;              // still to be drawn: the first ones
         std::size_t next_block = 0;
         int next_row = 0;
+        Fineness fineness = Fineness::full;
         bool prepared = false;  // there is an empty picture for the dots
     };
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     bool go_on(Job& job, const GlFramebuffer& picture, double seconds);
+    GlFramebuffer& dots_of(const Job& job);
     void prepare_dots(const Job& job);
     void draw_dots(Job& job, std::size_t most);
-    void draw_page(const Job& job) const;
+    void draw_page(const Job& job, const PixelBox& box);
+    void draw_page(const Job& job, const PixelBox& box, const GlProgram& program);
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
-    GlProgram page_, dot_, tile_;
+    GlProgram page_, sheet_, sheet_with_picture_, dot_, tile_;  // the first three: see page.frag
     GlVertexArray empty_, dot_array_, dot_quad_array_, tile_array_;
     GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, tiles_, tile_facts_;
-    GlFramebuffer dots_;
+    // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
+    GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
     PagePoint dot_origin_{0, 0};
     PageWindow tile_window_;
@@ -124,11 +144,15 @@ class Renderer {
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     double seconds_per_quick_dot_ = 1e-6;  // they are larger
+    double dots_seconds_ = 0;              // of the last quick drawing
     bool has_critical_ = false;
     bool has_colours_ = false;
     bool has_radii_ = false;
     double mean_radius_ = 0, largest_radius_ = 0;  // page units, if they have one each
     bool has_picture_ = false;
+    PictureLevels uploading_;       // none: nothing is left to be
+    std::size_t upload_level_ = 0;  // the next rows: of this copy,
+    int upload_row_ = 0;            // from this one on
     double largest_point_ = 1, point_step_ = 1;
     SampleLimits limits_;
 };

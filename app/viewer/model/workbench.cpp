@@ -17,8 +17,8 @@ PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& densit
             .density = density};
 }
 
-void Workbench::set_picture(Grid<float> light) {
-    pipeline_.set_light(std::move(light));
+void Workbench::set_picture(Grid<float> light, float usual_exposure) {
+    pipeline_.set_light(std::move(light), usual_exposure);
 }
 
 DrawingPlan Workbench::plan(const PlaceOrder& order) {
@@ -111,12 +111,14 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& o
 bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
     const DrawingPlan made = plan(order);
+    pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
     const bool turns = order.drawing.placer == PlacerKind::exact;
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;
+        placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
         placed.window = order.close ? order.close->window : PageWindow{};

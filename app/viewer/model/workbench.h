@@ -2,7 +2,9 @@
 // The pipeline as the window uses it: with tiles by name, plain densities, parts of the page, outlines and
 // colours.
 
+#include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -41,9 +43,10 @@ PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& densit
 
 struct PlacedDrawing {
     Stippling stippling;
-    Tone tone;                     // as drawn, with the values that were chosen automatically
-    int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
-    double dot_radius = 0;         // page units: of all, or of the largest ones
+    Tone tone;                                   // as drawn, with the values that were chosen automatically
+    std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
+    int steps = 0, all_steps = 0;                // of relaxation: done, and to be done
+    double dot_radius = 0;                       // page units: of all, or of the largest ones
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
@@ -62,13 +65,15 @@ using Unsettled = std::function<bool(const std::function<PlacedDrawing()>& drawi
 class Workbench {
  public:
     /// Shows another picture from now on.
-    void set_picture(Grid<float> light);
+    void set_picture(Grid<float> light, float usual_exposure = 0);
     bool has_picture() const { return pipeline_.has_picture(); }
 
     /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws
     /// std::runtime_error as Pipeline::draw() and tile_named() do. Needs a picture.
     bool place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop = {},
                const Unsettled& unsettled = {});
+    /// Where place() says how far it has come with the exact placer's dots: see Placer::report_share().
+    void report_share(std::atomic<float>* share) { share_ = share; }
 
     /// What that order comes to: the pipeline is then ready for it.
     DrawingPlan plan(const PlaceOrder& order);
@@ -84,6 +89,7 @@ class Workbench {
     Pipeline pipeline_;
     DensityChoice choice_;
     std::optional<TileKey> tile_key_;
+    std::atomic<float>* share_ = nullptr;
 };
 
 }  // namespace dapple

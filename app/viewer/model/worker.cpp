@@ -6,6 +6,8 @@
 #include <exception>
 #include <new>
 
+#include "app/viewer/model/mipmaps.h"
+
 namespace dapple {
 namespace {
 
@@ -132,6 +134,11 @@ std::optional<std::chrono::steady_clock::time_point> Worker::placing_since() con
     return placing_since_;
 }
 
+std::optional<float> Worker::placed_share() const {
+    const float share = placed_share_;
+    return placing_since() && share >= 0 ? std::optional(share) : std::nullopt;
+}
+
 std::vector<WorkerNews> Worker::news(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     if (patience.count() > 0)
@@ -201,6 +208,7 @@ void Worker::run(std::stop_token stop) {
                 placing_stop_ = {};
                 placing_since_ = std::chrono::steady_clock::now();
                 placing_shown_ = false;
+                placed_share_ = -1;
             }
         }
         // Whatever goes wrong, this thread goes on and someone is told.
@@ -224,14 +232,17 @@ void Worker::run_task(OpenTask& task) {
         Picture picture = task.open();
         int longer = std::max(picture.light.width, picture.light.height);
         const bool environment = looks_like_environment(picture.light);
-        workbench_.set_picture(std::move(picture.light));
-        arrived_ = OpenedPicture{task.name,
-                                 picture.description,
-                                 longer,
-                                 std::move(picture.preview),
-                                 workbench_.pipeline().histogram(),
-                                 task.open,
-                                 environment};
+        workbench_.set_picture(std::move(picture.light), picture.exposure);
+        arrived_ = OpenedPicture{
+            .name = task.name,
+            .description = picture.description,
+            .longer_side = longer,
+            .preview = std::make_shared<const std::vector<Grid<glm::u8vec4>>>(
+                mipmaps_of(std::move(picture.preview))),
+            .exposure = picture.exposure,
+            .read = task.open,
+            .looks_like_environment = environment,
+        };
         std::scoped_lock lock(mutex_);
         if (!next_order_ || next_order_->close) next_order_ = last_order_;
     } catch (...) {
@@ -328,6 +339,7 @@ void Worker::run_order(const PlaceOrder& order) {
         placed.drawing = std::move(spare_.back());
         spare_.pop_back();
     }
+    workbench_.report_share(&placed_share_);
     // Steps that fit into a frame are not shown one by one.
     auto shown = std::chrono::steady_clock::now();
     const std::chrono::duration<double> step(static_cast<double>(order.drawing.placing.count.value_or(0)) *

@@ -2,10 +2,12 @@
 // A thread that reads pictures and places dots, and one that writes files, so that the window never waits and
 // sliders go on while a large drawing is saved.
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -23,12 +25,12 @@ namespace dapple {
 
 /// A picture that was opened; its light stays with the worker.
 struct OpenedPicture {
-    std::string name;         // for the title: "cat.png"
-    std::string description;  // "512 x 512 pixels, ..."
-    int longer_side = 1;      // pixels
-    Grid<glm::u8vec4> preview;
-    Histogram histogram;
-    std::function<Picture()> read;  // reads it again
+    std::string name;                                               // for the title: "cat.png"
+    std::string description;                                        // "512 x 512 pixels, ..."
+    int longer_side = 1;                                            // pixels
+    std::shared_ptr<const std::vector<Grid<glm::u8vec4>>> preview;  // mipmaps_of() it
+    float exposure = 0;                                             // see Picture
+    std::function<Picture()> read;                                  // reads it again
     /// Twice as wide as high and in parts brighter than paper, as environment maps are.
     bool looks_like_environment = false;
 };
@@ -90,6 +92,8 @@ class Worker {
 
     /// When the placing that is under way began; none if none is.
     std::optional<std::chrono::steady_clock::time_point> placing_since() const;
+    /// Which share of its dots is placed, 0..1; none before the first, and of Figure 8's, which come at once.
+    std::optional<float> placed_share() const;
 
     /// Everything since the last call. Waits up to `patience` for a placing that is under way.
     std::vector<WorkerNews> news(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
@@ -144,7 +148,8 @@ class Worker {
     std::vector<PlacedDrawing> given_back_;
     std::stop_source placing_stop_, saving_stop_;
     std::optional<std::chrono::steady_clock::time_point> placing_since_;
-    bool placing_shown_ = false;  // of what is under way something was told
+    bool placing_shown_ = false;            // of what is under way something was told
+    std::atomic<float> placed_share_ = -1;  // of what is under way; below 0: not known
     int saves_ = 0;
     SavingFacts saving_;  // of use while saves_ > 0
 

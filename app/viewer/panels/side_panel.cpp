@@ -42,10 +42,12 @@ bool SidePanel::draw(Session& session, const SpectrumFacts& spectrum, const std:
                      glm::vec2 corner, glm::vec2 size) {
     begin_side_panel(corner, size, {session.picture().name, session.picture().description}, act);
     ViewerSettings& settings = session.settings;
-    const Tone& drawn = session.pane().page().tone;
-    const Histogram& histogram = session.picture().histogram;
-    draw_tone_panel(settings.drawing,
-                    {.histogram = histogram, .drawn = drawn, .mostly_black = mostly_black(histogram, drawn)});
+    const PlacedDrawing& page = session.pane().page();
+    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
+    draw_tone_panel(settings.drawing, {.histogram = histogram,
+                                       .drawn = page.tone,
+                                       .usual_exposure = session.picture().exposure,
+                                       .mostly_black = mostly_black(histogram, page.tone)});
     const auto open_tile = [&act] { act(Action::open_tile); };
     draw_dots_panel(settings.drawing, session.drawn(session.pane()), {session.tiles(), open_tile});
     draw_view_panel(settings);

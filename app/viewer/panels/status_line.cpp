@@ -39,12 +39,18 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
     std::vector<StatusItem> items{{dots_in_words(facts), 6}};
     items.push_back({"scale " + in_round_words(facts.scale), 4});
     if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
-    if (facts.placing_seconds > kLongPlacing)
-        items.push_back({fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds), 7});
+    const bool settles = facts.steps<facts.all_steps, is_long = facts.placing_seconds> kLongPlacing;
+    if (is_long && !settles)
+        items.push_back({facts.placed_share
+                             ? fmt::format("placing, {:.0f} %, Escape stops it", 100 * *facts.placed_share)
+                             : fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds),
+                         7});
     else
         items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
-    if (facts.steps < facts.all_steps)
-        items.push_back({fmt::format("settling, step {} of {}", facts.steps, facts.all_steps), 7});
+    if (settles)
+        items.push_back({fmt::format("settling, step {} of {}{}", facts.steps, facts.all_steps,
+                                     is_long ? ", Escape stops it" : ""),
+                         7});
     else if (facts.steps > 0)
         items.push_back({fmt::format("{} steps {:.0f} ms", facts.steps, facts.relax_ms), 3});
     items.push_back({fmt::format("drawing {:.1f} ms", facts.draw_ms), 2});
@@ -53,6 +59,12 @@ std::vector<StatusItem> status_items(const StatusFacts& facts) {
         {facts.zoom < 10 ? fmt::format("{:.0f} %", facts.zoom * 100) : in_round_words(facts.zoom) + " times",
          5});
     return items;
+}
+
+std::optional<double> progress_of(const StatusFacts& facts) {
+    if (facts.placing_seconds <= kLongPlacing) return std::nullopt;
+    if (facts.steps < facts.all_steps) return static_cast<double>(facts.steps) / facts.all_steps;
+    return facts.placed_share;
 }
 
 std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
@@ -72,6 +84,15 @@ void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts
                  kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (const auto share = progress_of(facts)) {
+        const float bar = 3 * ImGui::GetTextLineHeight() / 15;
+        const auto done = static_cast<float>(*share) * size.x;
+        ImDrawList* const list = ImGui::GetWindowDrawList();
+        const ImVec2 low{corner.x, corner.y};
+        list->AddRectFilled(low, {low.x + size.x, low.y + bar}, colour_of(ThemeColour::track));
+        list->AddRectFilled(low, {low.x + done, low.y + bar}, colour_of(ThemeColour::accent));
+        note_place("Progress", {{low.x, low.y}, {low.x + done, low.y + bar}});
+    }
     bool first = true;
     for (const StatusItem& item : fitting(status_items(facts), ImGui::GetContentRegionAvail().x)) {
         if (!std::exchange(first, false)) ImGui::SameLine(0, air_between());

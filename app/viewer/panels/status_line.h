@@ -22,7 +22,8 @@ struct StatusFacts {
     double tone_ms = 0, place_ms = 0, relax_ms = 0;
     int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
     double draw_ms = 0;
-    double placing_seconds = 0;  // that a placing under way has taken so far
+    double placing_seconds = 0;               // that a placing under way has taken so far
+    std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
     double zoom = 1;  // screen pixels a picture pixel
     /// The right side of the split view, for which the line has no room: its captions tell.
@@ -43,13 +44,17 @@ struct StatusItem {
     std::string text;
     int importance = 0;
 };
-/// While a placing takes more than half a second it says so instead of how long the last one took.
+/// While a placing takes more than half a second it says how far it has come instead of how long the last one
+/// took.
 std::vector<StatusItem> status_items(const StatusFacts& facts);
+
+/// How far a placing of more than half a second, or what settles after it, has come, 0..1.
+std::optional<double> progress_of(const StatusFacts& facts);
 
 /// Those that fit into a width, in their order; one at least.
 std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width);
 
-/// A line over the whole width of a rectangle.
+/// A line over the whole width of a rectangle, with a bar at its upper edge while there is progress.
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts);
 
 }  // namespace dapple

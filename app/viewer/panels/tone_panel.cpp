@@ -8,6 +8,7 @@
 #include "app/viewer/panels/histogram.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
+#include "core/image/exposure.h"
 
 namespace dapple {
 namespace {
@@ -16,7 +17,7 @@ enum class Source { automatic, true_light, own };
 
 // A tone without black and white point and the curve between them.
 Tone without_curve(const Tone& tone) {
-    return {.blur = tone.blur, .detail = tone.detail, .invert = tone.invert};
+    return {.exposure = tone.exposure, .blur = tone.blur, .detail = tone.detail, .invert = tone.invert};
 }
 
 Source source_of(const DrawingSettings& settings) {
@@ -65,6 +66,31 @@ bool draw_levels(Tone& tone) {
     return changed;
 }
 
+// The usual one is automatic again: the next picture has its own.
+bool draw_exposure(DrawingSettings& settings, const ToneFacts& facts) {
+    float stops = settings.automatic_exposure ? facts.usual_exposure : settings.tone.exposure;
+    const bool changed =
+        slider_row("Exposure", stops,
+                   {.min = std::min(-8.0, facts.usual_exposure - 4.0),
+                    .max = std::max(8.0, facts.usual_exposure + 4.0),
+                    .neutral = facts.usual_exposure,
+                    .format = "%+.1f EV",
+                    .hard_min = -kMostStops,
+                    .hard_max = kMostStops,
+                    .tip = "How much of the light is taken, in stops: +1 EV is twice as light. HDR pictures "
+                           "open with what shows most of them; a double-click on the name brings that "
+                           "back."});
+    if (changed) {
+        settings.automatic_exposure = stops == facts.usual_exposure;
+        settings.tone.exposure = settings.automatic_exposure ? 0 : stops;
+    }
+    if (settings.automatic_exposure && facts.usual_exposure != 0) {
+        hint("Chosen for this HDR picture's light.");
+        note_place("Exposure chosen");
+    }
+    return changed;
+}
+
 // One quiet line where dots would go into a black ground.
 bool offer_light_ink(DrawingSettings& settings) {
     hint("Nearly all dots go into black.");
@@ -83,6 +109,7 @@ bool offer_light_ink(DrawingSettings& settings) {
 bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts) {
     if (!section("Tone")) return false;
     bool changed = draw_source(settings, facts.drawn);
+    changed |= draw_exposure(settings, facts);
     Tone shown = settings.automatic_tone ? facts.drawn : settings.tone;
     bool own = facts.histogram.total > 0 && draw_histogram(facts.histogram, shown);
     own |= draw_levels(shown);

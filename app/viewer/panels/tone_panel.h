@@ -10,6 +10,7 @@ namespace dapple {
 struct ToneFacts {
     Histogram histogram{};      // of the picture; empty: none is shown
     Tone drawn{};               // with the values that were chosen automatically
+    float usual_exposure = 0;   // what automatic exposure comes to
     bool mostly_black = false;  // light ink would draw it better; see core/image/ink_use.h
 };
 

@@ -25,6 +25,7 @@ struct Frame {
     glm::vec2 panels{0};  // their size; not shown if they have no width
     glm::dvec2 pixels_per_point{1};
     const std::function<void(Action)>& act;  // for buttons
+    double last_seconds = 0;                 // that the frame before took
 };
 
 class Document {

@@ -134,6 +134,7 @@ void DrawingDocument::draw(const Frame& frame) {
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
+    canvas_.learn(frame.last_seconds);
     canvas_.show(place, look(place), redraw);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
@@ -240,6 +241,17 @@ double DrawingDocument::placing_seconds() const {
     return longest.count();
 }
 
+// Of the side that is behind.
+std::optional<double> DrawingDocument::placed_share() const {
+    std::optional<double> least;
+    for (const Pane* pane : {&session_.pane(), session_.right()}) {
+        if (!pane) continue;
+        if (const auto share = pane->worker().placed_share())
+            least = std::min<double>(least.value_or(1), *share);
+    }
+    return least;
+}
+
 StatusFacts DrawingDocument::facts() const {
     const Pane& pane = session_.pane();
     const Stippling& stippling = pane.shown().stippling;
@@ -254,6 +266,7 @@ StatusFacts DrawingDocument::facts() const {
             .all_steps = pane.shown().all_steps,
             .draw_ms = canvas_.draw_ms(),
             .placing_seconds = placing_seconds(),
+            .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
             .right = right_facts(),

@@ -59,6 +59,7 @@ class DrawingDocument : public Document {
     void show_news(Side side, const Pane* pane);
     StatusFacts facts() const;
     double placing_seconds() const;
+    std::optional<double> placed_share() const;
     std::optional<StatusFacts::RightSide> right_facts() const;
     SpectrumFacts spectrum();
     void measure_dots();

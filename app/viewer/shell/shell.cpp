@@ -49,6 +49,7 @@ int Shell::run(std::unique_ptr<Document> document) {
         frame(*document);
         if (auto successor = document->take_successor()) document = std::move(successor);
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+        last_seconds_ = passed.count() / 1e3;
         if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
@@ -66,7 +67,8 @@ void Shell::frame(Document& document) {
                       .canvas = {std::max(screen.x - panels, 1.0f), std::max(screen.y, 1.0f)},
                       .panels = {panels, screen.y},
                       .pixels_per_point = window_.pixels_per_point(),
-                      .act = do_this};
+                      .act = do_this,
+                      .last_seconds = last_seconds_};
     do_this = [&](Action action) { act(action, document, frame); };
     for (const auto& path : window_.take_dropped()) document.take_dropped(path);
     for (Action action : pressed_actions()) do_this(action);

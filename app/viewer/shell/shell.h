@@ -34,6 +34,7 @@ class Shell {
     bool asks_for_tile_ = false;  // of use while the dialog is open and does not save
     bool panels_shown_ = true, help_shown_ = false;
     bool ready_ = false;
+    double last_seconds_ = 0;  // of the last frame
     std::string logged_;
     HealthFacts health_;
 };

@@ -20,6 +20,7 @@ nlohmann::ordered_json status_json(const StatusFacts& facts, std::uint64_t placi
         {"dots", facts.dots},       {"duplicates", facts.duplicates}, {"scale", facts.scale},
         {"zoom", facts.zoom},       {"placings", placings},           {"place_ms", facts.place_ms},
         {"draw_ms", facts.draw_ms}, {"steps", facts.steps},           {"all_steps", facts.all_steps}};
+    if (const auto share = progress_of(facts)) line["progress"] = *share;
     if (facts.right) {
         const auto number = [](const std::optional<double>& value) {
             return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
