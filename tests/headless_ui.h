@@ -76,7 +76,7 @@ class HeadlessUi {
         move_to(at(label, 0.5f));
         press();
         release();
-        rest();
+        settle();
     }
     /// Presses on a slider's track and lets go at another place; positions 0..1 along the track.
     void drag(const std::string& label, float from, float to) {
@@ -85,7 +85,7 @@ class HeadlessUi {
         move_to(at(label, (from + to) / 2));
         move_to(at(label, to));
         release();
-        rest();
+        settle();
     }
     void type(const char* text) {
         ImGui::GetIO().AddInputCharactersUTF8(text);
@@ -117,7 +117,7 @@ class HeadlessUi {
 
  private:
     // So that the next click is no double-click.
-    void rest() {
+    void settle() {
         frame(1);
     }
     void set_button(bool down) {

@@ -46,7 +46,7 @@ TEST_CASE("the left side of the split view is as wide as the divider says, quick
             CAPTURE(rested);
             ui.frame();
             if (rested)
-                while (canvas.rest() || canvas.drawing()) ui.frame();
+                while (canvas.seconds_to_next_frame() || canvas.drawing()) ui.frame();
             const Grid<glm::u8vec4> pixels = shown_pixels();
             REQUIRE(pixels.width == 200);
             int red = 0, blue = 0;

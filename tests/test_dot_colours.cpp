@@ -132,20 +132,20 @@ TEST_CASE("the eight orientations have eight colours") {
 TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in ink") {
     Workbench bench;
     bench.set_picture(Grid<float>(32, 32, 0.25f));
-    PlaceOrder order;
-    order.tile = "aperiodic64";
-    order.drawing.placing.count = 3000;
-    order.drawing.relax = 0;
+    DotsRequest request;
+    request.tile = "aperiodic64";
+    request.drawing.placing.count = 3000;
+    request.drawing.relax = 0;
     PlacedDrawing ink, coloured;
-    REQUIRE(bench.place(order, ink));
+    REQUIRE(bench.place(request, ink));
     CHECK(ink.colours.empty());
     const Dots dots = joined(ink.stippling.dots);
     CHECK(dots.threshold.empty());
     for (const DotColourChoice& choice :
          {DotColourChoice{.colouring = DotColouring::level},
           DotColourChoice{.colouring = DotColouring::orientation}, DotColourChoice{.deepest_level = 1}}) {
-        order.colours = choice;
-        REQUIRE(bench.place(order, coloured));
+        request.colours = choice;
+        REQUIRE(bench.place(request, coloured));
         CHECK(joined(coloured.stippling.dots).x == dots.x);
         REQUIRE(coloured.colours.size() == 3000);
         const auto different = std::ranges::count_if(

@@ -51,7 +51,7 @@ TEST_CASE("however bright or dark the light was, the same part of it is white") 
         const Grid<float> light = times(plain, factor);
         const Grid<float> seen = exposed(light, usual_exposure(light));
         const auto white = std::ranges::count_if(seen.values, [](float v) { return v >= 1; });
-        CHECK(white / static_cast<double>(seen.values.size()) < 0.035);
+        CHECK(static_cast<double>(white) / static_cast<double>(seen.values.size()) < 0.035);
         CHECK(lightest(seen) > 0.95f);
     }
 }
@@ -101,7 +101,7 @@ TEST_CASE("a drawing is the one of light that is as much lighter, with detail an
     const Grid<float> light = stops_between(-6, 0), bright = times(light, 16);
     const auto plan_of = [](const Grid<float>& given, float usual, const DrawingRequest& request) {
         Pipeline pipeline;
-        pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingOrder::energy));
+        pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
         pipeline.set_light(given, usual);
         return pipeline.plan(request);
     };
@@ -130,7 +130,7 @@ TEST_CASE("a drawing is the one of light that is as much lighter, with detail an
 
 TEST_CASE("exposure that changes makes the density and the histogram anew") {
     Pipeline pipeline;
-    pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingOrder::energy));
+    pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
     pipeline.set_light(stops_between(-6, 0));
     DrawingRequest request{.automatic_tone = false, .automatic_exposure = false, .placing = {.count = 1000}};
     const DrawingPlan first = pipeline.plan(request);

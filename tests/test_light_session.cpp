@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 template <class Done>
 bool brings(LightSession& session, Done done) {
     return wait_until([&] {
-        session.take_news();
+        session.take_events();
         return done();
     });
 }

@@ -10,7 +10,7 @@ TEST_CASE("the lights panel that nobody touches changes nothing") {
     settings.request.count = 777;
     const LightsSettings before = settings;
     bool changed = false;
-    HeadlessUi ui([&] { changed |= draw_lights_panel(settings, LightsFacts{}, {}); });
+    HeadlessUi ui([&] { changed |= draw_lights_panel(settings, LightsInfo{}, {}); });
     for (int i = 0; i < 5; ++i) ui.frame();
     CHECK_FALSE(changed);
     CHECK(settings == before);
@@ -18,7 +18,7 @@ TEST_CASE("the lights panel that nobody touches changes nothing") {
 
 TEST_CASE("figures that are not there yet are no numbers") {
     LightsSettings settings;
-    std::optional<LightsFacts> facts;
+    std::optional<LightsInfo> facts;
     HeadlessUi ui([&] { draw_lights_panel(settings, facts, {}); });
     const auto glyphs = [] { return ImGui::GetDrawData()->TotalIdxCount; };
     const float measuring = ui.place("Placing").max.x - ui.place("Placing").min.x;
@@ -32,7 +32,7 @@ TEST_CASE("figures that are not there yet are no numbers") {
 
 TEST_CASE("dragging the lights panel's sliders turns the map and sets exposure and count") {
     LightsSettings settings;
-    HeadlessUi ui([&] { draw_lights_panel(settings, LightsFacts{}, {}); });
+    HeadlessUi ui([&] { draw_lights_panel(settings, LightsInfo{}, {}); });
     ui.drag("Rotation", 0.5f, 1.0f);
     CHECK(settings.turn_degrees == 180);
     ui.drag("Exposure", 0.5f, 0.0f);

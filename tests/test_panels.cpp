@@ -33,7 +33,7 @@ DrawingSettings in_own_tone(const Tone& tone) {
 
 struct DotsUi {
     DrawingSettings settings;
-    DrawnFacts drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
+    DrawnInfo drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
     HeadlessUi ui{[this] { draw_dots_panel(settings, drawn, {kTiles}); }};
 };
 
@@ -67,7 +67,7 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
 
 TEST_CASE("exposure is the picture's own until it is moved, and again once it is put back") {
     DrawingSettings settings;
-    ToneFacts facts{.usual_exposure = -3.2f};
+    ToneInfo facts{.usual_exposure = -3.2f};
     bool changed = false;
     HeadlessUi ui([&] { changed |= draw_tone_panel(settings, facts); });
     CHECK(ui.has("Exposure chosen"));
@@ -484,12 +484,12 @@ TEST_CASE("a notice goes by itself after some seconds, an error does not") {
     ui.frame(1);
     CHECK(notice.message == "Saved cat.svg");
     // The window that sleeps wakes when it begins to fade.
-    CHECK(rest_of(notice) > 1);
-    CHECK(rest_of(notice) < 10);
+    CHECK(seconds_until_change(notice) > 1);
+    CHECK(seconds_until_change(notice) < 10);
     for (int second = 0; second < 10; ++second) ui.frame(1);
     CHECK(notice.message.empty());
     notice = {BannerKind::error, "cat.png: not a picture"};
-    CHECK(rest_of(notice) > 1e9);
+    CHECK(seconds_until_change(notice) > 1e9);
     for (int second = 0; second < 20; ++second) ui.frame(1);
     CHECK(notice.message == "cat.png: not a picture");
 }
@@ -573,7 +573,7 @@ TEST_CASE("the status line says that a placing takes long, and how long the last
 }
 
 TEST_CASE("a placing that takes long shows its share, in words and as a bar, and so does what settles") {
-    StatusFacts facts{.placing_seconds = 0.4, .placed_share = 0.25};
+    StatusInfo facts{.placing_seconds = 0.4, .placed_share = 0.25};
     HeadlessUi ui([&] { draw_status_line({0, 500}, {400, 30}, facts); });
     const auto says = [&](const std::string& words) {
         return std::ranges::any_of(status_items(facts),
@@ -596,7 +596,7 @@ TEST_CASE("a placing that takes long shows its share, in words and as a bar, and
 }
 
 TEST_CASE("a narrow status line keeps the number of dots and lets the rest go, the least important first") {
-    const StatusFacts facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .frames_per_second = 60};
+    const StatusInfo facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .frames_per_second = 60};
     HeadlessUi ui([] {});
     std::size_t before = 0;
     for (const float width : {10.0f, 250.0f, 400.0f, 2000.0f}) {

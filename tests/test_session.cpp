@@ -43,8 +43,8 @@ struct SplitSession {
     template <class Done>
     bool brings(Done done) {
         return wait_until([&] {
-            session.take_news(std::chrono::milliseconds(0));
-            session.order_dots(zoom);
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
             return done();
         });
     }
@@ -76,13 +76,13 @@ std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
 std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, const PageWindow& window) {
     Workbench bench;
     bench.set_picture(Grid<float>(8, 8, 0.5f));
-    PlaceOrder order;
-    order.tile = tile;
-    order.density.source = DensitySource::grey;
-    order.drawing.placing.scale = scale;
-    order.drawing.relax = 0;
+    DotsRequest request;
+    request.tile = tile;
+    request.density.source = DensitySource::grey;
+    request.drawing.placing.scale = scale;
+    request.drawing.relax = 0;
     PlacedDrawing page;
-    bench.place(order, page);
+    bench.place(request, page);
     const glm::dvec2 low = in_page_units({window.x, window.y});
     const glm::dvec2 high = low + glm::dvec2(window.width, window.height);
     std::vector<glm::dvec2> places = places_of(page);
@@ -150,12 +150,12 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
     session.open_sample();
     const auto dots = [&](const DrawingSettings& drawing) {
         session.settings.drawing = drawing;
-        PlaceOrder order = order_of(session.settings);
-        order.drawing.most_dots = 5000;
+        DotsRequest request = dots_request(session.settings);
+        request.drawing.most_dots = 5000;
         REQUIRE(wait_until([&] {
-            session.take_news(std::chrono::milliseconds(0));
-            session.order_dots(zoom);
-            return session.pane().page_order() == order;
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return session.pane().page_request() == request;
         }));
         return session.pane().page().stippling.dots.size();
     };
@@ -194,7 +194,7 @@ TEST_CASE("zoomed out again, both sides show the whole page as it was") {
     const Session& session = split.session;
     const auto placings = session.pane().placings();
     split.zoom = {.mode = ZoomMode::drawing, .camera = fitted(kCanvas, {1, 1})};
-    split.session.order_dots(split.zoom);
+    split.session.request_dots(split.zoom);
     CHECK_FALSE(session.pane().shows_close());
     CHECK_FALSE(session.right()->shows_close());
     CHECK(session.pane().shown().stippling.dots.size() == 2000);
@@ -207,7 +207,7 @@ TEST_CASE("a split view that is switched off keeps nothing of its right side, an
     const std::size_t dots = session.right()->shown().stippling.dots.size();
     const auto version = session.right()->version();
     session.settings.comparison.on = false;
-    session.order_dots(split.zoom);
+    session.request_dots(split.zoom);
     CHECK(session.right() == nullptr);
     session.settings.comparison.on = true;
     CHECK(session.right() == nullptr);
@@ -223,8 +223,8 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
     Session& session = split.session;
     for (int i = 0; i < 20; ++i) {
         session.settings.comparison.on = i % 2 == 1;
-        session.take_news(std::chrono::milliseconds(0));
-        session.order_dots(split.zoom);
+        session.take_events(std::chrono::milliseconds(0));
+        session.request_dots(split.zoom);
     }
     session.settings.comparison.tile = "28433,5791/16";
     REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
@@ -239,28 +239,27 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
     session.open_sample();
     session.settings.drawing.show_tiles = true;
     session.settings.saving = {DotOrder::priority, 80};
-    PlaceOrder order = order_of(session.settings);
+    DotsRequest request = dots_request(session.settings);
     const auto brings = [&](auto done) {
         return wait_until([&] {
-            session.take_news(std::chrono::milliseconds(0));
-            session.order_dots(zoom);
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
             return done();
         });
     };
-    REQUIRE(brings([&] { return session.pane().page_order() == order; }));
+    REQUIRE(brings([&] { return session.pane().page_request() == request; }));
     for (const char* const name : {"a.svg", "a.png", "a.csv"}) {
         CAPTURE(name);
         const DrawingFormat format = drawing_format(name);
         ExportEstimate estimate;
-        const ExportFacts facts = estimate.facts(session.pane(), session.settings, format);
-        CHECK(facts.dots == 40'000);
-        REQUIRE(facts.bytes);
+        const ExportInfo info = estimate.info(session.pane(), session.settings, format);
+        CHECK(info.dots == 40'000);
+        REQUIRE(info.bytes);
         const auto before = session.saved_path();
         session.save(folder / name);
         CHECK(session.saved_path() == before);
         REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
-        CHECK(static_cast<double>(fs::file_size(folder / name)) ==
-              doctest::Approx(*facts.bytes).epsilon(0.1));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
     }
     // x_mm,y_mm,radius_mm,level,rank,critical_scale: by priority the last column ascends.
     std::ifstream table(folder / "a.csv"), svg(folder / "a.svg");
@@ -356,8 +355,8 @@ TEST_CASE("another picture is not saved over the one before") {
     Session session(DrawingSettings{}, [] {});
     const auto brings = [&](auto done) {
         return wait_until([&] {
-            session.take_news(std::chrono::milliseconds(0));
-            session.order_dots(zoom);
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
             return done();
         });
     };
@@ -378,8 +377,8 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
     const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     const auto brings = [&](auto done) {
         return wait_until([&] {
-            session.take_news(std::chrono::milliseconds(0));
-            session.order_dots(zoom);
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
             return done();
         });
     };
@@ -392,7 +391,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
     session.stop_placing();
     CHECK(session.settings.drawing.placing.count == 1000);
     CHECK(brings([&] {
-        return session.pane().page_order() == session.pane().page_ordered() &&
+        return session.pane().page_request() == session.pane().page_requested() &&
                !session.pane().worker().placing_since();
     }));
     CHECK(session.pane().page().stippling.dots.size() == 1000);

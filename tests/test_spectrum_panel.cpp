@@ -23,7 +23,7 @@ ViewAnalysis some_analysis() {
 }
 
 struct SpectrumUi {
-    SpectrumFacts facts;
+    SpectrumInfo facts;
     bool open = false;
     HeadlessUi ui{[this] { open = draw_spectrum_panel(facts); }};
 };

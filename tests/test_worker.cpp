@@ -18,31 +18,31 @@ namespace dapple {
 namespace {
 
 Picture grey(int side) {
-    return {Grid<float>(side, side, 0.4f), Grid<glm::u8vec4>(side, side, glm::u8vec4(170)), "grey"};
+    return {Grid<float>(side, side, 0.4f), Grid<glm::u8vec4>(side, side, glm::u8vec4(170)), 0, "grey"};
 }
 
-PlaceOrder dots(std::uint64_t count) {
-    PlaceOrder order;
-    order.tile = "paper16";
-    order.drawing.placing.count = count;
-    order.drawing.relax = 0;
-    return order;
+DotsRequest dots(std::uint64_t count) {
+    DotsRequest request;
+    request.tile = "paper16";
+    request.drawing.placing.count = count;
+    request.drawing.relax = 0;
+    return request;
 }
 
 /// Some seconds' and more, of which nothing is told on the way.
-PlaceOrder long_work() {
-    PlaceOrder order = dots(400'000);
-    order.drawing.relax = 100;
-    order.settled_only = true;
-    return order;
+DotsRequest long_work() {
+    DotsRequest request = dots(400'000);
+    request.drawing.relax = 100;
+    request.settled_only = true;
+    return request;
 }
 
 /// Everything told until `enough` is content.
-std::vector<WorkerNews> listen(Worker& worker, const std::function<bool(const WorkerNews&)>& enough) {
-    std::vector<WorkerNews> all;
+std::vector<WorkerEvent> listen(Worker& worker, const std::function<bool(const WorkerEvent&)>& enough) {
+    std::vector<WorkerEvent> all;
     const bool content = wait_until([&] {
-        for (WorkerNews& news : worker.news()) {
-            all.push_back(std::move(news));
+        for (WorkerEvent& event : worker.events()) {
+            all.push_back(std::move(event));
             if (enough(all.back())) return true;
         }
         return false;
@@ -51,11 +51,11 @@ std::vector<WorkerNews> listen(Worker& worker, const std::function<bool(const Wo
     return all;
 }
 
-const PlacedNews* placed(const WorkerNews& news) {
-    return std::get_if<PlacedNews>(&news);
+const DotsPlaced* placed(const WorkerEvent& event) {
+    return std::get_if<DotsPlaced>(&event);
 }
-const FailedNews* failed(const WorkerNews& news) {
-    return std::get_if<FailedNews>(&news);
+const TaskFailed* failed(const WorkerEvent& event) {
+    return std::get_if<TaskFailed>(&event);
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ TEST_CASE("a picture comes together with its first dots") {
     Worker worker([&] { ++woken; });
     worker.open("grey.png", [] { return grey(64); });
     worker.place(dots(500));
-    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-    const PlacedNews* first = placed(news.back());
+    auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    const DotsPlaced* first = placed(event.back());
     REQUIRE(first->picture);
     CHECK(first->picture->name == "grey.png");
     CHECK(first->picture->longer_side == 64);
@@ -83,61 +83,61 @@ TEST_CASE("of many orders that come while the worker is busy the last is placed,
     });
     for (std::uint64_t n = 100; n <= 300; ++n) worker.place(dots(n));
     all_ordered.release();
-    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-    CHECK(news.size() == 1);
-    CHECK(placed(news.back())->drawing.stippling.dots.size() == 300);
+    auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    CHECK(event.size() == 1);
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 300);
 }
 
 TEST_CASE("a picture that cannot be read leaves the old one") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
     worker.place(dots(100));
-    listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     worker.open("bad.png", []() -> Picture { throw std::runtime_error("bad.png: not a picture"); });
-    auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
-    CHECK(failed(news.back())->message == "bad.png: not a picture");
+    auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
+    CHECK(failed(event.back())->message == "bad.png: not a picture");
     worker.place(dots(200));
-    news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-    CHECK(placed(news.back())->drawing.stippling.dots.size() == 200);
-    CHECK_FALSE(placed(news.back())->picture);
+    event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 200);
+    CHECK_FALSE(placed(event.back())->picture);
 }
 
 TEST_CASE("another picture is stippled with the last order without being asked") {
     Worker worker([] {});
     worker.open("a", [] { return grey(64); });
     worker.place(dots(100));
-    listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
+    listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     worker.open("b", [] { return grey(32); });
-    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) && placed(n)->picture; });
-    CHECK(placed(news.back())->picture->name == "b");
-    CHECK(placed(news.back())->drawing.stippling.dots.size() == 100);
+    auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) && placed(n)->picture; });
+    CHECK(placed(event.back())->picture->name == "b");
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 100);
 }
 
 TEST_CASE("an order that cannot be placed says why") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
-    PlaceOrder order = dots(100);
-    order.tile = "no such tile";
-    worker.place(order);
-    auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-    CHECK(placed(news.back())->error.find("no such tile") != std::string::npos);
-    CHECK(placed(news.back())->drawing.stippling.dots.size() == 0);
+    DotsRequest request = dots(100);
+    request.tile = "no such tile";
+    worker.place(request);
+    auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    CHECK(placed(event.back())->error.find("no such tile") != std::string::npos);
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 0);
 }
 
 TEST_CASE("a tile is told with its first dots, and again when another was chosen") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
-    auto next = [&](const PlaceOrder& order) {
-        worker.place(order);
-        auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-        return placed(news.back())->tile;
+    auto next = [&](const DotsRequest& request) {
+        worker.place(request);
+        auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+        return placed(event.back())->tile;
     };
     auto first = next(dots(100));
     REQUIRE(first);
     CHECK(first->name == "paper16");
     CHECK(first->points.size() == 16);
     CHECK_FALSE(next(dots(200)));
-    PlaceOrder other = dots(200);
+    DotsRequest other = dots(200);
     other.tile = "28433,5791/16";
     auto second = next(other);
     REQUIRE(second);
@@ -159,18 +159,18 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
             return true;
         };
     });
-    listen(worker, [](const WorkerNews& n) { return std::holds_alternative<SavedNews>(n); });
+    listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<DrawingSaved>(n); });
     CHECK(saved == 77);
     worker.save("b.svg", [](Workbench&, std::stop_token) -> Worker::Write {
         throw std::runtime_error("there is nothing to draw");
     });
-    auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
-    CHECK(failed(news.back())->message == "there is nothing to draw");
+    auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
+    CHECK(failed(event.back())->message == "there is nothing to draw");
     worker.save("c.svg", [](Workbench&, std::stop_token) -> Worker::Write {
         return [](const SavingWatch&) -> bool { throw std::runtime_error("the disk is full"); };
     });
-    news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
-    CHECK(failed(news.back())->message == "the disk is full");
+    event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
+    CHECK(failed(event.back())->message == "the disk is full");
     CHECK_FALSE(worker.saving());
 }
 
@@ -193,10 +193,10 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     CHECK(worker.saving()->share == 0.5);
     worker.place(dots(321));
     listen(worker,
-           [](const WorkerNews& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 321; });
+           [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 321; });
     CHECK(worker.saving());
     worker.cancel_saving();
-    listen(worker, [](const WorkerNews& n) { return std::holds_alternative<CancelledNews>(n); });
+    listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<SavingCancelled>(n); });
     CHECK_FALSE(worker.saving());
 }
 
@@ -207,13 +207,13 @@ TEST_CASE("a worker tells since when it places, and that it does no longer") {
     const auto begin = std::chrono::steady_clock::now();
     // One that is over before anyone looks is followed by another.
     REQUIRE(wait_until([&] {
-        worker.news();
+        worker.events();
         if (const auto since = worker.placing_since()) return *since >= begin;
         worker.place(dots(++count));
         return false;
     }));
     CHECK(wait_until([&] {
-        worker.news();
+        worker.events();
         return !worker.placing_since();
     }));
 }
@@ -222,14 +222,14 @@ TEST_CASE("a worker tells which share of the dots is placed, which grows") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
     CHECK_FALSE(worker.placed_share());
-    PlaceOrder order = dots(20'000'000);
-    order.drawing.relax = 0;
-    order.drawing.placing.threads = 4;  // many pieces, however few processors there are
-    worker.place(order);
+    DotsRequest request = dots(20'000'000);
+    request.drawing.relax = 0;
+    request.drawing.placing.threads = 4;  // many pieces, however few processors there are
+    worker.place(request);
     std::vector<float> seen;
     REQUIRE(wait_until([&] {
         if (const auto share = worker.placed_share()) seen.push_back(*share);
-        return !worker.news().empty();
+        return !worker.events().empty();
     }));
     CHECK(std::ranges::is_sorted(seen));
     const auto inside = std::ranges::count_if(seen, [](float share) { return share > 0.1f && share < 0.9f; });
@@ -245,11 +245,11 @@ TEST_CASE("an exception on a drawing's way to the window is told, and the thread
     });
     worker.open("grey.png", [] { return grey(64); });
     worker.place(dots(500));
-    const auto news = listen(worker, [](const WorkerNews& n) { return failed(n) != nullptr; });
-    CHECK(failed(news.back())->message == "nobody to wake");
+    const auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
+    CHECK(failed(event.back())->message == "nobody to wake");
     worker.place(dots(300));
     listen(worker,
-           [](const WorkerNews& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 300; });
+           [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 300; });
 }
 
 TEST_CASE("the memory of a drawing far larger than those after it goes back to the system") {
@@ -263,10 +263,10 @@ TEST_CASE("the memory of a drawing far larger than those after it goes back to t
     worker.open("grey.png", [] { return grey(64); });
     const auto place = [&](std::uint64_t count) {
         worker.place(dots(count));
-        auto news = listen(worker, [&](const WorkerNews& n) {
+        auto event = listen(worker, [&](const WorkerEvent& n) {
             return placed(n) && placed(n)->drawing.stippling.dots.size() == count;
         });
-        return std::move(std::get<PlacedNews>(news.back()).drawing);
+        return std::move(std::get<DotsPlaced>(event.back()).drawing);
     };
     constexpr std::uint64_t kMany = 8'000'000;  // 64 megabytes
     PlacedDrawing large = place(kMany);
@@ -296,7 +296,7 @@ TEST_CASE("a worker that ends does not finish what is still to do") {
     CHECK(woken == 0);  // as it would have been for a drawing
 }
 
-TEST_CASE("a placing that takes long is given up for a new order, and nothing is told of it") {
+TEST_CASE("a placing that takes long is given up for a new request, and nothing is told of it") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(512); });
     worker.place(long_work());
@@ -305,16 +305,16 @@ TEST_CASE("a placing that takes long is given up for a new order, and nothing is
         return since && std::chrono::steady_clock::now() - *since > std::chrono::milliseconds(400);
     }));
     worker.place(dots(300));
-    const auto news = listen(worker, [](const WorkerNews& n) { return placed(n) != nullptr; });
-    CHECK(placed(news.back())->drawing.stippling.dots.size() == 300);
+    const auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 300);
 }
 
 TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {
     const auto places = [](Workbench& bench, RankingMethod ranking) {
-        PlaceOrder order = dots(700);
-        order.ranking = ranking;
+        DotsRequest request = dots(700);
+        request.ranking = ranking;
         PlacedDrawing drawing;
-        REQUIRE(bench.place(order, drawing));
+        REQUIRE(bench.place(request, drawing));
         std::vector<std::pair<float, float>> found;
         for_each_position(drawing.stippling.dots, [&](float x, float y) { found.emplace_back(x, y); });
         std::ranges::sort(found);

@@ -147,7 +147,7 @@ struct Rendered {
 };
 
 // What someone who is about to plot it should know, in a line or two.
-void tell(const RenderOptions& options, const Rendered& drawn) {
+void print_summary(const RenderOptions& options, const Rendered& drawn) {
     std::error_code error;
     const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
     const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
@@ -337,7 +337,7 @@ void render(const RenderOptions& options) {
             "light parts instead\n");
     }
     if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
-    if (is_plot && on_terminal()) tell(options, rendered);
+    if (is_plot && on_terminal()) print_summary(options, rendered);
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
     if (dots.duplicates > 0 && (options.region || options.sheet != Sheet{})) rendered.duplicates.reset();

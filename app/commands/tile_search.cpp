@@ -87,7 +87,7 @@ void check_nothing_is_lost(const fs::path& file) {
         name));
 }
 
-void tell_found(const SearchState& state, std::ostream& out) {
+void print_found(const SearchState& state, std::ostream& out) {
     if (state.found.empty()) {
         out << "no tile found yet\n";
         return;
@@ -153,7 +153,7 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
         const Tile best = make_tile(Rule{}, {state.found.front().word});
         save_tile(*options.output, ranked(best, RankingMethod::energy));
     }
-    tell_found(state, out);
+    print_found(state, out);
     if (state.finished) return;
     const double proven = proven_radius(state);
     out << fmt::format(

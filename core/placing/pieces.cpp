@@ -59,10 +59,10 @@ bool place_from(const Traversal& traversal, const Visit& visit, SquareEmitter& e
 // One placing on several threads. A piece that is done before its turn waits, and its thread goes on to
 // another; who does the piece whose turn it is hands over those that wait behind it too. Meanwhile the others
 // place, as far ahead as there are memories.
-class Crew {
+class PieceQueue {
  public:
-    Crew(const Traversal& traversal, const Pieces& pieces, std::vector<PieceMemory>& memories,
-         PieceTaker& taker, const std::stop_token& stop)
+    PieceQueue(const Traversal& traversal, const Pieces& pieces, std::vector<PieceMemory>& memories,
+               PieceTaker& taker, const std::stop_token& stop)
         : traversal_(traversal), pieces_(pieces), memories_(memories), taker_(taker), stop_(stop) {
         for (PieceMemory& memory : memories_) memory.state = PieceMemory::State::free;
     }
@@ -198,9 +198,9 @@ bool place_piece(const Traversal& traversal, const Pieces& pieces, std::size_t p
 bool hand_over_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
                       std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop) {
     memories.resize(kMemoriesPerThread * threads);
-    Crew crew(traversal, pieces, memories, taker, stop);
-    on_threads(threads, [&] { crew.work(); });
-    return crew.finish();
+    PieceQueue queue(traversal, pieces, memories, taker, stop);
+    on_threads(threads, [&] { queue.work(); });
+    return queue.finish();
 }
 
 }  // namespace dapple

@@ -67,7 +67,7 @@ void Canvas::handle_mouse(const CanvasPlace& place) {
     if (mouse_.move(camera_, place)) fitted_ = false;
 }
 
-std::optional<double> Canvas::rest() const {
+std::optional<double> Canvas::seconds_to_next_frame() const {
     if (drawn_ == Fineness::full) return std::nullopt;
     const std::chrono::duration<double> rested = Clock::now() - changed_;
     return std::max(kRestSeconds - rested.count(), 0.0);
@@ -133,7 +133,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
         drawn_look_ = look;
         draw_quickly(pixels);
         changed_ = Clock::now();
-    } else if (job_side_ || rest() == 0.0) {
+    } else if (job_side_ || seconds_to_next_frame() == 0.0) {
         go_on(pixels);
     }
     auto texture = texture_id(picture_.texture());

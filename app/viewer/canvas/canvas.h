@@ -64,7 +64,7 @@ class Canvas {
     /// frame, so that mouse and keys are answered in between.
     bool drawing() const { return job_side_.has_value() || uploading_; }
     /// Seconds after which another frame will draw it fully; none if it is.
-    std::optional<double> rest() const;
+    std::optional<double> seconds_to_next_frame() const;
 
  private:
     using Clock = std::chrono::steady_clock;

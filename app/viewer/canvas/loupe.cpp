@@ -135,7 +135,7 @@ void Loupe::draw(const LoupeView& view, const Camera& camera, const CanvasPlace&
     const auto square = loupe_square(view.shown, view.tile_size, at, view.step);
     if (!square) return;
     fold(view, *square);
-    facts_ = LoupeFacts{repetition_, square->across * square->across, square->level};
+    facts_ = LoupeInfo{repetition_, square->across * square->across, square->level};
     const float unit = ImGui::GetFontSize() / 15;
     const Box box = on_screen(*square, camera, place);
     ImGui::GetForegroundDrawList()->PushClipRect(

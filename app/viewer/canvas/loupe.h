@@ -29,7 +29,7 @@ class Loupe {
     void draw(const LoupeView& view, const Camera& camera, const CanvasPlace& place);
 
     /// Of the lens drawn last; none if there was none.
-    const std::optional<LoupeFacts>& facts() const { return facts_; }
+    const std::optional<LoupeInfo>& info() const { return facts_; }
     void hide() { facts_.reset(); }
 
  private:
@@ -45,7 +45,7 @@ class Loupe {
     GlTexture picture_;
     std::optional<Key> folded_;
     double repetition_ = 0;
-    std::optional<LoupeFacts> facts_;
+    std::optional<LoupeInfo> facts_;
 };
 
 /// What the eye sees in the lens, in a sentence.

@@ -510,9 +510,9 @@ void Renderer::draw_page(const Job& job, const PixelBox& box, const GlProgram& p
 void Renderer::draw_tiles(Job& job, std::size_t most) {
     const std::size_t count = std::min(job.tiles, most);
     std::vector<glm::vec4> boxes;
-    std::vector<glm::vec2> facts;
+    std::vector<glm::vec2> info;
     boxes.reserve(count);
-    facts.reserve(count);
+    info.reserve(count);
     // Cut off a window beyond the window: a large tile's near side would be lost in its far one's rounding.
     const glm::dvec2 size(tile_window_.width, tile_window_.height);
     for (std::size_t i = job.tiles; i-- > job.tiles - count;) {
@@ -521,11 +521,11 @@ void Renderer::draw_tiles(Job& job, std::size_t most) {
         const glm::dvec2 cut_low = glm::max(low, -size), cut_high = glm::min(high, 2.0 * size);
         boxes.emplace_back(cut_low.x, cut_low.y, cut_high.x, cut_high.y);
         const bool whole = cut_low == low && cut_high == high;
-        facts.emplace_back(tile.level, whole ? tile.orientation.index : -1);
+        info.emplace_back(tile.level, whole ? tile.orientation.index : -1);
     }
     job.tiles -= count;
     tiles_.write(std::as_bytes(std::span(boxes)));
-    tile_facts_.write(std::as_bytes(std::span(facts)));
+    tile_facts_.write(std::as_bytes(std::span(info)));
     tile_.use();
     set_transform(tile_, {.offset = to_canvas(job.camera, PagePoint{tile_window_.x, tile_window_.y}),
                           .scale = job.camera.pixels_per_unit,

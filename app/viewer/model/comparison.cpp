@@ -16,8 +16,8 @@ Comparison toggled(Comparison comparison, const DrawingSettings& left) {
     return comparison;
 }
 
-PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stippling& placed) {
-    PlaceOrder right = std::move(left);
+DotsRequest right_request(const Comparison& comparison, DotsRequest left, const Stippling& placed) {
+    DotsRequest right = std::move(left);
     right.drawing.placer = comparison.placer;
     right.tile = comparison.tile;
     right.ranking = comparison.ranking;
@@ -30,8 +30,9 @@ PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stip
     return right;
 }
 
-std::string drawn_with(const PlaceOrder& order) {
-    return short_tile_name(order.tile) + (order.drawing.placer == PlacerKind::figure8 ? ", Figure 8" : "");
+std::string drawn_with(const DotsRequest& request) {
+    return short_tile_name(request.tile) +
+           (request.drawing.placer == PlacerKind::figure8 ? ", Figure 8" : "");
 }
 
 }  // namespace dapple

@@ -30,9 +30,9 @@ struct Comparison {
 Comparison toggled(Comparison comparison, const DrawingSettings& left);
 
 /// What the right side places beside a left one that has been placed.
-PlaceOrder right_order(const Comparison& comparison, PlaceOrder left, const Stippling& placed);
+DotsRequest right_request(const Comparison& comparison, DotsRequest left, const Stippling& placed);
 
 /// "paper16, Figure 8".
-std::string drawn_with(const PlaceOrder& order);
+std::string drawn_with(const DotsRequest& request);
 
 }  // namespace dapple

@@ -147,7 +147,7 @@ double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
     return drawing.tiles.empty() ? dots : dots + tile_bytes(drawing);
 }
 
-ExportFacts ExportEstimate::facts(const Pane& pane, const ViewerSettings& settings, DrawingFormat format) {
+ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format) {
     const Key key{pane.placings(), format, settings.drawing, settings.saving.dpi};
     if (key_ == key) return facts_;
     key_ = key;

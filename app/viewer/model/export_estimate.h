@@ -29,7 +29,7 @@ double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
                        const EstimatedDrawing& drawing);
 
 /// What saving would write.
-struct ExportFacts {
+struct ExportInfo {
     std::uint64_t dots = 0;
     std::optional<double> bytes;  // about; none if it cannot be written
     std::string trouble;          // why not
@@ -38,7 +38,7 @@ struct ExportFacts {
 /// Estimates anew only when something changed.
 class ExportEstimate {
  public:
-    ExportFacts facts(const Pane& pane, const ViewerSettings& settings, DrawingFormat format);
+    ExportInfo info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format);
 
  private:
     struct Key {
@@ -49,7 +49,7 @@ class ExportEstimate {
         bool operator==(const Key&) const = default;
     };
     std::optional<Key> key_;
-    ExportFacts facts_;
+    ExportInfo facts_;
 };
 
 }  // namespace dapple

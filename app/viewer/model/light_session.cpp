@@ -60,7 +60,7 @@ void LightSession::save(const fs::path& file) {
     });
 }
 
-void LightSession::take_news() {
+void LightSession::take_events() {
     take_map();
     take_samples();
     take_saved();

@@ -20,7 +20,7 @@ namespace dapple {
 
 class LightSession {
  public:
-    /// `wake` is called from other threads whenever there is news.
+    /// `wake` is called from other threads whenever there is an event.
     LightSession(const LightsSettings& first, std::function<void()> wake);
 
     /// Reads a map in the background; the one shown stays until then, or if it fails. Of several that are
@@ -40,7 +40,7 @@ class LightSession {
 
     /// Takes what was read, sampled or saved since the last call, and has samples taken anew where the
     /// settings ask for it. Throws what reading threw if there is no map yet.
-    void take_news();
+    void take_events();
 
     /// Keeps the settings for undo, once nothing is being edited.
     void remember(bool editing) { history_.observe(settings, editing); }

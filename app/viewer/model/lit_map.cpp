@@ -46,8 +46,8 @@ SampledMap sampled(const LitMap& lit, const LightsSettings& settings) {
         sum += sample.weight;
     }
     result.found.emplace(distant);
-    result.facts = {lights.place_ms, lights.share_ms, difference(*result.found, lit.exact),
-                    std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+    result.info = {lights.place_ms, lights.share_ms, difference(*result.found, lit.exact),
+                   std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
     return result;
 }
 

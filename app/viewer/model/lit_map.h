@@ -15,7 +15,7 @@
 namespace dapple {
 
 /// How well the samples stand for the map.
-struct LightsFacts {
+struct LightsInfo {
     double place_ms = 0, share_ms = 0;
     double difference = 0;  // of irradiance from the full map's, mean over normals, relative
     double flux_error = 0;  // of the weights' sum, relative
@@ -35,7 +35,7 @@ struct LitMap {
 struct SampledMap {
     std::vector<glm::dvec2> places;      // on the map, 0..1
     std::optional<IrradianceMap> found;  // none: there are no samples yet
-    LightsFacts facts;
+    LightsInfo info;
 };
 /// Throws std::runtime_error if the tile or its samples cannot be had.
 SampledMap sampled(const LitMap& lit, const LightsSettings& settings);

@@ -27,7 +27,7 @@ std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t 
                                         int step);
 
 /// What the loupe found in it.
-struct LoupeFacts {
+struct LoupeInfo {
     double repetition = 0;  // see core/analysis/folding.h
     int layers = 0, level = 0;
 };

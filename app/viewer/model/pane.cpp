@@ -14,7 +14,7 @@ constexpr double kFadeHeadStart = 1.07;
 
 }  // namespace
 
-std::optional<CloseView> Pane::close_view(const PlaceOrder& page, const Zoom& zoom) const {
+std::optional<CloseView> Pane::close_view(const DotsRequest& page, const Zoom& zoom) const {
     const bool constant_density = zoom.mode == ZoomMode::constant_density;
     // Figure 8 places whole drawings only.
     if (page.drawing.placer != PlacerKind::exact) return {};
@@ -32,48 +32,48 @@ double Pane::fade_scale(const Zoom& zoom) const {
     return page_.stippling.scale * zoom.enlargement * zoom.enlargement * kFadeHeadStart;
 }
 
-bool Pane::order(PlaceOrder page, const Zoom& zoom, Reorder reorder) {
+bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {
     const auto close = close_view(page, zoom);
-    if (!close && close_ordered_) {
-        close_ordered_.reset();
+    if (!close && close_requested_) {
+        close_requested_.reset();
         shows_close_ = false;
         ++version_;
     }
     // The whole drawing comes first: its scale is what a close view starts from.
-    const bool is_close = close && page_ordered_ == page && page_placed_ == page;
+    const bool is_close = close && page_requested_ == page && page_placed_ == page;
     if (is_close) page.close = close;
-    std::optional<PlaceOrder>& ordered = is_close ? close_ordered_ : page_ordered_;
-    if (reorder == Reorder::when_changed && ordered == page) return false;
-    ordered = page;
+    std::optional<DotsRequest>& requested = is_close ? close_requested_ : page_requested_;
+    if (again == RequestAgain::when_changed && requested == page) return false;
+    requested = page;
     worker_.place(std::move(page));
     return true;
 }
 
-void Pane::take(PlacedNews& news) {
-    if (news.tile) {
-        tile_ = std::move(*news.tile);
+void Pane::take(DotsPlaced& event) {
+    if (event.tile) {
+        tile_ = std::move(*event.tile);
         ++tiles_;
     }
-    if (news.order.close) {
-        if (close_ordered_) {
-            std::swap(close_, news.drawing);
+    if (event.request.close) {
+        if (close_requested_) {
+            std::swap(close_, event.drawing);
             shows_close_ = true;
         }
     } else {
-        if (news.picture) shows_close_ = false;
-        std::swap(page_, news.drawing);
-        page_placed_ = news.order;
-        if (close_ordered_) close_ordered_->close = CloseView{};  // to be ordered again
+        if (event.picture) shows_close_ = false;
+        std::swap(page_, event.drawing);
+        page_placed_ = event.request;
+        if (close_requested_) close_requested_->close = CloseView{};  // to be ordered again
     }
-    worker_.recycle(std::move(news.drawing));
+    worker_.recycle(std::move(event.drawing));
     ++version_;
     ++placings_;
 }
 
 void Pane::clear() {
-    page_ordered_.reset();
+    page_requested_.reset();
     page_placed_.reset();
-    close_ordered_.reset();
+    close_requested_.reset();
     worker_.recycle(std::exchange(page_, {}));
     worker_.recycle(std::exchange(close_, {}));
     worker_.clear();

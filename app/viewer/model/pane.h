@@ -20,14 +20,14 @@ struct Zoom {
     double enlargement = 1;  // how many times larger than fitted into the canvas
 };
 
-enum class Reorder {
+enum class RequestAgain {
     when_changed,
     always,
 };
 
 class Pane {
  public:
-    /// `wake` is called from the worker's threads whenever there is news.
+    /// `wake` is called from the worker's threads whenever there is an event.
     explicit Pane(std::function<void()> wake) : worker_(std::move(wake)) {}
 
     Worker& worker() { return worker_; }
@@ -35,10 +35,10 @@ class Pane {
 
     /// Orders the page or, once that is there and the zoom is so deep that the whole page would be too coarse
     /// or too much, what is in view of it. True if it ordered something: nothing twice, unless told to.
-    bool order(PlaceOrder page, const Zoom& zoom, Reorder reorder);
+    bool request(DotsRequest page, const Zoom& zoom, RequestAgain again);
 
-    /// Takes drawing and tile out of the news.
-    void take(PlacedNews& news);
+    /// Takes drawing and tile out of the event.
+    void take(DotsPlaced& event);
 
     /// Forgets picture and dots and gives their memory back. The numbers below go on.
     void clear();
@@ -49,10 +49,10 @@ class Pane {
     bool shows_close() const { return shows_close_; }
 
     /// What the whole page was ordered with last.
-    const std::optional<PlaceOrder>& page_ordered() const { return page_ordered_; }
+    const std::optional<DotsRequest>& page_requested() const { return page_requested_; }
 
     /// What the whole page was placed for last; none before the first.
-    const std::optional<PlaceOrder>& page_order() const { return page_placed_; }
+    const std::optional<DotsRequest>& page_request() const { return page_placed_; }
 
     /// A number that changes with what is shown, and one of drawings that came.
     std::uint64_t version() const { return version_; }
@@ -69,11 +69,11 @@ class Pane {
     double fade_scale(const Zoom& zoom) const;
 
  private:
-    std::optional<CloseView> close_view(const PlaceOrder& page, const Zoom& zoom) const;
+    std::optional<CloseView> close_view(const DotsRequest& page, const Zoom& zoom) const;
 
     Worker worker_;
-    std::optional<PlaceOrder> page_ordered_, page_placed_;
-    std::optional<PlaceOrder> close_ordered_;
+    std::optional<DotsRequest> page_requested_, page_placed_;
+    std::optional<DotsRequest> close_requested_;
     PlacedDrawing page_, close_;
     TileView tile_;
     int tiles_ = 0;

@@ -27,11 +27,11 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       tiles_(drawing.tile),
       pane_(wake_) {}
 
-PlaceOrder Session::page_order() const {
-    PlaceOrder order = order_of(settings);
-    order.drawing.most_dots = most_dots_;
-    order.settled_only = settings.every_frame;
-    return order;
+DotsRequest Session::page_request() const {
+    DotsRequest request = dots_request(settings);
+    request.drawing.most_dots = most_dots_;
+    request.settled_only = settings.every_frame;
+    return request;
 }
 
 void Session::open_sample() {
@@ -68,13 +68,13 @@ void Session::save(const fs::path& path) {
     const auto prepare = [=](Workbench& bench, std::stop_token stop) -> Worker::Write {
         const DrawingFormat format = drawing_format(path);
         PlacedDrawing drawing;
-        PlaceOrder order = order_of(drawn, choice);
-        order.drawing.most_dots = most;
-        order.drawing.placing.thresholds =
+        DotsRequest request = dots_request(drawn, choice);
+        request.drawing.most_dots = most;
+        request.drawing.placing.thresholds =
             format == DrawingFormat::csv ||
             (format == DrawingFormat::svg && saving.order == DotOrder::priority);
-        if (!bench.place(order, drawing, stop)) return {};
-        const PageSize page = bench.plan(order).page;
+        if (!bench.place(request, drawing, stop)) return {};
+        const PageSize page = bench.plan(request).page;
         const std::size_t tile_size = bench.pipeline().tile().tile().size();
         const double dpi = saving.dpi;
         const auto order_wanted =
@@ -94,15 +94,15 @@ void Session::save(const fs::path& path) {
     pane_.worker().save(path, prepare);
 }
 
-void Session::order_dots(const Zoom& zoom) {
-    const Reorder reorder = settings.every_frame ? Reorder::always : Reorder::when_changed;
+void Session::request_dots(const Zoom& zoom) {
+    const RequestAgain again = settings.every_frame ? RequestAgain::always : RequestAgain::when_changed;
     // In every frame, but not before the last one is there: it would never be.
     const bool waits = settings.every_frame && pane_.worker().placing_since();
-    const bool ordered = pane_.order(page_order(), zoom, waits ? Reorder::when_changed : reorder);
-    if (ordered) ordered_settings_ = settings;
-    if (ordered || waits) take_news(settings.every_frame ? kLongPatience : kPatience);
+    const bool requested = pane_.request(page_request(), zoom, waits ? RequestAgain::when_changed : again);
+    if (requested) requested_settings_ = settings;
+    if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);
     if (settings.comparison.on)
-        order_right(zoom, reorder);
+        request_right(zoom, again);
     else
         forget_right();
 }
@@ -119,14 +119,14 @@ void Session::forget_right() {
     right_pictures_asked_ = right_pictures_ = 0;
 }
 
-void Session::order_right(const Zoom& zoom, Reorder reorder) {
-    const std::optional<PlaceOrder>& left = pane_.page_order();
+void Session::request_right(const Zoom& zoom, RequestAgain again) {
+    const std::optional<DotsRequest>& left = pane_.page_request();
     if (!left) return;
     if (!right_) right_.emplace(wake_);
     // Its worker has a picture of its own, so that neither ever waits for the other.
     if (right_pictures_asked_ != pictures_) right_->worker().open(picture_.name, picture_.read);
     right_pictures_asked_ = pictures_;
-    right_->order(right_order(settings.comparison, *left, pane_.page().stippling), zoom, reorder);
+    right_->request(right_request(settings.comparison, *left, pane_.page().stippling), zoom, again);
 }
 
 const Pane* Session::right() const {
@@ -134,25 +134,26 @@ const Pane* Session::right() const {
     return there ? &*right_ : nullptr;
 }
 
-void Session::take_news(std::chrono::milliseconds patience) {
-    for (WorkerNews& news : pane_.worker().news(patience)) std::visit([this](auto& n) { take(n); }, news);
+void Session::take_events(std::chrono::milliseconds patience) {
+    for (WorkerEvent& event : pane_.worker().events(patience))
+        std::visit([this](auto& n) { take(n); }, event);
     if (!right_) return;
-    for (WorkerNews& news : right_->worker().news()) {
-        if (auto* placed = std::get_if<PlacedNews>(&news)) take_right(*placed);
-        if (auto* failed = std::get_if<FailedNews>(&news)) take(*failed);
+    for (WorkerEvent& event : right_->worker().events()) {
+        if (auto* placed = std::get_if<DotsPlaced>(&event)) take_right(*placed);
+        if (auto* failed = std::get_if<TaskFailed>(&event)) take(*failed);
     }
 }
 
-void Session::take_right(PlacedNews& news) {
+void Session::take_right(DotsPlaced& event) {
     if (!settings.comparison.on) return;  // too late
-    if (news.picture) right_pictures_ = right_pictures_asked_;
-    if (!news.error.empty()) banner = {BannerKind::error, news.error};
-    right_->take(news);
+    if (event.picture) right_pictures_ = right_pictures_asked_;
+    if (!event.error.empty()) banner = {BannerKind::error, event.error};
+    right_->take(event);
 }
 
-void Session::take(PlacedNews& news) {
-    if (news.picture) {
-        picture_ = std::move(*news.picture);
+void Session::take(DotsPlaced& event) {
+    if (event.picture) {
+        picture_ = std::move(*event.picture);
         ++pictures_;
         saved_path_.clear();  // it shows another picture
         banner = {};          // whatever it said was about the one before
@@ -160,31 +161,32 @@ void Session::take(PlacedNews& news) {
             banner = {.message = picture_.name + " looks like an environment map.",
                       .offer = "Open as lights"};
     }
-    if (!news.error.empty())
-        banner = {BannerKind::error, news.error};
+    if (!event.error.empty())
+        banner = {BannerKind::error, event.error};
     else if (placing_failed_ && banner.kind == BannerKind::error)
         banner = {};
-    placing_failed_ = !news.error.empty();
-    if (news.error.empty() && news.order == pane_.page_ordered()) placed_settings_ = ordered_settings_;
-    pane_.take(news);
+    placing_failed_ = !event.error.empty();
+    if (event.error.empty() && event.request == pane_.page_requested())
+        placed_settings_ = requested_settings_;
+    pane_.take(event);
 }
 
-void Session::take(FailedNews& news) {
+void Session::take(TaskFailed& event) {
     // The picture named on the command line: there is nothing to go on showing.
-    if (!placed_once()) throw std::runtime_error(news.message);
-    banner = {BannerKind::error, news.message};
+    if (!placed_once()) throw std::runtime_error(event.message);
+    banner = {BannerKind::error, event.message};
 }
 
-void Session::take(SavedNews& news) {
-    saved_path_ = news.path;
-    banner = {BannerKind::notice, "Saved " + news.path.string()};
+void Session::take(DrawingSaved& event) {
+    saved_path_ = event.path;
+    banner = {BannerKind::notice, "Saved " + event.path.string()};
 }
 
-void Session::take(CancelledNews& news) {
-    banner = {BannerKind::notice, "Cancelled: " + news.path.string() + " was not written"};
+void Session::take(SavingCancelled& event) {
+    banner = {BannerKind::notice, "Cancelled: " + event.path.string() + " was not written"};
 }
 
-DrawnFacts Session::drawn(const Pane& pane) const {
+DrawnInfo Session::drawn(const Pane& pane) const {
     const PlacedDrawing& drawing = pane.page();
     return {.dots = drawing.stippling.dots.size() - drawing.stippling.duplicates,
             .scale = drawing.stippling.scale,

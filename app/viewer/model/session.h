@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/viewer/model/banner.h"
-#include "app/viewer/model/drawn_facts.h"
+#include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/pane.h"
 #include "app/viewer/model/tile_choices.h"
@@ -20,8 +20,8 @@ namespace dapple {
 
 class Session {
  public:
-    /// `wake` is called from other threads whenever there is news. A drawing has at most `most_dots` dots,
-    /// whatever the settings ask for.
+    /// `wake` is called from other threads whenever there is an event. A drawing has at most `most_dots`
+    /// dots, whatever the settings ask for.
     Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots = kMostDots);
 
     void open_sample();
@@ -37,11 +37,11 @@ class Session {
 
     /// Takes what the workers have to tell, waiting up to `patience` for a placing under way. Throws
     /// std::runtime_error if the first picture could not be read.
-    void take_news(std::chrono::milliseconds patience);
+    void take_events(std::chrono::milliseconds patience);
 
     /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
     /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
-    void order_dots(const Zoom& zoom);
+    void request_dots(const Zoom& zoom);
 
     /// Gives up a placing under way: the settings are again those of the drawing that is shown.
     void stop_placing();
@@ -68,21 +68,21 @@ class Session {
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
 
-    DrawnFacts drawn(const Pane& pane) const;
+    DrawnInfo drawn(const Pane& pane) const;
 
  private:
     /// What the whole page is ordered with.
-    PlaceOrder page_order() const;
-    void order_right(const Zoom& zoom, Reorder reorder);
+    DotsRequest page_request() const;
+    void request_right(const Zoom& zoom, RequestAgain again);
     void forget_right();
-    void take_right(PlacedNews& news);
-    void take(PlacedNews& news);
-    void take(FailedNews& news);
-    void take(SavedNews& news);
-    void take(CancelledNews& news);
+    void take_right(DotsPlaced& event);
+    void take(DotsPlaced& event);
+    void take(TaskFailed& event);
+    void take(DrawingSaved& event);
+    void take(SavingCancelled& event);
 
     // Of the page ordered last, and of the one placed last.
-    std::optional<ViewerSettings> ordered_settings_, placed_settings_;
+    std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
     std::function<void()> wake_;
     std::uint64_t most_dots_;

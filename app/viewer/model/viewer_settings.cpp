@@ -2,13 +2,13 @@
 
 namespace dapple {
 
-PlaceOrder order_of(const ViewerSettings& settings) {
-    PlaceOrder order = order_of(settings.drawing, settings.density);
-    order.colours.colouring = settings.colouring;
-    order.colours.deepest_level = settings.deepest_level;
+DotsRequest dots_request(const ViewerSettings& settings) {
+    DotsRequest request = dots_request(settings.drawing, settings.density);
+    request.colours.colouring = settings.colouring;
+    request.colours.deepest_level = settings.deepest_level;
     // Another ink places nothing anew as long as all dots are drawn in it.
-    if (settings.deepest_level < kDeepestStep) order.colours.ink = settings.drawing.ink;
-    return order;
+    if (settings.deepest_level < kDeepestStep) request.colours.ink = settings.drawing.ink;
+    return request;
 }
 
 }  // namespace dapple

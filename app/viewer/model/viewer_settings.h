@@ -48,6 +48,6 @@ struct ViewerSettings {
 };
 
 /// What the whole page is ordered with.
-PlaceOrder order_of(const ViewerSettings& settings);
+DotsRequest dots_request(const ViewerSettings& settings);
 
 }  // namespace dapple

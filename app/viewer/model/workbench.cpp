@@ -9,7 +9,7 @@
 
 namespace dapple {
 
-PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& density) {
+DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
     return {.drawing = request_of(settings),
             .tile = tile_in_use(settings),
             .ranking = settings.ranking,
@@ -21,22 +21,22 @@ void Workbench::set_picture(Grid<float> light, float usual_exposure) {
     pipeline_.set_light(std::move(light), usual_exposure);
 }
 
-DrawingPlan Workbench::plan(const PlaceOrder& order) {
-    if (std::exchange(choice_, order.density) != order.density) {
+DrawingPlan Workbench::plan(const DotsRequest& request) {
+    if (std::exchange(choice_, request.density) != request.density) {
         if (choice_.source == DensitySource::photograph)
             pipeline_.set_plain({});
         else
             pipeline_.set_plain(plain_density(choice_));
     }
-    TileKey key{order.tile, order.ranking};
+    TileKey key{request.tile, request.ranking};
     if (tile_key_ != key) {
         tile_key_.reset();
-        pipeline_.set_tile(tile_named(order.tile, order.ranking));
+        pipeline_.set_tile(tile_named(request.tile, request.ranking));
         tile_key_ = std::move(key);
     }
-    DrawingRequest request = order.drawing;
-    if (needs_thresholds(order.colours)) request.placing.thresholds = true;
-    return pipeline_.plan(request);
+    DrawingRequest drawing = request.drawing;
+    if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
+    return pipeline_.plan(drawing);
 }
 
 namespace {
@@ -52,32 +52,33 @@ double density_in(const Density& page, const PageWindow& window) {
     return sum / (kSamples * kSamples) * window.width * window.height;
 }
 
-bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
-                 const std::stop_token& stop) {
+bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& request,
+                 PlacedDrawing& drawing, const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
     // A window may be as small as 2^-41 of the page.
-    const double most = static_cast<double>(order.drawing.most_dots);
+    const double most = static_cast<double>(request.drawing.most_dots);
     const double limit =
-        most / (kDotsPerScale * std::max(density_in(*plan.density, order.close->window), 1e-200));
-    const PlacingRequest request{.scale = std::min(order.close->scale, limit),
-                                 .threads = order.drawing.placing.threads,
+        most / (kDotsPerScale * std::max(density_in(*plan.density, request.close->window), 1e-200));
+    const PlacingRequest placing{.scale = std::min(request.close->scale, limit),
+                                 .threads = request.drawing.placing.threads,
                                  .thresholds = true,
-                                 .window = order.close->window};
+                                 .window = request.close->window};
     Placer& placer = pipeline.tile().placer();
-    drawing.stippling.scale = request.scale;
+    drawing.stippling.scale = placing.scale;
     drawing.stippling.duplicates = 0;
-    if (!placer.place(*plan.density, request, drawing.stippling.dots, stop)) return false;
+    if (!placer.place(*plan.density, placing, drawing.stippling.dots, stop)) return false;
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
     drawing.stippling.place_ms = passed.count();
     drawing.steps = drawing.all_steps = 0;
     drawing.relax_ms = 0;
     drawing.outlines.clear();
-    if (order.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, request);
+    if (request.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, request);
     return true;
 }
 
-bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& order, PlacedDrawing& drawing,
-                const std::stop_token& stop, const auto& finish, const Unsettled& unsettled) {
+bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& request,
+                PlacedDrawing& drawing, const std::stop_token& stop, const auto& finish,
+                const Unsettled& unsettled) {
     DrawingWatch watch{.stop = stop, .step = {}};
     if (unsettled) {
         watch.step = [&](const Drawn& drawn, const std::function<DotPieces()>& dots) {
@@ -89,7 +90,7 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& o
                 now.steps = drawn.steps;
                 now.all_steps = plan.steps;
                 now.relax_ms = drawn.relax_ms;
-                if (order.outlines) now.outlines = pipeline.outlines(plan, drawn.stippling.scale);
+                if (request.outlines) now.outlines = pipeline.outlines(plan, drawn.stippling.scale);
                 finish(now);
                 return now;
             });
@@ -102,32 +103,32 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const PlaceOrder& o
     drawing.all_steps = plan.steps;
     drawing.relax_ms = drawn.relax_ms;
     drawing.outlines.clear();
-    if (order.outlines) drawing.outlines = pipeline.outlines(plan, drawing.stippling.scale);
+    if (request.outlines) drawing.outlines = pipeline.outlines(plan, drawing.stippling.scale);
     return true;
 }
 
 }  // namespace
 
-bool Workbench::place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop,
+bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
-    const DrawingPlan made = plan(order);
+    const DrawingPlan made = plan(request);
     pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
-    const bool turns = order.drawing.placer == PlacerKind::exact;
+    const bool turns = request.drawing.placer == PlacerKind::exact;
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
-        placed.window = order.close ? order.close->window : PageWindow{};
+        placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
         placed.colours = chosen_colours(
-            placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, order.colours);
+            placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, request.colours);
     };
-    if (!(order.close ? place_close(pipeline_, made, order, drawing, stop)
-                      : place_page(pipeline_, made, order, drawing, stop, finish, unsettled)))
+    if (!(request.close ? place_close(pipeline_, made, request, drawing, stop)
+                        : place_page(pipeline_, made, request, drawing, stop, finish, unsettled)))
         return false;
     finish(drawing);
     return true;

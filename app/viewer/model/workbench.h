@@ -27,7 +27,7 @@ struct CloseView {
 };
 
 /// Those of the settings that dots depend on.
-struct PlaceOrder {
+struct DotsRequest {
     DrawingRequest drawing;
     std::string tile;
     std::optional<RankingMethod> ranking;
@@ -37,9 +37,9 @@ struct PlaceOrder {
     DotColourChoice colours = {};
     bool settled_only = false;  // nothing is shown on the way
 
-    bool operator==(const PlaceOrder&) const = default;
+    bool operator==(const DotsRequest&) const = default;
 };
-PlaceOrder order_of(const DrawingSettings& settings, const DensityChoice& density = {});
+DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density = {});
 
 struct PlacedDrawing {
     Stippling stippling;
@@ -70,13 +70,13 @@ class Workbench {
 
     /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws
     /// std::runtime_error as Pipeline::draw() and tile_named() do. Needs a picture.
-    bool place(const PlaceOrder& order, PlacedDrawing& drawing, std::stop_token stop = {},
+    bool place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop = {},
                const Unsettled& unsettled = {});
     /// Where place() says how far it has come with the exact placer's dots: see Placer::report_share().
     void report_share(std::atomic<float>* share) { share_ = share; }
 
     /// What that order comes to: the pipeline is then ready for it.
-    DrawingPlan plan(const PlaceOrder& order);
+    DrawingPlan plan(const DotsRequest& request);
     Pipeline& pipeline() { return pipeline_; }
 
  private:

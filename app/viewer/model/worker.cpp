@@ -64,7 +64,7 @@ bool looks_like_environment(const Grid<float>& light) {
     return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
 }
 
-bool same_tile(const PlaceOrder& a, const PlaceOrder& b) {
+bool same_tile(const DotsRequest& a, const DotsRequest& b) {
     return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
 }
 
@@ -89,11 +89,11 @@ void Worker::open(std::string name, Open open) {
     changed_.notify_all();
 }
 
-void Worker::place(PlaceOrder order) {
+void Worker::place(DotsRequest request) {
     std::scoped_lock lock(mutex_);
-    last_order_ = order;
-    last_order_->close.reset();
-    next_order_ = std::move(order);
+    last_request_ = request;
+    last_request_->close.reset();
+    next_request_ = std::move(request);
     if (placing_since_ && (placing_shown_ || std::chrono::steady_clock::now() - *placing_since_ > kLong))
         placing_stop_.request_stop();
     changed_.notify_all();
@@ -101,8 +101,8 @@ void Worker::place(PlaceOrder order) {
 
 void Worker::clear() {
     std::scoped_lock lock(mutex_);
-    last_order_.reset();
-    next_order_.reset();
+    last_request_.reset();
+    next_request_.reset();
     placing_stop_.request_stop();
     tasks_.push_back(ClearTask{});
     changed_.notify_all();
@@ -123,7 +123,7 @@ void Worker::cancel_saving() {
     saving_stop_.request_stop();
 }
 
-std::optional<SavingFacts> Worker::saving() const {
+std::optional<SavingInfo> Worker::saving() const {
     std::scoped_lock lock(mutex_);
     if (saves_ == 0) return std::nullopt;
     return saving_;
@@ -139,12 +139,12 @@ std::optional<float> Worker::placed_share() const {
     return placing_since() && share >= 0 ? std::optional(share) : std::nullopt;
 }
 
-std::vector<WorkerNews> Worker::news(std::chrono::milliseconds patience) {
+std::vector<WorkerEvent> Worker::events(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     if (patience.count() > 0)
         changed_.wait_for(lock, patience,
-                          [&] { return !news_.empty() || (!next_order_ && !placing_since_); });
-    return std::exchange(news_, {});
+                          [&] { return !events_.empty() || (!next_request_ && !placing_since_); });
+    return std::exchange(events_, {});
 }
 
 void Worker::recycle(PlacedDrawing drawing) {
@@ -153,18 +153,18 @@ void Worker::recycle(PlacedDrawing drawing) {
     changed_.notify_all();
 }
 
-void Worker::publish(WorkerNews news) {
+void Worker::publish(WorkerEvent event) {
     {
         std::scoped_lock lock(mutex_);
-        news_.push_back(std::move(news));
+        events_.push_back(std::move(event));
         changed_.notify_all();
     }
     wake_();
 }
 
-void Worker::tell_failure() noexcept {
+void Worker::publish_failure() noexcept {
     try {
-        publish(FailedNews{words_of_exception()});
+        publish(TaskFailed{words_of_exception()});
     } catch (...) {  // there is no memory even for that, or nobody to be woken
     }
 }
@@ -195,16 +195,17 @@ void Worker::sort_given_back() {
 void Worker::run(std::stop_token stop) {
     while (true) {
         std::optional<Task> task;
-        std::optional<PlaceOrder> order;
+        std::optional<DotsRequest> request;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, stop, [&] { return !tasks_.empty() || next_order_ || !given_back_.empty(); });
+            changed_.wait(lock, stop,
+                          [&] { return !tasks_.empty() || next_request_ || !given_back_.empty(); });
             if (stop.stop_requested()) return;
             if (!tasks_.empty()) {
                 task = std::move(tasks_.front());
                 tasks_.pop_front();
-            } else if (next_order_) {
-                order = *std::exchange(next_order_, std::nullopt);
+            } else if (next_request_) {
+                request = *std::exchange(next_request_, std::nullopt);
                 placing_stop_ = {};
                 placing_since_ = std::chrono::steady_clock::now();
                 placing_shown_ = false;
@@ -216,10 +217,10 @@ void Worker::run(std::stop_token stop) {
             sort_given_back();
             if (task)
                 std::visit([this](auto& t) { run_task(t); }, *task);
-            else if (order && workbench_.has_picture())
-                run_order(*order);
+            else if (request && workbench_.has_picture())
+                run_request(*request);
         } catch (...) {
-            tell_failure();
+            publish_failure();
         }
         std::scoped_lock lock(mutex_);
         placing_since_.reset();
@@ -244,9 +245,9 @@ void Worker::run_task(OpenTask& task) {
             .looks_like_environment = environment,
         };
         std::scoped_lock lock(mutex_);
-        if (!next_order_ || next_order_->close) next_order_ = last_order_;
+        if (!next_request_ || next_request_->close) next_request_ = last_request_;
     } catch (...) {
-        publish(FailedNews{words_of_exception()});
+        publish(TaskFailed{words_of_exception()});
     }
 }
 
@@ -259,12 +260,12 @@ void Worker::run_task(SaveTask& task) {
     try {
         Write write;
         if (!stop.stop_requested()) write = task.prepare(workbench_, stop);
-        if (!write) return end_saving(CancelledNews{task.path});
+        if (!write) return end_saving(SavingCancelled{task.path});
         std::scoped_lock lock(mutex_);
         writes_.push_back({task.path, std::move(write)});
         changed_.notify_all();
     } catch (...) {
-        end_saving(FailedNews{words_of_exception()});
+        end_saving(TaskFailed{words_of_exception()});
     }
 }
 
@@ -291,7 +292,7 @@ void Worker::run_writes(std::stop_token stop) {
         try {
             run_write(task);
         } catch (...) {
-            tell_failure();
+            publish_failure();
         }
     }
 }
@@ -313,13 +314,13 @@ void Worker::run_write(const WriteTask& task) {
     };
     try {
         bool written = !watch.stop.stop_requested() && task.write(watch);
-        end_saving(written ? WorkerNews(SavedNews{task.path}) : WorkerNews(CancelledNews{task.path}));
+        end_saving(written ? WorkerEvent(DrawingSaved{task.path}) : WorkerEvent(SavingCancelled{task.path}));
     } catch (...) {
-        end_saving(FailedNews{words_of_exception()});
+        end_saving(TaskFailed{words_of_exception()});
     }
 }
 
-void Worker::end_saving(WorkerNews outcome) {
+void Worker::end_saving(WorkerEvent outcome) {
     {
         std::scoped_lock lock(mutex_);
         --saves_;
@@ -327,9 +328,9 @@ void Worker::end_saving(WorkerNews outcome) {
     publish(std::move(outcome));
 }
 
-void Worker::run_order(const PlaceOrder& order) {
-    PlacedNews placed;
-    placed.order = order;
+void Worker::run_request(const DotsRequest& request) {
+    DotsPlaced placed;
+    placed.request = request;
     std::stop_token stop;
     {
         std::scoped_lock lock(mutex_);
@@ -342,18 +343,18 @@ void Worker::run_order(const PlaceOrder& order) {
     workbench_.report_share(&placed_share_);
     // Steps that fit into a frame are not shown one by one.
     auto shown = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> step(static_cast<double>(order.drawing.placing.count.value_or(0)) *
+    const std::chrono::duration<double> step(static_cast<double>(request.drawing.placing.count.value_or(0)) *
                                              kSecondsADotAndStep);
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
         if (stop.stop_requested()) return false;
-        if (order.settled_only) return true;
+        if (request.settled_only) return true;
         if (std::chrono::steady_clock::now() + step - shown < kFrame) return true;
-        const bool goes_on = publish_unsettled(order, drawing());
+        const bool goes_on = publish_unsettled(request, drawing());
         shown = std::chrono::steady_clock::now();
         return goes_on;
     };
     try {
-        if (!workbench_.place(order, placed.drawing, stop, unsettled) || stop.stop_requested())
+        if (!workbench_.place(request, placed.drawing, stop, unsettled) || stop.stop_requested())
             return recycle(std::move(placed.drawing));
         last_size_ = placed.drawing.stippling.dots.size();
         make_ready_for_screen(placed.drawing);
@@ -362,17 +363,17 @@ void Worker::run_order(const PlaceOrder& order) {
         placed.error = words_of_exception();
         placed.drawing = {};
     }
-    if (placed.error.empty()) tell_tile(placed);
+    if (placed.error.empty()) add_tile(placed);
     placed.picture = std::exchange(arrived_, std::nullopt);
     publish(std::move(placed));
 }
 
-bool Worker::publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing) {
-    PlacedNews placed;
-    placed.order = order;
+bool Worker::publish_unsettled(const DotsRequest& request, PlacedDrawing drawing) {
+    DotsPlaced placed;
+    placed.request = request;
     placed.drawing = std::move(drawing);
     make_ready_for_screen(placed.drawing);
-    tell_tile(placed);
+    add_tile(placed);
     placed.picture = std::exchange(arrived_, std::nullopt);
     {
         std::scoped_lock lock(mutex_);
@@ -380,14 +381,14 @@ bool Worker::publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing) {
     }
     publish(std::move(placed));
     std::scoped_lock lock(mutex_);
-    return !next_order_;
+    return !next_request_;
 }
 
-void Worker::tell_tile(PlacedNews& news) {
-    const PlaceOrder& order = news.order;
-    if (tile_told_ && same_tile(*tile_told_, order)) return;
-    news.tile = view_of(order.tile, workbench_.pipeline().tile(), order.drawing.placer);
-    tile_told_ = order;
+void Worker::add_tile(DotsPlaced& event) {
+    const DotsRequest& request = event.request;
+    if (tile_published_ && same_tile(*tile_published_, request)) return;
+    event.tile = view_of(request.tile, workbench_.pipeline().tile(), request.drawing.placer);
+    tile_published_ = request;
 }
 
 }  // namespace dapple

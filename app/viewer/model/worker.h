@@ -37,33 +37,33 @@ struct OpenedPicture {
 
 /// What the worker has to tell. A new picture comes together with its first dots. A drawing whose dots are
 /// still to be relaxed comes as it lies, and again when it has settled further.
-struct PlacedNews {
-    PlaceOrder order;
+struct DotsPlaced {
+    DotsRequest request;
     PlacedDrawing drawing;
     std::optional<OpenedPicture> picture;
     std::optional<TileView> tile;  // if it is another than the one told before
     std::string error;             // why there are no dots
 };
-struct FailedNews {
+struct TaskFailed {
     std::string message;
 };
-struct SavedNews {
+struct DrawingSaved {
     std::filesystem::path path;
 };
-struct CancelledNews {
+struct SavingCancelled {
     std::filesystem::path path;
 };
-using WorkerNews = std::variant<PlacedNews, FailedNews, SavedNews, CancelledNews>;
+using WorkerEvent = std::variant<DotsPlaced, TaskFailed, DrawingSaved, SavingCancelled>;
 
 /// What is being saved.
-struct SavingFacts {
+struct SavingInfo {
     std::filesystem::path path;
     double share = 0;  // written, 0..1
 };
 
 class Worker {
  public:
-    /// `wake` is called from the worker's thread whenever there is news.
+    /// `wake` is called from the worker's thread whenever there is an event.
     explicit Worker(std::function<void()> wake);
     ~Worker();
 
@@ -79,16 +79,16 @@ class Worker {
     /// Places as ordered. An order that has not begun is replaced; one that has run for long, or that was
     /// shown already, is stopped; a short one may finish so that something moves under a slider that never
     /// rests.
-    void place(PlaceOrder order);
+    void place(DotsRequest request);
 
-    /// Forgets picture, dots and orders and gives their memory back, after what is under way. Only news that
-    /// was there already may still come.
+    /// Forgets picture, dots and orders and gives their memory back, after what is under way. Only events
+    /// that was there already may still come.
     void clear();
 
     /// Runs `prepare` after what is under way, then what it returns beside further placing.
     void save(std::filesystem::path path, Prepare prepare);
     void cancel_saving();
-    std::optional<SavingFacts> saving() const;
+    std::optional<SavingInfo> saving() const;
 
     /// When the placing that is under way began; none if none is.
     std::optional<std::chrono::steady_clock::time_point> placing_since() const;
@@ -96,7 +96,7 @@ class Worker {
     std::optional<float> placed_share() const;
 
     /// Everything since the last call. Waits up to `patience` for a placing that is under way.
-    std::vector<WorkerNews> news(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
+    std::vector<WorkerEvent> events(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
 
     /// Gives back a drawing that is no longer needed: its memory is used again, or freed if that is far more
     /// than drawings need now. Takes no time, however large it is.
@@ -120,38 +120,38 @@ class Worker {
 
     void run(std::stop_token stop);
     void run_writes(std::stop_token stop);
-    void tell_failure() noexcept;
-    void end_saving(WorkerNews outcome);
+    void publish_failure() noexcept;
+    void end_saving(WorkerEvent outcome);
     void run_task(OpenTask& task);
     void run_task(SaveTask& task);
     void run_task(ClearTask& task);
     void run_write(const WriteTask& task);
-    void run_order(const PlaceOrder& order);
+    void run_request(const DotsRequest& request);
     void sort_given_back();
-    bool publish_unsettled(const PlaceOrder& order, PlacedDrawing drawing);
-    void tell_tile(PlacedNews& news);
-    void publish(WorkerNews news);
+    bool publish_unsettled(const DotsRequest& request, PlacedDrawing drawing);
+    void add_tile(DotsPlaced& event);
+    void publish(WorkerEvent event);
 
     std::function<void()> wake_;
-    Workbench workbench_;                   // the thread's own
-    std::optional<OpenedPicture> arrived_;  // the thread's own: waits for its dots
-    std::vector<PlacedDrawing> spare_;      // the thread's own
-    std::size_t last_size_ = 0;             // the thread's own: dots of the last drawing
-    std::optional<PlaceOrder> tile_told_;   // the thread's own: the order whose tile was told last
+    Workbench workbench_;                        // the thread's own
+    std::optional<OpenedPicture> arrived_;       // the thread's own: waits for its dots
+    std::vector<PlacedDrawing> spare_;           // the thread's own
+    std::size_t last_size_ = 0;                  // the thread's own: dots of the last drawing
+    std::optional<DotsRequest> tile_published_;  // the thread's own: the order whose tile was told last
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Task> tasks_;
     std::deque<WriteTask> writes_;
-    std::optional<PlaceOrder> next_order_, last_order_;
-    std::vector<WorkerNews> news_;
+    std::optional<DotsRequest> next_request_, last_request_;
+    std::vector<WorkerEvent> events_;
     std::vector<PlacedDrawing> given_back_;
     std::stop_source placing_stop_, saving_stop_;
     std::optional<std::chrono::steady_clock::time_point> placing_since_;
     bool placing_shown_ = false;            // of what is under way something was told
     std::atomic<float> placed_share_ = -1;  // of what is under way; below 0: not known
     int saves_ = 0;
-    SavingFacts saving_;  // of use while saves_ > 0
+    SavingInfo saving_;  // of use while saves_ > 0
 
     std::jthread thread_, writer_;  // last: they use all of the above
 };

@@ -27,7 +27,7 @@ void grow_old(Banner& banner) {
 
 }  // namespace
 
-double rest_of(const Banner& banner) {
+double seconds_until_change(const Banner& banner) {
     if (banner.message.empty() || stays(banner)) return std::numeric_limits<double>::infinity();
     return std::max(0.0f, kStays - std::max(banner.shown_for, 0.0f));
 }

@@ -8,7 +8,7 @@
 namespace dapple {
 
 /// Seconds until a notice looks different; 0: it fades. Infinity if it stays as it is.
-double rest_of(const Banner& banner);
+double seconds_until_change(const Banner& banner);
 
 /// Draws it within a rectangle; clicking the cross empties it. True when its offer is taken.
 bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size);

@@ -48,12 +48,12 @@ constexpr SliderRange kWidth{.min = 20,
 constexpr const char* kOnlyExact =
     "The paper's placer (Figure 8) knows neither: its dots stay as placed, in the paper's order.";
 
-void use_scale(PlacingRequest& request, const DrawnFacts& drawn) {
+void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
 }
 
-bool draw_amount(PlacingRequest& request, const DrawnFacts& drawn) {
+bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
     bool changed = false;
     const auto most = static_cast<double>(drawn.most_dots);
     const std::string why = fmt::format(
@@ -95,7 +95,7 @@ bool draw_amount(PlacingRequest& request, const DrawnFacts& drawn) {
     return changed;
 }
 
-bool draw_size(DotSize& size, const DrawnFacts& drawn) {
+bool draw_size(DotSize& size, const DrawnInfo& drawn) {
     bool changed = false;
     int chosen = static_cast<int>(size.sizing);
     if (segmented_row(
@@ -122,7 +122,7 @@ bool draw_size(DotSize& size, const DrawnFacts& drawn) {
     return changed;
 }
 
-bool draw_relax(std::optional<int>& relax, const DrawnFacts& drawn) {
+bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     double steps = relax.value_or(drawn.steps);
     if (!slider_row(
             "Relax", steps,
@@ -151,7 +151,7 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
     return true;
 }
 
-bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles) {
+bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, const TileList& tiles) {
     if (!section("Dots")) return false;
     bool changed = false;
     if (settings.dot_size.sizing == DotSizing::by_tone)

@@ -1,7 +1,7 @@
 #pragma once
 // The section "Dots": how many, how large, how they are placed and relaxed.
 
-#include "app/viewer/model/drawn_facts.h"
+#include "app/viewer/model/drawn_info.h"
 #include "app/viewer/panels/tile_row.h"
 
 namespace dapple {
@@ -10,6 +10,6 @@ namespace dapple {
 bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);
 
 /// Placer, tile, how many dots and how large. True while something changes.
-bool draw_dots_panel(DrawingSettings& settings, const DrawnFacts& drawn, const TileList& tiles);
+bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, const TileList& tiles);
 
 }  // namespace dapple

@@ -46,12 +46,12 @@ std::string bytes_in_words(double bytes) {
 
 }  // namespace
 
-std::string size_in_words(const ExportFacts& facts) {
-    const std::string dots = grouped(facts.dots) + (facts.dots == 1 ? " dot" : " dots");
-    return facts.bytes ? "about " + bytes_in_words(*facts.bytes) + ", " + dots : dots;
+std::string size_in_words(const ExportInfo& info) {
+    const std::string dots = grouped(info.dots) + (info.dots == 1 ? " dot" : " dots");
+    return info.bytes ? "about " + bytes_in_words(*info.bytes) + ", " + dots : dots;
 }
 
-bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportFacts& facts) {
+bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
     if (format == DrawingFormat::png)
         changed |= slider_row("Dots per inch", settings.saving.dpi,
@@ -64,13 +64,13 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                .hard_max = 100'000,
                                .tip = "Pixels to the inch of the page, whose width is under Dots."});
     else
-        changed |= draw_order(settings.saving.order, usual_order(format, facts.dots));
+        changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
     if (format == DrawingFormat::svg) changed |= switch_row("Paper in SVG", settings.drawing.background);
-    if (!facts.trouble.empty()) {
-        hint(facts.trouble.c_str());
+    if (!info.trouble.empty()) {
+        hint(info.trouble.c_str());
         return changed;
     }
-    hint(size_in_words(facts).c_str());
+    hint(size_in_words(info).c_str());
     note_place("File size");
     if (!settings.drawing.show_tiles) return changed;
     hint(format == DrawingFormat::svg ? "With the tile boundaries as a layer of their own."

@@ -12,9 +12,9 @@ inline constexpr int kExportRows = 4;
 
 /// What goes with a format: the order of the dots, paper, resolution; and how large the file will be. True
 /// while something changes.
-bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportFacts& facts);
+bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info);
 
 /// "about 24 MB, 400,000 dots".
-std::string size_in_words(const ExportFacts& facts);
+std::string size_in_words(const ExportInfo& info);
 
 }  // namespace dapple

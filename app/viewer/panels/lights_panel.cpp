@@ -82,22 +82,22 @@ void line(const char* label, const std::string& value) {
 
 }  // namespace
 
-bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>& info,
                        const TileList& tiles) {
     bool changed = draw_samples(settings, tiles);
     changed |= draw_view(settings);
     if (section("Figures")) {
         const auto figure = [&](const char* label, const auto& words) {
-            line(label, facts ? words(*facts) : std::string("measuring"));
+            line(label, info ? words(*info) : std::string("measuring"));
             note_place(label);
         };
         figure("Irradiance differs by",
-               [](const LightsFacts& f) { return fmt::format("{:.3g} %", 100 * f.difference); });
+               [](const LightsInfo& f) { return fmt::format("{:.3g} %", 100 * f.difference); });
         figure("Total flux differs by",
-               [](const LightsFacts& f) { return fmt::format("{:.1e}", f.flux_error); });
-        figure("Placing", [](const LightsFacts& f) { return fmt::format("{:.1f} ms", f.place_ms); });
+               [](const LightsInfo& f) { return fmt::format("{:.1e}", f.flux_error); });
+        figure("Placing", [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.place_ms); });
         figure("Sharing out the light",
-               [](const LightsFacts& f) { return fmt::format("{:.1f} ms", f.share_ms); });
+               [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.share_ms); });
         hint(
             "Irradiance: mean difference over all normals between the left sphere, lit by the samples, and "
             "the "

@@ -10,8 +10,8 @@
 namespace dapple {
 
 /// Sections "Samples" and "View", and the figures. True while something changes. `tiles` can be chosen from.
-/// Without facts the samples are still being taken, and it says so in their place.
-bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsFacts>& facts,
+/// Without them the samples are still being taken, and it says so in their place.
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>& info,
                        const TileList& tiles);
 
 /// The room that the options need in the file dialog.

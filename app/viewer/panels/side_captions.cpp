@@ -32,7 +32,7 @@ void draw_caption(const SideCaption& caption, float left, float right, float top
     push_title_font();
     draw_line(caption.title, ThemeColour::text);
     pop_title_font();
-    for (const std::string& fact : caption.facts) draw_line(fact, ThemeColour::quiet);
+    for (const std::string& fact : caption.info) draw_line(fact, ThemeColour::quiet);
 }
 
 }  // namespace

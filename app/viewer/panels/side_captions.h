@@ -11,7 +11,7 @@ namespace dapple {
 /// What stands under one side of the split view: what it is drawn with, and what that came to.
 struct SideCaption {
     std::string title;
-    std::vector<std::string> facts;  // two lines of them
+    std::vector<std::string> info;  // two lines of them
 };
 
 /// Of the strip that they need.

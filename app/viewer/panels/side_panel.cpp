@@ -38,7 +38,7 @@ void end_side_panel() {
     ImGui::PopStyleVar();
 }
 
-bool SidePanel::draw(Session& session, const SpectrumFacts& spectrum, const std::function<void(Action)>& act,
+bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
                      glm::vec2 corner, glm::vec2 size) {
     begin_side_panel(corner, size, {session.picture().name, session.picture().description}, act);
     ViewerSettings& settings = session.settings;

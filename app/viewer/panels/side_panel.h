@@ -27,7 +27,7 @@ class SidePanel {
  public:
     /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`. True while
     /// the spectrum's section is open: see draw_spectrum_panel().
-    bool draw(Session& session, const SpectrumFacts& spectrum, const std::function<void(Action)>& act,
+    bool draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
               glm::vec2 corner, glm::vec2 size);
 
  private:

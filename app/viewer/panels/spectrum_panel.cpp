@@ -131,13 +131,13 @@ void draw_distances(const NearestSummary& nearest) {
 
 }  // namespace
 
-bool draw_spectrum_panel(const SpectrumFacts& facts) {
+bool draw_spectrum_panel(const SpectrumInfo& info) {
     if (!section("Spectrum", false)) return false;
-    if (!facts.analysis) {
+    if (!info.analysis) {
         hint("Measuring the dots on screen...");
         return true;
     }
-    const ViewAnalysis& analysis = *facts.analysis;
+    const ViewAnalysis& analysis = *info.analysis;
     if (!analysis.error.empty()) {
         hint(analysis.error.c_str());
         return true;
@@ -150,7 +150,7 @@ bool draw_spectrum_panel(const SpectrumFacts& facts) {
                      analysis.all ? "on screen" : "in the middle of the screen")
              .c_str());
     draw_repetition(analysis);
-    draw_picture(facts.picture);
+    draw_picture(info.picture);
     hint(
         "The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no clumps. "
         "Orange spots are stronger than chance makes them: some are in every tile, and many in a lattice are "

@@ -7,7 +7,7 @@
 
 namespace dapple {
 
-struct SpectrumFacts {
+struct SpectrumInfo {
     const ViewAnalysis* analysis = nullptr;  // none yet: being measured
     ImTextureID picture{};                   // of its spectrum
 };
@@ -15,6 +15,6 @@ struct SpectrumFacts {
 /// Section "Spectrum", folded at first: the spectrum of the dots on screen as a
 /// picture and as a curve, how much they repeat and how far apart they are, each with a sentence that says
 /// what it means. True while it is open, for only then is there anything to measure.
-bool draw_spectrum_panel(const SpectrumFacts& facts);
+bool draw_spectrum_panel(const SpectrumInfo& info);
 
 }  // namespace dapple

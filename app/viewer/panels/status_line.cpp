@@ -25,46 +25,45 @@ float width_of(const std::vector<StatusItem>& items) {
 
 }  // namespace
 
-std::string dots_in_words(const StatusFacts& facts) {
-    std::string words = grouped(facts.dots) + (facts.dots == 1 ? " dot" : " dots");
-    if (facts.figure8)
+std::string dots_in_words(const StatusInfo& info) {
+    std::string words = grouped(info.dots) + (info.dots == 1 ? " dot" : " dots");
+    if (info.figure8)
         words += fmt::format(
-            ", {} of them duplicates ({:.0f} %)", grouped(facts.duplicates),
-            facts.dots ? 100.0 * static_cast<double>(facts.duplicates) / static_cast<double>(facts.dots)
-                       : 0.0);
+            ", {} of them duplicates ({:.0f} %)", grouped(info.duplicates),
+            info.dots ? 100.0 * static_cast<double>(info.duplicates) / static_cast<double>(info.dots) : 0.0);
     return words;
 }
 
-std::vector<StatusItem> status_items(const StatusFacts& facts) {
-    std::vector<StatusItem> items{{dots_in_words(facts), 6}};
-    items.push_back({"scale " + in_round_words(facts.scale), 4});
-    if (facts.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", facts.tone_ms), 0});
-    const bool settles = facts.steps<facts.all_steps, is_long = facts.placing_seconds> kLongPlacing;
+std::vector<StatusItem> status_items(const StatusInfo& info) {
+    std::vector<StatusItem> items{{dots_in_words(info), 6}};
+    items.push_back({"scale " + in_round_words(info.scale), 4});
+    if (info.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", info.tone_ms), 0});
+    const bool settles = info.steps<info.all_steps, is_long = info.placing_seconds> kLongPlacing;
     if (is_long && !settles)
-        items.push_back({facts.placed_share
-                             ? fmt::format("placing, {:.0f} %, Escape stops it", 100 * *facts.placed_share)
-                             : fmt::format("placing, {:.0f} s, Escape stops it", facts.placing_seconds),
+        items.push_back({info.placed_share
+                             ? fmt::format("placing, {:.0f} %, Escape stops it", 100 * *info.placed_share)
+                             : fmt::format("placing, {:.0f} s, Escape stops it", info.placing_seconds),
                          7});
     else
-        items.push_back({fmt::format("placing {:.1f} ms", facts.place_ms), 3});
+        items.push_back({fmt::format("placing {:.1f} ms", info.place_ms), 3});
     if (settles)
-        items.push_back({fmt::format("settling, step {} of {}{}", facts.steps, facts.all_steps,
+        items.push_back({fmt::format("settling, step {} of {}{}", info.steps, info.all_steps,
                                      is_long ? ", Escape stops it" : ""),
                          7});
-    else if (facts.steps > 0)
-        items.push_back({fmt::format("{} steps {:.0f} ms", facts.steps, facts.relax_ms), 3});
-    items.push_back({fmt::format("drawing {:.1f} ms", facts.draw_ms), 2});
-    if (facts.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", facts.frames_per_second), 1});
+    else if (info.steps > 0)
+        items.push_back({fmt::format("{} steps {:.0f} ms", info.steps, info.relax_ms), 3});
+    items.push_back({fmt::format("drawing {:.1f} ms", info.draw_ms), 2});
+    if (info.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", info.frames_per_second), 1});
     items.push_back(
-        {facts.zoom < 10 ? fmt::format("{:.0f} %", facts.zoom * 100) : in_round_words(facts.zoom) + " times",
+        {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
          5});
     return items;
 }
 
-std::optional<double> progress_of(const StatusFacts& facts) {
-    if (facts.placing_seconds <= kLongPlacing) return std::nullopt;
-    if (facts.steps < facts.all_steps) return static_cast<double>(facts.steps) / facts.all_steps;
-    return facts.placed_share;
+std::optional<double> progress_of(const StatusInfo& info) {
+    if (info.placing_seconds <= kLongPlacing) return std::nullopt;
+    if (info.steps < info.all_steps) return static_cast<double>(info.steps) / info.all_steps;
+    return info.placed_share;
 }
 
 std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
@@ -73,7 +72,7 @@ std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
     return items;
 }
 
-void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts) {
+void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusInfo& info) {
     ImGui::SetNextWindowPos({corner.x, corner.y});
     ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
@@ -84,7 +83,7 @@ void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts
                  kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (const auto share = progress_of(facts)) {
+    if (const auto share = progress_of(info)) {
         const float bar = 3 * ImGui::GetTextLineHeight() / 15;
         const auto done = static_cast<float>(*share) * size.x;
         ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -94,7 +93,7 @@ void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts
         note_place("Progress", {{low.x, low.y}, {low.x + done, low.y + bar}});
     }
     bool first = true;
-    for (const StatusItem& item : fitting(status_items(facts), ImGui::GetContentRegionAvail().x)) {
+    for (const StatusItem& item : fitting(status_items(info), ImGui::GetContentRegionAvail().x)) {
         if (!std::exchange(first, false)) ImGui::SameLine(0, air_between());
         const bool main = item.importance >= 6;
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(main ? ThemeColour::text : ThemeColour::quiet));

@@ -14,7 +14,7 @@ namespace dapple {
 /// Someone who waits for longer wants to know for what, in seconds.
 inline constexpr double kLongPlacing = 0.5;
 
-struct StatusFacts {
+struct StatusInfo {
     std::uint64_t dots = 0;
     std::uint64_t duplicates = 0;  // among them
     bool figure8 = false;          // duplicates are worth a word
@@ -33,11 +33,11 @@ struct StatusFacts {
         std::optional<double> left_repetition, repetition;
     };
     std::optional<RightSide> right{};
-    std::optional<LoupeFacts> loupe{};  // while it shows something
+    std::optional<LoupeInfo> loupe{};  // while it shows something
 };
 
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.
-std::string dots_in_words(const StatusFacts& facts);
+std::string dots_in_words(const StatusInfo& info);
 
 /// What the line says, from the left to the right. Where it is too narrow, the least important goes first.
 struct StatusItem {
@@ -46,15 +46,15 @@ struct StatusItem {
 };
 /// While a placing takes more than half a second it says how far it has come instead of how long the last one
 /// took.
-std::vector<StatusItem> status_items(const StatusFacts& facts);
+std::vector<StatusItem> status_items(const StatusInfo& info);
 
 /// How far a placing of more than half a second, or what settles after it, has come, 0..1.
-std::optional<double> progress_of(const StatusFacts& facts);
+std::optional<double> progress_of(const StatusInfo& info);
 
 /// Those that fit into a width, in their order; one at least.
 std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width);
 
 /// A line over the whole width of a rectangle, with a bar at its upper edge while there is progress.
-void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusFacts& facts);
+void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusInfo& info);
 
 }  // namespace dapple

@@ -67,13 +67,13 @@ bool draw_levels(Tone& tone) {
 }
 
 // The usual one is automatic again: the next picture has its own.
-bool draw_exposure(DrawingSettings& settings, const ToneFacts& facts) {
-    float stops = settings.automatic_exposure ? facts.usual_exposure : settings.tone.exposure;
+bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
+    float stops = settings.automatic_exposure ? info.usual_exposure : settings.tone.exposure;
     const bool changed =
         slider_row("Exposure", stops,
-                   {.min = std::min(-8.0, facts.usual_exposure - 4.0),
-                    .max = std::max(8.0, facts.usual_exposure + 4.0),
-                    .neutral = facts.usual_exposure,
+                   {.min = std::min(-8.0, info.usual_exposure - 4.0),
+                    .max = std::max(8.0, info.usual_exposure + 4.0),
+                    .neutral = info.usual_exposure,
                     .format = "%+.1f EV",
                     .hard_min = -kMostStops,
                     .hard_max = kMostStops,
@@ -81,10 +81,10 @@ bool draw_exposure(DrawingSettings& settings, const ToneFacts& facts) {
                            "open with what shows most of them; a double-click on the name brings that "
                            "back."});
     if (changed) {
-        settings.automatic_exposure = stops == facts.usual_exposure;
+        settings.automatic_exposure = stops == info.usual_exposure;
         settings.tone.exposure = settings.automatic_exposure ? 0 : stops;
     }
-    if (settings.automatic_exposure && facts.usual_exposure != 0) {
+    if (settings.automatic_exposure && info.usual_exposure != 0) {
         hint("Chosen for this HDR picture's light.");
         note_place("Exposure chosen");
     }
@@ -106,12 +106,12 @@ bool offer_light_ink(DrawingSettings& settings) {
 
 }  // namespace
 
-bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts) {
+bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     if (!section("Tone")) return false;
-    bool changed = draw_source(settings, facts.drawn);
-    changed |= draw_exposure(settings, facts);
-    Tone shown = settings.automatic_tone ? facts.drawn : settings.tone;
-    bool own = facts.histogram.total > 0 && draw_histogram(facts.histogram, shown);
+    bool changed = draw_source(settings, info.drawn);
+    changed |= draw_exposure(settings, info);
+    Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
+    bool own = info.histogram.total > 0 && draw_histogram(info.histogram, shown);
     own |= draw_levels(shown);
     if (own) {
         settings.automatic_tone = false;
@@ -128,7 +128,7 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts) {
         slider_row("Blur", tone.blur,
                    {.min = 0, .max = 20, .neutral = 0, .format = "%.1f", .hard_min = 0, .hard_max = 100});
     changed |= switch_row("Invert", tone.invert);
-    if (facts.mostly_black) changed |= offer_light_ink(settings);
+    if (info.mostly_black) changed |= offer_light_ink(settings);
     return changed;
 }
 

@@ -7,7 +7,7 @@
 namespace dapple {
 
 /// What the picture and its drawing came to.
-struct ToneFacts {
+struct ToneInfo {
     Histogram histogram{};      // of the picture; empty: none is shown
     Tone drawn{};               // with the values that were chosen automatically
     float usual_exposure = 0;   // what automatic exposure comes to
@@ -17,6 +17,6 @@ struct ToneFacts {
 /// The darkroom: automatic tone, true light or the person's own, the histogram with its handles, the sliders,
 /// which show what is drawn. Moving one of them makes the tone the person's own. True while something
 /// changes.
-bool draw_tone_panel(DrawingSettings& settings, const ToneFacts& facts);
+bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info);
 
 }  // namespace dapple

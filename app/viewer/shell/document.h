@@ -56,7 +56,7 @@ class Document {
     virtual void draw(const Frame& frame) = 0;
 
     /// Seconds without an event after which it is to be drawn all the same; 0: at once.
-    virtual double rest() const = 0;
+    virtual double seconds_to_next_frame() const = 0;
 
     /// What is to take its place in the window, once; null: nothing.
     virtual std::unique_ptr<Document> take_successor() { return nullptr; }

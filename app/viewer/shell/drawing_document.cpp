@@ -73,7 +73,7 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
 
 void DrawingDocument::draw_saving_options(std::size_t format) {
     const auto kind = static_cast<DrawingFormat>(format);
-    draw_export_panel(session_.settings, kind, estimate_.facts(session_.pane(), session_.settings, kind));
+    draw_export_panel(session_.settings, kind, estimate_.info(session_.pane(), session_.settings, kind));
 }
 
 void DrawingDocument::act(Action action, const Frame&) {
@@ -116,8 +116,8 @@ void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
         session_.stop_placing();
-    session_.take_news(std::chrono::milliseconds(0));
-    show_news(frame.window);
+    session_.take_events(std::chrono::milliseconds(0));
+    show_changes(frame.window);
 
     const auto [place, captions, status_size] = layout(frame);
     const bool panels = frame.panels.x > 0;
@@ -125,10 +125,10 @@ void DrawingDocument::draw(const Frame& frame) {
         panels && side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels);
     draw_split(place);
     session_.remember(ImGui::IsAnyItemActive());
-    session_.order_dots(zoom());
-    show_news(frame.window);
+    session_.request_dots(zoom());
+    show_changes(frame.window);
     if (panels && session_.placed_once())
-        draw_status_line({0, place.size.y + captions.y}, status_size, facts());
+        draw_status_line({0, place.size.y + captions.y}, status_size, info());
     draw_over_canvas(place);
     canvas_.handle_mouse(place);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
@@ -199,29 +199,29 @@ SplitLook DrawingDocument::look(const CanvasPlace& place) const {
 
 SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) const {
     const Stippling& stippling = pane.page().stippling;
-    const PlaceOrder order = pane.page_order().value_or(PlaceOrder{});
+    const DotsRequest request = pane.page_request().value_or(DotsRequest{});
     SideCaption caption;
-    caption.title = drawn_with(order);
+    caption.title = drawn_with(request);
     if (&pane == &session_.pane()) caption.title += " - this side is saved";
-    caption.facts = {dots_in_words({.dots = stippling.dots.size(),
-                                    .duplicates = stippling.duplicates,
-                                    .figure8 = order.drawing.placer == PlacerKind::figure8})};
+    caption.info = {dots_in_words({.dots = stippling.dots.size(),
+                                   .duplicates = stippling.duplicates,
+                                   .figure8 = request.drawing.placer == PlacerKind::figure8})};
     if (const auto value = meter.periodicity())
-        caption.facts.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
-                                            std::clamp(*value, 0.0, 1.0)));
+        caption.info.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
+                                           std::clamp(*value, 0.0, 1.0)));
     return caption;
 }
 
-void DrawingDocument::show_news(Window& window) {
+void DrawingDocument::show_changes(Window& window) {
     if (std::exchange(pictures_titled_, session_.pictures()) != session_.pictures()) {
         canvas_.fit();
         window.set_title(session_.picture().name + " - Dapple");
     }
-    show_news(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
-    show_news(Side::right, session_.right());
+    show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
+    show_changes(Side::right, session_.right());
 }
 
-void DrawingDocument::show_news(Side side, const Pane* pane) {
+void DrawingDocument::show_changes(Side side, const Pane* pane) {
     SeenSide& seen = seen_[static_cast<int>(side)];
     const std::uint64_t version = pane ? pane->version() : 0;
     if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
@@ -252,7 +252,7 @@ std::optional<double> DrawingDocument::placed_share() const {
     return least;
 }
 
-StatusFacts DrawingDocument::facts() const {
+StatusInfo DrawingDocument::info() const {
     const Pane& pane = session_.pane();
     const Stippling& stippling = pane.shown().stippling;
     return {.dots = stippling.dots.size(),
@@ -269,20 +269,20 @@ StatusFacts DrawingDocument::facts() const {
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
-            .right = right_facts(),
-            .loupe = loupe_.facts()};
+            .right = right_info(),
+            .loupe = loupe_.info()};
 }
 
-std::optional<StatusFacts::RightSide> DrawingDocument::right_facts() const {
+std::optional<StatusInfo::RightSide> DrawingDocument::right_info() const {
     const Pane* right = session_.right();
     if (!right) return std::nullopt;
     const Stippling& stippling = right->shown().stippling;
-    return StatusFacts::RightSide{.dots = stippling.dots.size(),
-                                  .duplicates = stippling.duplicates,
-                                  .scale = stippling.scale,
-                                  .divider = session_.settings.comparison.divider,
-                                  .left_repetition = left_repetition_.periodicity(),
-                                  .repetition = right_repetition_.periodicity()};
+    return StatusInfo::RightSide{.dots = stippling.dots.size(),
+                                 .duplicates = stippling.duplicates,
+                                 .scale = stippling.scale,
+                                 .divider = session_.settings.comparison.divider,
+                                 .left_repetition = left_repetition_.periodicity(),
+                                 .repetition = right_repetition_.periodicity()};
 }
 
 ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_t tile_size) const {
@@ -291,7 +291,7 @@ ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_
             .has_duplicates = pane.page().stippling.duplicates > 0};
 }
 
-SpectrumFacts DrawingDocument::spectrum() {
+SpectrumInfo DrawingDocument::spectrum() {
     const std::optional<ViewAnalysis>& analysis = spectrum_.analysis();
     if (!analysis) return {};
     const bool has_picture = !analysis->picture.empty();
@@ -317,14 +317,15 @@ void DrawingDocument::measure_dots() {
 
 std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
     if (!session_.placed_once()) return std::nullopt;
-    return status_json(facts(), session_.pane().placings());
+    return status_json(info(), session_.pane().placings());
 }
 
-double DrawingDocument::rest() const {
+double DrawingDocument::seconds_to_next_frame() const {
     constexpr double kLookForPlacing = 0.25;
     if (session_.settings.every_frame || canvas_.drawing()) return 0;
     const double longest = placing_seconds() > 0 ? kLookForPlacing : 60;
-    return std::min({longest, rest_of(session_.banner), canvas_.rest().value_or(longest)});
+    return std::min(
+        {longest, seconds_until_change(session_.banner), canvas_.seconds_to_next_frame().value_or(longest)});
 }
 
 }  // namespace dapple

@@ -36,7 +36,7 @@ class DrawingDocument : public Document {
     void draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
-    double rest() const override;
+    double seconds_to_next_frame() const override;
     std::unique_ptr<Document> take_successor() override { return std::move(successor_); }
     std::optional<nlohmann::ordered_json> status() const override;
 
@@ -55,13 +55,13 @@ class DrawingDocument : public Document {
     /// Both sides are measured by the smaller tile, so that they compare.
     std::size_t compared_tile_size() const;
     SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
-    void show_news(Window& window);
-    void show_news(Side side, const Pane* pane);
-    StatusFacts facts() const;
+    void show_changes(Window& window);
+    void show_changes(Side side, const Pane* pane);
+    StatusInfo info() const;
     double placing_seconds() const;
     std::optional<double> placed_share() const;
-    std::optional<StatusFacts::RightSide> right_facts() const;
-    SpectrumFacts spectrum();
+    std::optional<StatusInfo::RightSide> right_info() const;
+    SpectrumInfo spectrum();
     void measure_dots();
     ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
 

@@ -96,7 +96,7 @@ void LightsDocument::zoom_to(double pixels_per_unit) {
 }
 
 void LightsDocument::draw(const Frame& frame) {
-    session_.take_news();
+    session_.take_events();
     if (frame.panels.x > 0) draw_panels(frame);
     draw_banner(session_.banner, {0, 0}, frame.canvas);
     session_.remember(ImGui::IsAnyItemActive());
@@ -108,9 +108,9 @@ void LightsDocument::draw_panels(const Frame& frame) {
     if (const LitMap* lit = session_.lit())
         size = std::to_string(lit->map.width()) + " x " + std::to_string(lit->map.height()) + " pixels";
     begin_side_panel({frame.canvas.x, 0}, frame.panels, {session_.name(), size}, frame.act);
-    std::optional<LightsFacts> facts;
-    if (session_.samples().found) facts = session_.samples().facts;
-    draw_lights_panel(session_.settings, facts,
+    std::optional<LightsInfo> info;
+    if (session_.samples().found) info = session_.samples().info;
+    draw_lights_panel(session_.settings, info,
                       {session_.tiles(), [&frame] { frame.act(Action::open_tile); }});
     end_side_panel();
 }
@@ -137,8 +137,8 @@ void LightsDocument::show_canvas(const Frame& frame) {
                 {*lit, session_.samples(), session_.settings, session_.maps(), session_.samplings()});
 }
 
-double LightsDocument::rest() const {
-    return rest_of(session_.banner);
+double LightsDocument::seconds_to_next_frame() const {
+    return seconds_until_change(session_.banner);
 }
 
 std::optional<nlohmann::ordered_json> LightsDocument::status() const {
@@ -147,7 +147,7 @@ std::optional<nlohmann::ordered_json> LightsDocument::status() const {
                         .samplings = session_.samplings(),
                         .sampling = session_.sampling(),
                         .stops = session_.settings.stops,
-                        .difference = session_.samples().facts.difference,
+                        .difference = session_.samples().info.difference,
                         .zoom = camera_.pixels_per_unit / camera_.canvas.x,
                         .saving = session_.saving()});
 }

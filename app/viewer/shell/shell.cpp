@@ -41,7 +41,7 @@ Shell::Shell(bool log_status) : log_status_(log_status), window_("Dapple") {
 int Shell::run(std::unique_ptr<Document> document) {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
-        double rest = frames_left > 0 ? 0 : document->rest();
+        double rest = frames_left > 0 ? 0 : document->seconds_to_next_frame();
         if (ImGui::GetIO().WantTextInput) rest = std::min(rest, kCursorBlinks);
         if (window_.wait_for_events(rest)) frames_left = kFramesAfterEvent;
         const auto begin = std::chrono::steady_clock::now();

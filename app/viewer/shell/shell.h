@@ -36,7 +36,7 @@ class Shell {
     bool ready_ = false;
     double last_seconds_ = 0;  // of the last frame
     std::string logged_;
-    HealthFacts health_;
+    HealthInfo health_;
 };
 
 }  // namespace dapple

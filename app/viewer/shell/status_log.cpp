@@ -4,7 +4,7 @@
 
 namespace dapple {
 
-void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const HealthFacts& health,
+void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetPlaces& widgets) {
     line["longest_frame_ms"] = health.longest_frame_ms;
     line["gl_errors"] = health.gl_errors;
@@ -15,27 +15,27 @@ void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const Heal
         places[label] = {place.min.x, place.min.y, place.max.x, place.max.y};
 }
 
-nlohmann::ordered_json status_json(const StatusFacts& facts, std::uint64_t placings) {
+nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings) {
     nlohmann::ordered_json line{
-        {"dots", facts.dots},       {"duplicates", facts.duplicates}, {"scale", facts.scale},
-        {"zoom", facts.zoom},       {"placings", placings},           {"place_ms", facts.place_ms},
-        {"draw_ms", facts.draw_ms}, {"steps", facts.steps},           {"all_steps", facts.all_steps}};
-    if (const auto share = progress_of(facts)) line["progress"] = *share;
-    if (facts.right) {
+        {"dots", info.dots},       {"duplicates", info.duplicates}, {"scale", info.scale},
+        {"zoom", info.zoom},       {"placings", placings},          {"place_ms", info.place_ms},
+        {"draw_ms", info.draw_ms}, {"steps", info.steps},           {"all_steps", info.all_steps}};
+    if (const auto share = progress_of(info)) line["progress"] = *share;
+    if (info.right) {
         const auto number = [](const std::optional<double>& value) {
             return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
         };
-        line["right"] = {{"dots", facts.right->dots},
-                         {"duplicates", facts.right->duplicates},
-                         {"scale", facts.right->scale},
-                         {"divider", facts.right->divider},
-                         {"repetition", number(facts.right->repetition)},
-                         {"left_repetition", number(facts.right->left_repetition)}};
+        line["right"] = {{"dots", info.right->dots},
+                         {"duplicates", info.right->duplicates},
+                         {"scale", info.right->scale},
+                         {"divider", info.right->divider},
+                         {"repetition", number(info.right->repetition)},
+                         {"left_repetition", number(info.right->left_repetition)}};
     }
-    if (facts.loupe)
-        line["loupe"] = {{"repetition", facts.loupe->repetition},
-                         {"layers", facts.loupe->layers},
-                         {"level", facts.loupe->level}};
+    if (info.loupe)
+        line["loupe"] = {{"repetition", info.loupe->repetition},
+                         {"layers", info.loupe->layers},
+                         {"level", info.loupe->level}};
     return line;
 }
 

@@ -12,13 +12,13 @@
 namespace dapple {
 
 /// How the program itself is.
-struct HealthFacts {
+struct HealthInfo {
     double longest_frame_ms = 0;  // that the window took for one, from the events it knew to showing it
     int gl_errors = 0;
 };
 
 /// Where the mouse was in a frame, in window coordinates, and its left button.
-struct MouseFacts {
+struct MouseInfo {
     glm::vec2 position{0};
     bool down = false;
 };
@@ -30,14 +30,14 @@ struct MouseFacts {
 /// "divider": .., "repetition": .., "left_repetition": ..}, "loupe": {"repetition": .., "layers": ..,
 /// "level": ..}}. placings counts since the start. "right" is there while the split view shows dots (an
 /// unknown repetition is null), "loupe" while the lens shows something.
-nlohmann::ordered_json status_json(const StatusFacts& facts, std::uint64_t placings);
+nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings);
 
 struct LightStatus {
     std::size_t samples = 0;
     std::uint64_t samplings = 0;  // since the start
     bool sampling = false;        // another is under way
     double stops = 0;             // LightsSettings::stops
-    double difference = 0;        // LightsFacts::difference
+    double difference = 0;        // LightsInfo::difference
     double zoom = 1;              // how many times larger than fitted the map is
     bool saving = false;          // a file is being written
 };
@@ -48,7 +48,7 @@ nlohmann::ordered_json status_json(const LightStatus& status);
 
 /// Adds what both have: {"longest_frame_ms": .., "gl_errors": .., "mouse": [x, y], "mouse_down": ..,
 /// "widgets": {"Scale": [x0, y0, x1, y1], ..}}, places in window coordinates.
-void add_input(nlohmann::ordered_json& line, const MouseFacts& mouse, const HealthFacts& health,
+void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetPlaces& widgets);
 
 }  // namespace dapple

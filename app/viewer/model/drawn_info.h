@@ -9,7 +9,7 @@ namespace dapple {
 
 /// What the drawing on screen came to: where sliders start from when the person switches between scale and
 /// count, or from the automatic radius to a fixed one.
-struct DrawnFacts {
+struct DrawnInfo {
     std::uint64_t dots = 0;
     double scale = 0;
     double dot_radius_mm = 0;
