@@ -11,7 +11,7 @@ namespace {
 
 constexpr PageSize kPage{100, 50, 100};
 
-Dots dots_at(std::initializer_list<std::pair<float, float>> places_mm) {
+Dots dots_at_mm(std::initializer_list<std::pair<float, float>> places_mm) {
     Dots dots;
     for (const auto& [x, y] : places_mm) {
         dots.x.push_back(x / 100);
@@ -24,25 +24,25 @@ Dots dots_at(std::initializer_list<std::pair<float, float>> places_mm) {
 
 TEST_CASE("a pen's way is the length of the straight lines from dot to dot") {
     // Sides 3, 4 and 5 of a triangle, then nothing.
-    CHECK(preflight(dots_at({{10, 10}, {13, 10}, {13, 14}, {10, 10}}), kPage, 0.1).pen_up_m ==
+    CHECK(preflight(dots_at_mm({{10, 10}, {13, 10}, {13, 14}, {10, 10}}), kPage, 0.1).pen_up_m ==
           doctest::Approx(0.012));
-    CHECK(preflight(dots_at({{10, 10}}), kPage, 0.1).pen_up_m == 0);
-    CHECK(std::isinf(preflight(dots_at({{10, 10}}), kPage, 0.1).nearest_mm));
+    CHECK(preflight(dots_at_mm({{10, 10}}), kPage, 0.1).pen_up_m == 0);
+    CHECK(std::isinf(preflight(dots_at_mm({{10, 10}}), kPage, 0.1).nearest_mm));
     CHECK(preflight({}, kPage, 0.1).over_edge == 0);
 }
 
 TEST_CASE("dots that a plotter's program joins are counted by its own distance") {
     const Preflight found =
-        preflight(dots_at({{10, 10}, {10.1f, 10}, {20, 20}, {20, 20.4f}, {40, 40}}), kPage, 0.1);
+        preflight(dots_at_mm({{10, 10}, {10.1f, 10}, {20, 20}, {20, 20.4f}, {40, 40}}), kPage, 0.1);
     CHECK(found.nearest_mm == doctest::Approx(0.1).epsilon(1e-4));
     CHECK(found.nearer_than_axidraw == 2);
     CHECK(found.nearer_than_saxi == 4);
 }
 
 TEST_CASE("dots that reach over any edge of the page are counted") {
-    CHECK(preflight(dots_at({{0.3f, 20}, {50, 0.3f}, {99.7f, 20}, {50, 49.7f}, {50, 25}}), kPage, 0.4)
+    CHECK(preflight(dots_at_mm({{0.3f, 20}, {50, 0.3f}, {99.7f, 20}, {50, 49.7f}, {50, 25}}), kPage, 0.4)
               .over_edge == 4);
-    CHECK(preflight(dots_at({{0.5f, 20}, {50, 25}}), kPage, 0.4).over_edge == 0);
+    CHECK(preflight(dots_at_mm({{0.5f, 20}, {50, 25}}), kPage, 0.4).over_edge == 0);
 }
 
 TEST_CASE("the distances of many dots are those found by comparing all pairs") {
