@@ -10,7 +10,7 @@
 namespace dapple {
 
 float usual_exposure(const Grid<float>& light) {
-    constexpr float kWhite = 1, kDark = 1.0f / 16;
+    constexpr float kBrightest = 1, kDark = 1.0f / 16;
     constexpr double kLeastMean = 0.09, kMostMean = 0.36, kPercentile = 0.98;
     constexpr std::size_t kSamples = 1'000'000;  // enough for percentiles
 
@@ -29,7 +29,7 @@ float usual_exposure(const Grid<float>& light) {
     const auto white =
         lit.begin() + static_cast<std::ptrdiff_t>(kPercentile * static_cast<double>(lit.size() - 1));
     std::ranges::nth_element(lit, white);
-    if (most <= kWhite && *white >= kDark) return 0;
+    if (most <= kBrightest && *white >= kDark) return 0;
 
     const double mean = logarithms / static_cast<double>(lit.size());
     const double stops =

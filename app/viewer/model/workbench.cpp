@@ -72,7 +72,7 @@ bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest&
     drawing.steps = drawing.all_steps = 0;
     drawing.relax_ms = 0;
     drawing.outlines.clear();
-    if (request.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, request);
+    if (request.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, placing);
     return true;
 }
 
