@@ -91,14 +91,16 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
     CHECK(has(Decoder("exit 3").sentence(), "without a word (exit 3)"));
     CHECK(has(Decoder("echo nonsense").sentence(), "says nothing that can be understood"));
     // A header of 4 x 4 pixels and one row of it.
-    CHECK(has(
-        Decoder(R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0r0123456789abcdef')").sentence(),
-        "without a word"));
+    CHECK(
+        has(Decoder(R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0r0123456789abcdef')")
+                .sentence(),
+            "without a word"));
     // A picture larger than was asked for.
-    CHECK(has(Decoder(R"(printf 'p\0\0\0\100\0\0\0\100\001\0\0\0\001\0\0\0\0\0\0\0')").sentence(),
+    CHECK(has(Decoder(R"(printf 'p\0\0\0\100\0\0\0\100\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0')").sentence(),
               "megapixels"));
     // A picture of no width.
-    CHECK(has(Decoder(R"(printf 'p\0\0\0\0\0\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0')").sentence(), "no picture"));
+    CHECK(has(Decoder(R"(printf 'p\0\0\0\0\0\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0')").sentence(),
+              "no picture"));
     CHECK(has(Decoder("sleep 0; exec 1>&-; sleep 1; kill -SEGV $$").sentence(), "crashed"));
 }
 

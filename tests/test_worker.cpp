@@ -18,7 +18,9 @@ namespace dapple {
 namespace {
 
 Picture grey(int side) {
-    return {Grid<float>(side, side, 0.4f), Grid<glm::u8vec4>(side, side, glm::u8vec4(170)), 0, "grey"};
+    return {.light = Grid<float>(side, side, 0.4f),
+            .preview = Grid<glm::u8vec4>(side, side, glm::u8vec4(170)),
+            .description = "grey"};
 }
 
 DotsRequest dots(std::uint64_t count) {
@@ -231,7 +233,14 @@ TEST_CASE("a worker tells which share of the dots is placed, which grows") {
         if (const auto share = worker.placed_share()) seen.push_back(*share);
         return !worker.events().empty();
     }));
-    CHECK(std::ranges::is_sorted(seen));
+    // Less than before is the beginning of another try.
+    int tries = 1;
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        if (seen[i] >= seen[i - 1]) continue;
+        ++tries;
+        CHECK(seen[i] < 0.2f);
+    }
+    CHECK(tries <= 3);
     const auto inside = std::ranges::count_if(seen, [](float share) { return share > 0.1f && share < 0.9f; });
     CHECK(inside > 0);
     CHECK(seen.back() <= 1);

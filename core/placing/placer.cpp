@@ -73,10 +73,14 @@ bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots
     for (std::size_t i = count; i < memory.emitters.size(); ++i) memory.emitters[i].tail.clear();
     const double most = std::accumulate(memory.pieces.most.begin(), memory.pieces.most.end(), 0.0);
     std::atomic<std::size_t> done = 0;
+    if (memory.share) *memory.share = 0;
+    // Threads may come here in another order than they counted.
     const auto report = [&](std::size_t pieces) {
-        if (memory.share) *memory.share = static_cast<float>(pieces) / static_cast<float>(count);
+        if (!memory.share) return;
+        const float now = static_cast<float>(pieces) / static_cast<float>(count);
+        float reported = *memory.share;
+        while (reported < now && !memory.share->compare_exchange_weak(reported, now)) continue;
     };
-    if (count > 0) report(0);
     for_each_on_threads(count, threads, [&](std::size_t i) {
         if (whole_page) reserve(dots.pieces[i], expected * memory.pieces.most[i] / most, thresholds);
         SquareEmitter emitter(traversal, dots.pieces[i], memory.emitters[i], expected >= kBeyondCaches);

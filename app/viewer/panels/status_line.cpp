@@ -38,12 +38,14 @@ std::vector<StatusItem> status_items(const StatusInfo& info) {
     std::vector<StatusItem> items{{dots_in_words(info), 6}};
     items.push_back({"scale " + in_round_words(info.scale), 4});
     if (info.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", info.tone_ms), 0});
-    const bool settles = info.steps<info.all_steps, is_long = info.placing_seconds> kLongPlacing;
+    const bool settles = info.steps < info.all_steps;
+    const bool is_long = info.placing_seconds > kLongPlacing;
     if (is_long && !settles)
-        items.push_back({info.placed_share
-                             ? fmt::format("placing, {:.0f} %, Escape stops it", 100 * *info.placed_share)
-                             : fmt::format("placing, {:.0f} s, Escape stops it", info.placing_seconds),
-                         7});
+        items.push_back(
+            {info.placed_share
+                 ? fmt::format("placing, {:.0f} %, Escape stops it", std::min(100 * *info.placed_share, 99.0))
+                 : fmt::format("placing, {:.0f} s, Escape stops it", info.placing_seconds),
+             7});
     else
         items.push_back({fmt::format("placing {:.1f} ms", info.place_ms), 3});
     if (settles)
@@ -88,8 +90,10 @@ void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusInfo& info) 
         const auto done = static_cast<float>(*share) * size.x;
         ImDrawList* const list = ImGui::GetWindowDrawList();
         const ImVec2 low{corner.x, corner.y};
+        list->PushClipRect(low, {low.x + size.x, low.y + bar});
         list->AddRectFilled(low, {low.x + size.x, low.y + bar}, colour_of(ThemeColour::track));
         list->AddRectFilled(low, {low.x + done, low.y + bar}, colour_of(ThemeColour::accent));
+        list->PopClipRect();
         note_place("Progress", {{low.x, low.y}, {low.x + done, low.y + bar}});
     }
     bool first = true;
