@@ -10,7 +10,7 @@ class FrameBudget {
  public:
     /// Of a frame, so that the longest stay well below a tenth of a second.
     static constexpr double kFrameSeconds = 0.06;
-    static constexpr double kLeastSeconds = 0.003;
+    static constexpr double kLeastSeconds = 0.012;
 
     /// Of which a frame has at most `most`, in seconds.
     double seconds(double most) const;

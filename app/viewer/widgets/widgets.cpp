@@ -157,7 +157,8 @@ void close_on_escape() {
 }
 
 // Once the mouse has come to rest on what it is about; moving on must not make it flicker.
-void show_tip(const char* text, bool hovered) {
+// `beside`: a place left of which it stands, where there is room.
+void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {}) {
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(text);
     const ImGuiIO& io = ImGui::GetIO();
@@ -165,19 +166,24 @@ void show_tip(const char* text, bool hovered) {
     const float rested = rests ? storage->GetFloat(id) + io.DeltaTime : 0;
     storage->SetFloat(id, rested);
     if (rested < kTipAfter) return;
+    const float width = kTipWidth * ImGui::GetFontSize(), air = ImGui::GetFontSize();
+    if (beside && beside->x > width + 3 * air)
+        ImGui::SetNextWindowPos({beside->x - 2 * air, beside->y}, ImGuiCond_Always, {1, 0});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
+    ImGui::PushTextWrapPos(width);
     ImGui::TextUnformatted(text);
     note_place("Tip");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
+// Beside the row, so that it hides none of the next ones.
 void show_row_tip(const char* text, const Row& row) {
-    if (!text) return;
+    // Where rows are greyed, which makes them paler, Greyed tells why.
+    if (!text || ImGui::GetStyle().Alpha < 1) return;
     const ImVec2 end{row.start.x + row.width, row.start.y + row.height};
     const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.start, end);
-    show_tip(text, hovered && !ImGui::IsAnyItemActive());
+    show_tip(text, hovered && !ImGui::IsAnyItemActive(), row.start);
 }
 
 }  // namespace
@@ -200,7 +206,8 @@ Greyed::~Greyed() {
     ImGui::EndDisabled();
     const ImVec2 end = ImGui::GetCursorScreenPos();
     const ImVec2 last{end.x + ImGui::GetContentRegionAvail().x, end.y - ImGui::GetStyle().ItemSpacing.y};
-    show_tip(reason_, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({end.x, top_}, last));
+    show_tip(reason_, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({end.x, top_}, last),
+             ImVec2(end.x, top_));
 }
 
 bool press_area(const char* name, ImVec2 size) {
