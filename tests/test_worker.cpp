@@ -153,7 +153,7 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
     worker.open("grey.png", [] { return grey(64); });
     worker.place(dots(100));
     std::size_t saved = 0;
-    worker.save("a.svg", [&](Workbench& bench, std::stop_token) -> Worker::Write {
+    worker.save("a.svg", [&](Workbench& bench, std::stop_token) -> WriteFile {
         PlacedDrawing drawing;
         bench.place(dots(77), drawing);
         return [&saved, drawing](const SavingWatch&) {
@@ -163,12 +163,12 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
     });
     listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<DrawingSaved>(n); });
     CHECK(saved == 77);
-    worker.save("b.svg", [](Workbench&, std::stop_token) -> Worker::Write {
+    worker.save("b.svg", [](Workbench&, std::stop_token) -> WriteFile {
         throw std::runtime_error("there is nothing to draw");
     });
     auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
     CHECK(failed(event.back())->message == "there is nothing to draw");
-    worker.save("c.svg", [](Workbench&, std::stop_token) -> Worker::Write {
+    worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
         return [](const SavingWatch&) -> bool { throw std::runtime_error("the disk is full"); };
     });
     event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
@@ -181,7 +181,7 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     worker.open("grey.png", [] { return grey(64); });
     worker.place(dots(100));
     std::atomic<bool> half_way = false;
-    worker.save("a.svg", [&](Workbench&, std::stop_token) -> Worker::Write {
+    worker.save("a.svg", [&](Workbench&, std::stop_token) -> WriteFile {
         return [&](const SavingWatch& watch) {
             watch.progress(0.5);
             half_way = true;
@@ -189,7 +189,10 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
             return false;
         };
     });
-    REQUIRE(wait_until([&] { return half_way.load(); }));
+    REQUIRE(wait_until([&] {
+        worker.events();
+        return half_way.load();
+    }));
     REQUIRE(worker.saving());
     CHECK(worker.saving()->path == "a.svg");
     CHECK(worker.saving()->share == 0.5);
@@ -228,10 +231,15 @@ TEST_CASE("a worker tells which share of the dots is placed, which grows") {
     request.drawing.relax = 0;
     request.drawing.placing.threads = 4;  // many pieces, however few processors there are
     worker.place(request);
+    // As often as can be: between two looks another try may have come far.
     std::vector<float> seen;
     REQUIRE(wait_until([&] {
-        if (const auto share = worker.placed_share()) seen.push_back(*share);
-        return !worker.events().empty();
+        for (int look = 0; look < 100'000; ++look) {
+            const auto share = worker.placed_share();
+            if (share && (seen.empty() || *share != seen.back())) seen.push_back(*share);
+            if (!worker.events().empty()) return true;
+        }
+        return false;
     }));
     // Less than before is the beginning of another try.
     int tries = 1;
@@ -294,15 +302,56 @@ TEST_CASE("the memory of a drawing far larger than those after it goes back to t
 }
 
 TEST_CASE("a worker that ends does not finish what is still to do") {
-    std::atomic<int> woken = 0;
+    std::atomic<bool> begun = false, stopped = false, next_begun = false;
     {
-        Worker worker([&] { ++woken; });
-        worker.open("grey.png", [] { return grey(512); });
-        worker.place(long_work());
-        REQUIRE(wait_until([&] { return worker.placing_since().has_value(); }));
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        Worker worker([] {});
+        worker.save("a.svg", [&](Workbench&, std::stop_token stop) -> WriteFile {
+            begun = true;
+            stopped = wait_until([&] { return stop.stop_requested(); });
+            return {};
+        });
+        worker.save("b.svg", [&](Workbench&, std::stop_token) -> WriteFile {
+            next_begun = true;
+            return {};
+        });
+        REQUIRE(wait_until([&] { return begun.load(); }));
     }
-    CHECK(woken == 0);  // as it would have been for a drawing
+    CHECK(stopped);
+    CHECK_FALSE(next_begun);
+}
+
+TEST_CASE("cancelled, neither the file that is written nor one that waits for it is") {
+    Worker worker([] {});
+    std::atomic<bool> writes = false;
+    std::atomic<int> written = 0;
+    const auto endless = [&](Workbench&, std::stop_token) -> WriteFile {
+        return [&](const SavingWatch& watch) {
+            writes = true;
+            if (!wait_until([&] { return watch.stop.stop_requested(); })) ++written;
+            return false;
+        };
+    };
+    worker.save("a.svg", endless);
+    worker.save("b.svg", endless);
+    REQUIRE(wait_until([&] {
+        worker.events();
+        return writes.load();
+    }));
+    worker.cancel_saving();
+    std::vector<std::string> cancelled;
+    listen(worker, [&](const WorkerEvent& event) {
+        if (const auto* one = std::get_if<SavingCancelled>(&event)) cancelled.push_back(one->path);
+        return cancelled.size() == 2;
+    });
+    std::ranges::sort(cancelled);
+    CHECK(cancelled == std::vector<std::string>{"a.svg", "b.svg"});
+    CHECK(written == 0);
+    CHECK_FALSE(worker.saving());
+    // That was about those two.
+    worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
+        return [](const SavingWatch&) { return true; };
+    });
+    listen(worker, [](const WorkerEvent& event) { return std::holds_alternative<DrawingSaved>(event); });
 }
 
 TEST_CASE("a placing that takes long is given up for a new request, and nothing is told of it") {
@@ -310,12 +359,27 @@ TEST_CASE("a placing that takes long is given up for a new request, and nothing 
     worker.open("grey.png", [] { return grey(512); });
     worker.place(long_work());
     REQUIRE(wait_until([&] {
+        worker.events();
         const auto since = worker.placing_since();
         return since && std::chrono::steady_clock::now() - *since > std::chrono::milliseconds(400);
     }));
     worker.place(dots(300));
     const auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     CHECK(placed(event.back())->drawing.stippling.dots.size() == 300);
+}
+
+TEST_CASE("a drawing that was shown on its way settles no further when another is asked for") {
+    Worker worker([] {});
+    worker.open("grey.png", [] { return grey(512); });
+    DotsRequest slow = dots(200'000);
+    slow.drawing.relax = 100;
+    worker.place(slow);
+    listen(worker, [](const WorkerEvent& event) { return placed(event) != nullptr; });
+    worker.place(dots(300));
+    for (const WorkerEvent& event : listen(worker, [](const WorkerEvent& one) {
+             return placed(one) && placed(one)->drawing.stippling.dots.size() == 300;
+         }))
+        CHECK((placed(event)->drawing.stippling.dots.size() == 300 || !placed(event)->drawing.settled()));
 }
 
 TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {

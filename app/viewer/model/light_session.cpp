@@ -27,7 +27,7 @@ void LightSession::open_sky() {
 
 void LightSession::read_next() {
     if (!to_read_ || reading_.busy()) return;
-    reading_.begin([path = *to_read_](const std::stop_token&) {
+    reading_.begin([path = *to_read_](const auto&) {
         return std::optional(
             ReadMap{path, std::make_shared<const LitMap>(path.empty() ? sky_map() : read_environment(path))});
     });
@@ -53,7 +53,7 @@ void LightSession::take_dropped(const fs::path& file) {
 void LightSession::save(const fs::path& file) {
     if (!lit_ || saving()) return;
     const LightSaving style{settings.convention, settings.turn_degrees, name_, settings.stops};
-    saving_.begin([file, style, lit = lit_, asked = settings](const std::stop_token&) {
+    saving_.begin([file, style, lit = lit_, asked = settings](const auto&) {
         RankedTile tile = tile_named(asked.tile, RankingMethod::energy);
         save_lights(file, lit->map, light_samples(lit->map, tile, asked.request), style);
         return std::optional(file);
@@ -99,7 +99,7 @@ void LightSession::take_samples() {
     const bool asked =
         sampled_with_ && sampled_with_->request == settings.request && sampled_with_->tile == settings.tile;
     if (asked || sampling_.busy()) return;
-    sampling_.begin([lit = lit_, asked_with = settings](const std::stop_token&) {
+    sampling_.begin([lit = lit_, asked_with = settings](const auto&) {
         return std::optional(sampled(*lit, asked_with));
     });
     sampled_with_ = settings;

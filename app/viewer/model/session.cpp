@@ -65,7 +65,7 @@ void Session::save(const fs::path& path) {
     DensityChoice choice = settings.density;
     const SavingChoice saving = settings.saving;
     const std::uint64_t most = most_dots_;
-    const auto prepare = [=](Workbench& bench, std::stop_token stop) -> Worker::Write {
+    const auto prepare = [=](Workbench& bench, std::stop_token stop) -> WriteFile {
         const DrawingFormat format = drawing_format(path);
         PlacedDrawing drawing;
         DotsRequest request = dots_request(drawn, choice);

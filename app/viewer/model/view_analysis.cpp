@@ -132,11 +132,10 @@ std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_
     return result;
 }
 
-std::function<std::optional<ViewAnalysis>(const std::stop_token&)> analysis_work(
-    ViewAnalysisRequest request) {
-    return [request = std::move(request)](const std::stop_token& stop) mutable {
+Background<ViewAnalysis>::Work analysis_work(ViewAnalysisRequest request) {
+    return [request = std::move(request)](const Background<ViewAnalysis>::Task& task) mutable {
         try {
-            return analyse_view(std::move(request), stop);
+            return analyse_view(std::move(request), task.stop());
         } catch (const std::exception& error) {
             std::optional<ViewAnalysis> failed(std::in_place);
             failed->error = error.what();

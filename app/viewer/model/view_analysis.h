@@ -2,7 +2,6 @@
 // What is measured of the dots on screen: few enough of them that the answer is there in a moment.
 
 #include <cstddef>
-#include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/viewer/model/background.h"
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/domain.h"
@@ -74,6 +74,6 @@ const char* repetition_in_words(double periodicity);
 std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_token stop = {});
 
 /// The same for Background: what it throws comes back as ViewAnalysis::error.
-std::function<std::optional<ViewAnalysis>(const std::stop_token&)> analysis_work(ViewAnalysisRequest request);
+Background<ViewAnalysis>::Work analysis_work(ViewAnalysisRequest request);
 
 }  // namespace dapple

@@ -1,394 +1,191 @@
 #include "app/viewer/model/worker.h"
 
-#include <malloc.h>
-
 #include <algorithm>
-#include <exception>
-#include <new>
-
-#include "app/viewer/model/mipmaps.h"
+#include <utility>
 
 namespace dapple {
 namespace {
 
-// A placing that has run for so long is stopped when another is ordered.
+using Clock = std::chrono::steady_clock;
+
+// A placing that has run for so long is stopped when another is requested.
 constexpr std::chrono::milliseconds kLong(250);
-constexpr std::size_t kMostSpare = 2;
-constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving their memory back
-// A drawing that takes longer to settle is shown on its way.
-constexpr std::chrono::milliseconds kFrame(16);
-constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
-
-std::string words_of_exception() {
-    try {
-        throw;
-    } catch (const std::bad_alloc&) {
-        return "There is not enough memory for this.";
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-}
-
-std::size_t room_of(const PlacedDrawing& drawing) {
-    std::size_t room = 0;
-    for (const Dots& piece : drawing.stippling.dots.pieces) room += piece.x.capacity();
-    return room;
-}
-
-bool far_too_large(std::size_t room, std::size_t dots) {
-    return room > kManyDots && room > 4 * dots;
-}
-
-// What was freed in small pieces stays with the C library otherwise.
-void give_memory_back() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
-
-// What the window needs beyond the drawing, and nothing that it doesn't.
-void make_ready_for_screen(PlacedDrawing& drawing) {
-    drawing.blocks = dot_blocks(drawing.stippling.dots);
-    // Large tiles first: see Renderer::set_tiles().
-    std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
-    if (!far_too_large(room_of(drawing), drawing.stippling.dots.size())) return;
-    for (Dots& piece : drawing.stippling.dots.pieces) {
-        for (FloatBuffer* column : {&piece.x, &piece.y, &piece.threshold, &piece.critical, &piece.radius})
-            column->shrink_to_fit();
-    }
-    drawing.colours.shrink_to_fit();
-    give_memory_back();
-}
-
-bool looks_like_environment(const Grid<float>& light) {
-    return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
-}
-
-bool same_tile(const DotsRequest& a, const DotsRequest& b) {
-    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
-}
 
 }  // namespace
 
-Worker::Worker(std::function<void()> wake)
-    : wake_(std::move(wake)),
-      thread_([this](std::stop_token stop) { run(stop); }),
-      writer_([this](std::stop_token stop) { run_writes(stop); }) {}
-
-Worker::~Worker() {
-    thread_.request_stop();
-    writer_.request_stop();
-    std::scoped_lock lock(mutex_);
-    placing_stop_.request_stop();
-    saving_stop_.request_stop();
-}
-
 void Worker::open(std::string name, Open open) {
-    std::scoped_lock lock(mutex_);
     tasks_.push_back(OpenTask{std::move(name), std::move(open)});
-    changed_.notify_all();
+    go_on();
 }
 
 void Worker::place(DotsRequest request) {
-    std::scoped_lock lock(mutex_);
     last_request_ = request;
     last_request_->close.reset();
     next_request_ = std::move(request);
-    if (placing_since_ && (placing_shown_ || std::chrono::steady_clock::now() - *placing_since_ > kLong))
-        placing_stop_.request_stop();
-    changed_.notify_all();
+    if (const auto since = placing_since(); since && Clock::now() - *since > kLong) placing_.stop();
+    go_on();
 }
 
 void Worker::clear() {
-    std::scoped_lock lock(mutex_);
     last_request_.reset();
     next_request_.reset();
-    placing_stop_.request_stop();
+    if (placing()) placing_.stop();
     tasks_.push_back(ClearTask{});
-    changed_.notify_all();
+    go_on();
 }
 
-void Worker::save(std::filesystem::path path, Prepare prepare) {
-    std::scoped_lock lock(mutex_);
-    if (saves_++ == 0) {
-        saving_stop_ = {};
-        saving_ = {path, 0};
-    }
+void Worker::save(std::filesystem::path path, PrepareFile prepare) {
+    if (saves_.empty()) saving_cancelled_ = false;
+    saves_.push_back(path);
     tasks_.push_back(SaveTask{std::move(path), std::move(prepare)});
-    changed_.notify_all();
+    go_on();
 }
 
 void Worker::cancel_saving() {
-    std::scoped_lock lock(mutex_);
-    saving_stop_.request_stop();
+    if (saves_.empty()) return;
+    saving_cancelled_ = true;
+    if (under_way_ && std::holds_alternative<SaveTask>(*under_way_)) placing_.stop();
+    writing_.stop();
 }
 
 std::optional<SavingInfo> Worker::saving() const {
-    std::scoped_lock lock(mutex_);
-    if (saves_ == 0) return std::nullopt;
-    return saving_;
+    if (saves_.empty()) return std::nullopt;
+    return SavingInfo{written_ ? written_->path : saves_.front(), writing_.share().value_or(0)};
 }
 
-std::optional<std::chrono::steady_clock::time_point> Worker::placing_since() const {
-    std::scoped_lock lock(mutex_);
-    return placing_since_;
+std::optional<Clock::time_point> Worker::placing_since() const {
+    return placing() ? placing_.since() : std::nullopt;
 }
 
 std::optional<float> Worker::placed_share() const {
-    const float share = placed_share_;
-    return placing_since() && share >= 0 ? std::optional(share) : std::nullopt;
+    return placing() ? placing_.share() : std::nullopt;
 }
 
 std::vector<WorkerEvent> Worker::events(std::chrono::milliseconds patience) {
-    std::unique_lock lock(mutex_);
-    if (patience.count() > 0)
-        changed_.wait_for(lock, patience,
-                          [&] { return !events_.empty() || (!next_request_ && !placing_since_); });
+    const Clock::time_point end = Clock::now() + patience;
+    go_on();
+    while (events_.empty() && (placing() || next_request_) && under_way_ && Clock::now() < end) {
+        placing_.wait_until(end);
+        go_on();
+    }
     return std::exchange(events_, {});
 }
 
 void Worker::recycle(PlacedDrawing drawing) {
-    std::scoped_lock lock(mutex_);
     given_back_.push_back(std::move(drawing));
-    changed_.notify_all();
+    go_on();
 }
 
-void Worker::publish(WorkerEvent event) {
-    {
-        std::scoped_lock lock(mutex_);
-        events_.push_back(std::move(event));
-        changed_.notify_all();
-    }
-    wake_();
+// Takes what has come from the threads, and gives them what is next.
+void Worker::go_on() {
+    take_results();
+    if (!under_way_) begin_next();
+    take_written();
+    write_next();
 }
 
-void Worker::publish_failure() noexcept {
+void Worker::take_results() {
+    if (!under_way_) return;
+    const bool over = !placing_.busy();  // asked first: there may be a result between the two
     try {
-        publish(TaskFailed{words_of_exception()});
-    } catch (...) {  // there is no memory even for that, or nobody to be woken
-    }
-}
-
-void Worker::sort_given_back() {
-    std::vector<PlacedDrawing> given_back;
-    {
-        std::scoped_lock lock(mutex_);
-        given_back.swap(given_back_);
-    }
-    std::size_t freed = 0;
-    for (PlacedDrawing& drawing : given_back) {
-        const std::size_t room = room_of(drawing);
-        if (spare_.size() < kMostSpare && !far_too_large(room, last_size_))
-            spare_.push_back(std::move(drawing));
+        while (std::optional<PlacingBench::Result> result = placing_.result())
+            std::visit([this](auto& r) { take(r); }, *result);
+    } catch (...) {
+        const std::string message = words_of_exception();
+        if (const auto* save = std::get_if<SaveTask>(&*under_way_))
+            end_saving(save->path, TaskFailed{message});
         else
-            freed += room;
+            events_.push_back(TaskFailed{message});
+        // A picture that cannot be read is not to be placed.
+        if (std::holds_alternative<OpenTask>(*under_way_)) under_way_ = SortTask{};
     }
-    std::erase_if(spare_, [&](const PlacedDrawing& drawing) {
-        const bool too_large = far_too_large(room_of(drawing), last_size_);
-        if (too_large) freed += room_of(drawing);
-        return too_large;
+    // What was shown has had its time if something newer waits.
+    if (next_request_ && placing() && placing_.has_published()) placing_.stop();
+    if (over) end_task();
+}
+
+void Worker::end_task() {
+    if (std::holds_alternative<OpenTask>(*under_way_) && (!next_request_ || next_request_->close))
+        next_request_ = last_request_;
+    under_way_.reset();
+}
+
+void Worker::take(DotsPlaced& placed) {
+    events_.push_back(std::move(placed));
+}
+
+void Worker::take(FilePrepared& prepared) {
+    const std::filesystem::path& path = std::get<SaveTask>(*under_way_).path;
+    if (prepared.write)
+        writes_.push_back({path, std::move(prepared.write)});
+    else
+        end_saving(path, SavingCancelled{path});
+}
+
+void Worker::begin_next() {
+    while (saving_cancelled_ && !tasks_.empty() && std::holds_alternative<SaveTask>(tasks_.front())) {
+        const std::filesystem::path path = std::get<SaveTask>(tasks_.front()).path;
+        end_saving(path, SavingCancelled{path});
+        tasks_.pop_front();
+    }
+    if (!tasks_.empty()) {
+        begin(std::move(tasks_.front()));
+        tasks_.pop_front();
+    } else if (next_request_ && bench_.has_picture()) {
+        begin(*std::exchange(next_request_, std::nullopt));
+    } else if (!given_back_.empty()) {
+        begin(SortTask{});
+    }
+}
+
+void Worker::begin(Task task) {
+    for (PlacedDrawing& drawing : given_back_) bench_.spare().give_back(std::move(drawing));
+    given_back_.clear();
+    under_way_ = std::move(task);
+    placing_.begin([this](const PlacingBench::Task& todo) -> std::optional<PlacingBench::Result> {
+        bench_.sort_spare();
+        if (const auto* request = std::get_if<DotsRequest>(&*under_way_)) return bench_.place(*request, todo);
+        if (const auto* save = std::get_if<SaveTask>(&*under_way_))
+            return bench_.prepare(save->prepare, todo);
+        if (const auto* open = std::get_if<OpenTask>(&*under_way_)) bench_.open(open->name, open->open);
+        if (std::holds_alternative<ClearTask>(*under_way_)) bench_.clear();
+        return std::nullopt;
     });
-    given_back.clear();
-    if (freed > kManyDots) give_memory_back();
 }
 
-void Worker::run(std::stop_token stop) {
-    while (true) {
-        std::optional<Task> task;
-        std::optional<DotsRequest> request;
-        {
-            std::unique_lock lock(mutex_);
-            changed_.wait(lock, stop,
-                          [&] { return !tasks_.empty() || next_request_ || !given_back_.empty(); });
-            if (stop.stop_requested()) return;
-            if (!tasks_.empty()) {
-                task = std::move(tasks_.front());
-                tasks_.pop_front();
-            } else if (next_request_) {
-                request = *std::exchange(next_request_, std::nullopt);
-                placing_stop_ = {};
-                placing_since_ = std::chrono::steady_clock::now();
-                placing_shown_ = false;
-                placed_share_ = -1;
-            }
-        }
-        // Whatever goes wrong, this thread goes on and someone is told.
-        try {
-            sort_given_back();
-            if (task)
-                std::visit([this](auto& t) { run_task(t); }, *task);
-            else if (request && workbench_.has_picture())
-                run_request(*request);
-        } catch (...) {
-            publish_failure();
-        }
-        std::scoped_lock lock(mutex_);
-        placing_since_.reset();
-        changed_.notify_all();
-    }
-}
-
-void Worker::run_task(OpenTask& task) {
+void Worker::take_written() {
+    if (!written_) return;
+    const bool over = !writing_.busy();
     try {
-        Picture picture = task.open();
-        int longer = std::max(picture.light.width, picture.light.height);
-        const bool environment = looks_like_environment(picture.light);
-        workbench_.set_picture(std::move(picture.light), picture.exposure);
-        arrived_ = OpenedPicture{
-            .name = task.name,
-            .description = picture.description,
-            .longer_side = longer,
-            .preview = std::make_shared<const std::vector<Grid<glm::u8vec4>>>(
-                mipmaps_of(std::move(picture.preview))),
-            .exposure = picture.exposure,
-            .read = task.open,
-            .looks_like_environment = environment,
-        };
-        std::scoped_lock lock(mutex_);
-        if (!next_request_ || next_request_->close) next_request_ = last_request_;
+        while (std::optional<WorkerEvent> outcome = writing_.result())
+            end_saving(written_->path, std::move(*outcome));
     } catch (...) {
-        publish(TaskFailed{words_of_exception()});
+        end_saving(written_->path, TaskFailed{words_of_exception()});
     }
+    if (over) written_.reset();
 }
 
-void Worker::run_task(SaveTask& task) {
-    std::stop_token stop;
-    {
-        std::scoped_lock lock(mutex_);
-        stop = saving_stop_.get_token();
-    }
-    try {
-        Write write;
-        if (!stop.stop_requested()) write = task.prepare(workbench_, stop);
-        if (!write) return end_saving(SavingCancelled{task.path});
-        std::scoped_lock lock(mutex_);
-        writes_.push_back({task.path, std::move(write)});
-        changed_.notify_all();
-    } catch (...) {
-        end_saving(TaskFailed{words_of_exception()});
-    }
-}
-
-void Worker::run_task(ClearTask&) {
-    workbench_ = {};
-    arrived_.reset();
-    spare_.clear();
-    last_size_ = 0;
-    sort_given_back();
-    give_memory_back();
-}
-
-void Worker::run_writes(std::stop_token stop) {
-    while (true) {
-        WriteTask task;
-        {
-            std::unique_lock lock(mutex_);
-            changed_.wait(lock, stop, [&] { return !writes_.empty(); });
-            if (stop.stop_requested()) return;
-            task = std::move(writes_.front());
-            writes_.pop_front();
-            saving_ = {task.path, 0};
+void Worker::write_next() {
+    while (!written_ && !writes_.empty()) {
+        WriteTask next = std::move(writes_.front());
+        writes_.pop_front();
+        if (saving_cancelled_) {
+            end_saving(next.path, SavingCancelled{next.path});
+            continue;
         }
-        try {
-            run_write(task);
-        } catch (...) {
-            publish_failure();
-        }
+        written_ = std::move(next);
+        writing_.begin([this](const Background<WorkerEvent>::Task& todo) -> std::optional<WorkerEvent> {
+            const SavingWatch watch{todo.stop(), [&todo](double share) { todo.report_share(share); }};
+            if (written_->write(watch)) return DrawingSaved{written_->path};
+            return SavingCancelled{written_->path};
+        });
     }
 }
 
-void Worker::run_write(const WriteTask& task) {
-    SavingWatch watch;
-    {
-        std::scoped_lock lock(mutex_);
-        watch.stop = saving_stop_.get_token();
-    }
-    watch.progress = [this](double share) {
-        {
-            std::scoped_lock lock(mutex_);
-            // The window draws a frame for each step.
-            if (share < 1 && share < saving_.share + 0.01) return;
-            saving_.share = share;
-        }
-        wake_();
-    };
-    try {
-        bool written = !watch.stop.stop_requested() && task.write(watch);
-        end_saving(written ? WorkerEvent(DrawingSaved{task.path}) : WorkerEvent(SavingCancelled{task.path}));
-    } catch (...) {
-        end_saving(TaskFailed{words_of_exception()});
-    }
-}
-
-void Worker::end_saving(WorkerEvent outcome) {
-    {
-        std::scoped_lock lock(mutex_);
-        --saves_;
-    }
-    publish(std::move(outcome));
-}
-
-void Worker::run_request(const DotsRequest& request) {
-    DotsPlaced placed;
-    placed.request = request;
-    std::stop_token stop;
-    {
-        std::scoped_lock lock(mutex_);
-        stop = placing_stop_.get_token();
-    }
-    if (!spare_.empty()) {
-        placed.drawing = std::move(spare_.back());
-        spare_.pop_back();
-    }
-    workbench_.report_share(&placed_share_);
-    // Steps that fit into a frame are not shown one by one.
-    auto shown = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> step(static_cast<double>(request.drawing.placing.count.value_or(0)) *
-                                             kSecondsADotAndStep);
-    const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
-        if (stop.stop_requested()) return false;
-        if (request.settled_only) return true;
-        if (std::chrono::steady_clock::now() + step - shown < kFrame) return true;
-        const bool goes_on = publish_unsettled(request, drawing());
-        shown = std::chrono::steady_clock::now();
-        return goes_on;
-    };
-    try {
-        if (!workbench_.place(request, placed.drawing, stop, unsettled) || stop.stop_requested())
-            return recycle(std::move(placed.drawing));
-        last_size_ = placed.drawing.stippling.dots.size();
-        make_ready_for_screen(placed.drawing);
-        sort_given_back();
-    } catch (...) {
-        placed.error = words_of_exception();
-        placed.drawing = {};
-    }
-    if (placed.error.empty()) add_tile(placed);
-    placed.picture = std::exchange(arrived_, std::nullopt);
-    publish(std::move(placed));
-}
-
-bool Worker::publish_unsettled(const DotsRequest& request, PlacedDrawing drawing) {
-    DotsPlaced placed;
-    placed.request = request;
-    placed.drawing = std::move(drawing);
-    make_ready_for_screen(placed.drawing);
-    add_tile(placed);
-    placed.picture = std::exchange(arrived_, std::nullopt);
-    {
-        std::scoped_lock lock(mutex_);
-        placing_shown_ = true;
-    }
-    publish(std::move(placed));
-    std::scoped_lock lock(mutex_);
-    return !next_request_;
-}
-
-void Worker::add_tile(DotsPlaced& event) {
-    const DotsRequest& request = event.request;
-    if (tile_published_ && same_tile(*tile_published_, request)) return;
-    event.tile = view_of(request.tile, workbench_.pipeline().tile(), request.drawing.placer);
-    tile_published_ = request;
+void Worker::end_saving(const std::filesystem::path& path, WorkerEvent outcome) {
+    const auto ended = std::ranges::find(saves_, path);
+    if (ended != saves_.end()) saves_.erase(ended);
+    events_.push_back(std::move(outcome));
 }
 
 }  // namespace dapple

@@ -1,0 +1,65 @@
+#include "app/viewer/model/spare_drawings.h"
+
+#include <malloc.h>
+
+#include <utility>
+
+namespace dapple {
+namespace {
+
+constexpr std::size_t kMostSpare = 2;
+constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving their memory back
+
+std::size_t room_of(const PlacedDrawing& drawing) {
+    std::size_t room = 0;
+    for (const Dots& piece : drawing.stippling.dots.pieces) room += piece.x.capacity();
+    return room;
+}
+
+bool far_too_large(std::size_t room, std::size_t dots) {
+    return room > kManyDots && room > 4 * dots;
+}
+
+}  // namespace
+
+void give_memory_back() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+PlacedDrawing SpareDrawings::take() {
+    if (spare_.empty()) return {};
+    PlacedDrawing last = std::move(spare_.back());
+    spare_.pop_back();
+    return last;
+}
+
+void SpareDrawings::sort(std::size_t dots) {
+    std::vector<PlacedDrawing> kept;
+    std::size_t freed = 0;
+    for (std::vector<PlacedDrawing>* drawings : {&spare_, &given_back_}) {
+        for (PlacedDrawing& drawing : *drawings) {
+            const std::size_t room = room_of(drawing);
+            if (kept.size() < kMostSpare && !far_too_large(room, dots))
+                kept.push_back(std::move(drawing));
+            else
+                freed += room;
+        }
+        drawings->clear();
+    }
+    spare_ = std::move(kept);
+    if (freed > kManyDots) give_memory_back();
+}
+
+void shrink_if_far_too_large(PlacedDrawing& drawing) {
+    if (!far_too_large(room_of(drawing), drawing.stippling.dots.size())) return;
+    for (Dots& piece : drawing.stippling.dots.pieces) {
+        for (FloatBuffer* column : {&piece.x, &piece.y, &piece.threshold, &piece.critical, &piece.radius})
+            column->shrink_to_fit();
+    }
+    drawing.colours.shrink_to_fit();
+    give_memory_back();
+}
+
+}  // namespace dapple

@@ -1,0 +1,33 @@
+#pragma once
+// Drawings that the window no longer shows: their memory is used again, or given back to the system.
+
+#include <cstddef>
+#include <vector>
+
+#include "app/viewer/model/workbench.h"
+
+namespace dapple {
+
+class SpareDrawings {
+ public:
+    /// Takes no time, however large it is.
+    void give_back(PlacedDrawing drawing) { given_back_.push_back(std::move(drawing)); }
+    bool has_unsorted() const { return !given_back_.empty(); }
+
+    /// One of them, or an empty one.
+    PlacedDrawing take();
+
+    /// Keeps few, and none with far more room than drawings of so many dots need.
+    void sort(std::size_t dots);
+
+ private:
+    std::vector<PlacedDrawing> spare_, given_back_;
+};
+
+/// Frees what a drawing has far more room for than it has dots.
+void shrink_if_far_too_large(PlacedDrawing& drawing);
+
+/// What was freed in small pieces stays with the C library otherwise.
+void give_memory_back();
+
+}  // namespace dapple
