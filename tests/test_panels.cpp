@@ -11,6 +11,7 @@
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -32,9 +33,14 @@ DrawingSettings in_own_tone(const Tone& tone) {
 }
 
 struct DotsUi {
-    DrawingSettings settings;
+    ViewerSettings all = {};
+    DrawingSettings& settings = all.drawing;
     DrawnInfo drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
-    HeadlessUi ui{[this] { draw_dots_panel(settings, drawn, {kTiles}); }};
+    HeadlessUi ui{[this] {
+        draw_dots_panel(settings, drawn);
+        draw_page_panel(settings);
+        draw_method_rows(all, {kTiles});
+    }};
 };
 
 }  // namespace
@@ -219,7 +225,7 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Relax", "Page, mm", "exact", "Tile", "Order"})
+        for (const char* row : {"Dots", "Relax", "Width, mm", "exact", "Tile", "Order"})
             places.push_back(f.ui.place(row));
         return places;
     };
@@ -260,7 +266,7 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
     f.ui.enter("Dots", "many");
     CHECK(f.settings.placing.count == 1);
     CHECK(f.ui.has("Refusal"));
-    f.ui.enter("Page, mm", "8in");
+    f.ui.enter("Width, mm", "8in");
     CHECK(f.settings.width_mm == doctest::Approx(203.2));
 }
 
@@ -402,15 +408,16 @@ TEST_CASE("the largest tile fits the panel's draw list") {
     CHECK(ImGui::GetDrawData()->TotalVtxCount < 65'536);
 }
 
-TEST_CASE("the view panel shows tiles, fades the photograph in and picks colours") {
+TEST_CASE("the view panel shows tiles, fades the photograph in, and the pen's picks colours") {
     ViewerSettings settings;
-    HeadlessUi ui([&] { draw_view_panel(settings); });
+    HeadlessUi ui([&] {
+        draw_view_panel(settings);
+        draw_pen_panel(settings.drawing);
+    });
     ui.click("Tile boundaries");
     CHECK(settings.drawing.show_tiles);
     ui.drag("Photograph", 0.0f, 1.0f);
     CHECK(settings.picture_opacity == 1);
-    ui.click("Every frame");
-    CHECK(settings.every_frame);
     ui.click("more dots");
     CHECK(settings.zoom_mode == ZoomMode::constant_density);
     glm::vec3 before = settings.drawing.ink;
@@ -421,15 +428,18 @@ TEST_CASE("the view panel shows tiles, fades the photograph in and picks colours
     CHECK(settings.drawing.ink == before);
 }
 
-TEST_CASE("the density is chosen in the view's section, and its grey is a slider") {
+TEST_CASE("the density is one of the method's rows, and its grey a slider that is greyed without it") {
     ViewerSettings settings;
-    HeadlessUi ui([&] { draw_view_panel(settings); });
+    HeadlessUi ui([&] { draw_method_rows(settings, {kTiles}); });
     CHECK(settings.density == DensityChoice{});
-    CHECK_FALSE(ui.has("Grey"));
+    const WidgetPlace place = ui.place("Grey");
+    ui.drag("Grey", 0.5f, 1.0f);
+    CHECK(settings.density == DensityChoice{});
     ui.click("ramp");
     CHECK(settings.density.source == DensitySource::ramp);
     ui.click("grey");
     CHECK(settings.density.source == DensitySource::grey);
+    CHECK(ui.place("Grey") == place);
     ui.drag("Grey", 0.5f, 1.0f);
     CHECK(settings.density.grey == 1);
     ui.click("photo");
@@ -618,8 +628,10 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ViewerSettings settings;
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
-        draw_dots_panel(settings.drawing, {}, {kTiles});
+        draw_dots_panel(settings.drawing, {});
+        draw_page_panel(settings.drawing);
         draw_view_panel(settings);
+        draw_method_rows(settings, {kTiles});
         draw_compare_panel(settings, {kTiles});
     });
     settings.comparison.on = true;
@@ -627,7 +639,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Page, mm", "Photograph", "Right placer"}) {
+                              "Width, mm", "Photograph", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
@@ -662,10 +674,11 @@ TEST_CASE("of two tile files of the same name the list shows the whole paths") {
 
 TEST_CASE("the last entry of the tiles asks for a file and leaves the tile as it is") {
     int asked = 0;
-    DrawingSettings settings;
+    ViewerSettings all;
+    DrawingSettings& settings = all.drawing;
     settings.tile = "paper16";
     const DrawingSettings before = settings;
-    HeadlessUi ui([&] { draw_dots_panel(settings, {}, {kTiles, [&] { ++asked; }}); });
+    HeadlessUi ui([&] { draw_method_rows(all, {kTiles, [&] { ++asked; }}); });
     ui.click("Tile");
     CHECK(asked == 0);
     ui.click("From a file...");
@@ -677,9 +690,12 @@ TEST_CASE("the last entry of the tiles asks for a file and leaves the tile as it
     CHECK(settings.tile == "wild64");
 }
 
-TEST_CASE("dots are coloured and levels left out in the view's section") {
+TEST_CASE("dots are coloured in the view's section, and levels left out in the method's") {
     ViewerSettings settings;
-    HeadlessUi ui([&] { draw_view_panel(settings); });
+    HeadlessUi ui([&] {
+        draw_view_panel(settings);
+        draw_method_rows(settings, {kTiles});
+    });
     ui.click("Dots coloured");
     ui.click("by rank");
     CHECK(settings.colouring == DotColouring::rank);
@@ -687,6 +703,8 @@ TEST_CASE("dots are coloured and levels left out in the view's section") {
     CHECK(settings.deepest_level == 0);
     ui.drag("Levels up to", 0.0f, 1.0f);
     CHECK(settings.deepest_level == kDeepestStep);
+    ui.click("Every frame");
+    CHECK(settings.every_frame);
 }
 
 }  // namespace dapple

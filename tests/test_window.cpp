@@ -44,6 +44,21 @@ std::array<int, 16> circles_by_part(const std::string& svg, double page) {
     return counts;
 }
 
+/// Opens that section, and folds others so that most of it is in the window.
+void open_the_method(RunningViewer& viewer) {
+    for (const char* section : {"The method", "View", "Pen", "Page", "Picture"})
+        viewer.click(section);
+    REQUIRE(viewer.shows([&] { return viewer.has("ramp"); }));
+}
+
+/// An even grey in the photograph's place.
+void choose_grey(RunningViewer& viewer) {
+    const double before = viewer.status()["scale"];
+    viewer.click("grey");
+    // As many dots as before, which a grey has at another scale.
+    REQUIRE(viewer.shows([&] { return viewer.status()["scale"] != before; }));
+}
+
 }  // namespace
 
 TEST_CASE("dragging the scale slider with the mouse changes the number of dots, and undo brings it back") {
@@ -138,6 +153,7 @@ TEST_CASE(
     Display display;
     {
         RunningViewer viewer(folder.path());
+        open_the_method(viewer);
         viewer.click("Tile");
         viewer.click("From a file...");
         REQUIRE(viewer.shows([&] { return viewer.has("mine.tile"); }));
@@ -156,8 +172,9 @@ TEST_CASE(
     "the split view shows why one tile repeats, its divider can be dragged, and undo takes it all back") {
     Display display;
     RunningViewer viewer;
-    viewer.click("Tone");
-    viewer.click("grey");
+    const double scale_of_photograph = viewer.status()["scale"];
+    open_the_method(viewer);
+    choose_grey(viewer);
     viewer.move(300, 300);
     viewer.key("c");
     REQUIRE(viewer.shows([&] {
@@ -191,7 +208,7 @@ TEST_CASE(
     viewer.key("ctrl+z");
     CHECK(viewer.shows([&] { return !viewer.status().contains("right"); }));
     viewer.key("ctrl+z");
-    CHECK(viewer.shows([&] { return !viewer.status()["widgets"].contains("Grey"); }));
+    CHECK(viewer.shows([&] { return viewer.status()["scale"] == scale_of_photograph; }));
 }
 
 TEST_CASE("under the side that is saved, and under no other, it says so") {
@@ -226,7 +243,7 @@ TEST_CASE("under the side that is saved, and under no other, it says so") {
 TEST_CASE("Figure 8 on the right comes near the left side's count") {
     Display display;
     RunningViewer viewer;
-    for (const char* section : {"Tone", "View"}) viewer.click(section);
+    open_the_method(viewer);
     viewer.click("Split view");
     viewer.click("same count");
     const json before = viewer.status()["widgets"]["Figure 8"];
@@ -245,8 +262,8 @@ TEST_CASE("Figure 8 on the right comes near the left side's count") {
 TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile that never repeats nowhere") {
     Display display;
     RunningViewer viewer;
-    viewer.click("Tone");
-    viewer.click("grey");
+    open_the_method(viewer);
+    choose_grey(viewer);
     viewer.move(300, 300);
     viewer.key("l");
     REQUIRE(viewer.shows([&] { return viewer.status().contains("loupe"); }));
@@ -271,9 +288,8 @@ TEST_CASE("a grey is saved as it is shown, and the split view does not change it
     TemporaryFolder folder;
     Display display;
     RunningViewer viewer(folder.path());
-    viewer.click("Tone");
-    viewer.click("grey");
-    REQUIRE(viewer.shows([&] { return viewer.has("Grey"); }));
+    open_the_method(viewer);
+    choose_grey(viewer);
     const auto save = [&](const std::string& name) {
         viewer.move(300, 300);
         viewer.key("ctrl+e");
@@ -438,8 +454,7 @@ TEST_CASE("without a display the program says so and what to do") {
 TEST_CASE("the dots on screen are measured once the spectrum's section is opened") {
     Display display;
     RunningViewer viewer;
-    viewer.click("Tone");
-    viewer.click("View");
+    open_the_method(viewer);
     CHECK_FALSE(viewer.has("Radial power"));
     viewer.click("Spectrum");
     CHECK(viewer.shows([&] { return viewer.has("Radial power"); }));

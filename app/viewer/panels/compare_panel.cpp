@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -13,7 +13,8 @@ namespace {
 bool draw_split(ViewerSettings& settings, const TileList& tiles) {
     Comparison& right = settings.comparison;
     bool on = right.on, changed = false;
-    if (switch_row("Split view", on)) {
+    if (switch_row("Split view", on,
+                   "Another tile or placer on the right side of a line that can be dragged.")) {
         right = toggled(right, settings.drawing);
         changed = true;
     }
@@ -42,12 +43,13 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
     if (!counted && right.by == CompareBy::count)
         hint("Figure 8 cannot count: it gets the scale that gives about as many different dots.");
     else
-        hint("Drag the divider. Repetition shows best on an even grey or a ramp: Density, under View.");
+        hint("Drag the divider. Repetition shows best on an even grey or a ramp: Density, above.");
     return changed;
 }
 
 bool draw_loupe(LoupeChoice& loupe) {
-    bool changed = switch_row("Loupe", loupe.on);
+    bool changed =
+        switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
     if (!loupe.on) {
         hint("A lens that lays tiles on one another: what repeats stays crisp.");
         return changed;
@@ -70,7 +72,7 @@ bool draw_loupe(LoupeChoice& loupe) {
 }  // namespace
 
 bool draw_compare_panel(ViewerSettings& settings, const TileList& tiles) {
-    if (!section("Compare")) return false;
+    if (!subsection("Compare")) return false;
     const bool changed = draw_split(settings, tiles);
     return draw_loupe(settings.loupe) || changed;
 }

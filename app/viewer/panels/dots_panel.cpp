@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/shown_text.h"
+#include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/relaxing/relax.h"
 
@@ -37,17 +38,16 @@ constexpr SliderRange kRadius{.min = 0.02,
                               .hard_min = 0.001,
                               .hard_max = 100,
                               .typed = TypedKind::length};
-constexpr SliderRange kWidth{.min = 20,
-                             .max = 2000,
-                             .neutral = 200,
-                             .curve = SliderCurve::logarithmic,
-                             .format = "%.0f",
-                             .hard_min = 1,
-                             .hard_max = 100'000,
-                             .typed = TypedKind::length};
-constexpr const char* kOnlyExact =
-    "The paper's placer (Figure 8) knows neither: its dots stay as placed, in the paper's order.";
-
+constexpr SliderRange kWidth{
+    .min = 20,
+    .max = 2000,
+    .neutral = 200,
+    .curve = SliderCurve::logarithmic,
+    .format = "%.0f",
+    .hard_min = 1,
+    .hard_max = 100'000,
+    .typed = TypedKind::length,
+    .tip = "The width on paper; type 21cm or 8.5in as well. The height follows the picture's shape."};
 void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
@@ -140,18 +140,7 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 
 }  // namespace
 
-bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
-    // The tile's own comes first, then RankingMethod's.
-    int chosen = ranking ? static_cast<int>(*ranking) + 1 : 0;
-    if (!choice_row(label, chosen,
-                    std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"}))
-        return false;
-    ranking.reset();
-    if (chosen > 0) ranking = static_cast<RankingMethod>(chosen - 1);
-    return true;
-}
-
-bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, const TileList& tiles) {
+bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn) {
     if (!section("Dots")) return false;
     bool changed = false;
     if (settings.dot_size.sizing == DotSizing::by_tone)
@@ -159,30 +148,22 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, const Ti
     else
         changed |= draw_amount(settings.placing, drawn);
     changed |= draw_size(settings.dot_size, drawn);
-    const char* const unused = settings.placer == PlacerKind::exact ? nullptr : kOnlyExact;
-    {
-        const Greyed greyed(unused);
-        changed |= draw_relax(settings.relax, drawn);
-    }
-    changed |= slider_row("Page, mm", settings.width_mm, kWidth);
-
-    int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
-    if (segmented_row(
-            "Placer", placer, std::array{"exact", "Figure 8"},
-            "exact: each dot once, and none is lost. Figure 8: as the paper prints it, a quarter of its "
-            "dots lie on others.")) {
-        settings.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
-        changed = true;
-    }
-    // What is drawn with; the own choice comes back with the exact placer.
-    std::string tile = tile_in_use(settings);
-    if (tile_row("Tile", tile, tiles)) {
-        settings.tile = tile;
-        changed = true;
-    }
-    const Greyed greyed(unused);
-    changed |= ranking_row("Order", settings.ranking);
+    const Greyed greyed(why_only_exact(settings.placer));
+    changed |= draw_relax(settings.relax, drawn);
     return changed;
+}
+
+bool draw_page_panel(DrawingSettings& settings) {
+    if (!section("Page")) return false;
+    return slider_row("Width, mm", settings.width_mm, kWidth);
+}
+
+bool draw_pen_panel(DrawingSettings& settings) {
+    if (!section("Pen")) return false;
+    const bool ink = colour_row("Ink", settings.ink, "The dots' colour, on screen and in the file.");
+    return colour_row("Paper", settings.paper,
+                      "What lies under the dots; in a file only where you ask for it.") ||
+           ink;
 }
 
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/panels/view_panel.h"
 #include "app/viewer/widgets/theme.h"
@@ -49,14 +50,20 @@ bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::
                                        .usual_exposure = session.picture().exposure,
                                        .mostly_black = mostly_black(histogram, page.tone)});
     const auto open_tile = [&act] { act(Action::open_tile); };
-    draw_dots_panel(settings.drawing, session.drawn(session.pane()), {session.tiles(), open_tile});
+    draw_dots_panel(settings.drawing, session.drawn(session.pane()));
+    draw_page_panel(settings.drawing);
+    draw_pen_panel(settings.drawing);
     draw_view_panel(settings);
-    draw_compare_panel(settings, {session.tiles()});
-    const bool spectrum_open = draw_spectrum_panel(spectrum);
-    const Pane& pane = session.pane();
-    if (tiles_seen_ != pane.tiles()) tile_ = {};
-    tiles_seen_ = pane.tiles();
-    draw_tile_panel(pane.tile(), tile_);
+    bool spectrum_open = false;
+    if (section("The method", false)) {
+        draw_method_rows(settings, {session.tiles(), open_tile});
+        draw_compare_panel(settings, {session.tiles()});
+        spectrum_open = draw_spectrum_panel(spectrum);
+        const Pane& pane = session.pane();
+        if (tiles_seen_ != pane.tiles()) tile_ = {};
+        tiles_seen_ = pane.tiles();
+        draw_tile_panel(pane.tile(), tile_);
+    }
     end_side_panel();
     return spectrum_open;
 }

@@ -132,7 +132,7 @@ void draw_distances(const NearestSummary& nearest) {
 }  // namespace
 
 bool draw_spectrum_panel(const SpectrumInfo& info) {
-    if (!section("Spectrum", false)) return false;
+    if (!subsection("Spectrum", false)) return false;
     if (!info.analysis) {
         hint("Measuring the dots on screen...");
         return true;

@@ -92,7 +92,7 @@ std::array<Stroke, 3> letter_f(Orientation orientation) {
 }
 
 void draw_tile_panel(const TileView& tile, TilePanelState& state) {
-    if (tile.points.empty() || !section("The tile")) return;
+    if (tile.points.empty() || !subsection("The tile")) return;
     const std::size_t count = tile.points.size();
     const float unit = ImGui::GetTextLineHeight() / 15;
     const float width = ImGui::GetContentRegionAvail().x;

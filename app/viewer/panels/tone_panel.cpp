@@ -44,25 +44,38 @@ bool draw_source(DrawingSettings& settings, const Tone& drawn) {
 bool draw_levels(Tone& tone) {
     constexpr float kGap = 0.01f;  // black stays below white
     bool changed = false;
-    if (slider_row("Black point", tone.black_point, {.min = 0, .max = 1, .neutral = 0})) {
+    if (slider_row("Black point", tone.black_point,
+                   {.min = 0,
+                    .max = 1,
+                    .neutral = 0,
+                    .tip = "Light up to this becomes as dark as dots can make it."})) {
         tone.black_point = std::min(tone.black_point, 1 - kGap);
         tone.white_point = std::max(tone.white_point, tone.black_point + kGap);
         changed = true;
     }
-    if (slider_row("White point", tone.white_point, {.min = 0, .max = 1, .neutral = 1})) {
+    if (slider_row(
+            "White point", tone.white_point,
+            {.min = 0, .max = 1, .neutral = 1, .tip = "Light from this on is left to the bare paper."})) {
         tone.white_point = std::max(tone.white_point, kGap);
         tone.black_point = std::min(tone.black_point, tone.white_point - kGap);
         changed = true;
     }
-    changed |= slider_row("Contrast", tone.contrast, {.min = -1, .max = 1, .neutral = 0});
-    changed |= slider_row("Brightness", tone.brightness, {.min = -1, .max = 1, .neutral = 0});
+    changed |= slider_row("Contrast", tone.contrast,
+                          {.min = -1,
+                           .max = 1,
+                           .neutral = 0,
+                           .tip = "Parts light from dark, or brings them nearer to each other."});
+    changed |= slider_row(
+        "Brightness", tone.brightness,
+        {.min = -1, .max = 1, .neutral = 0, .tip = "Lighter, with fewer dots, or darker, with more."});
     changed |= slider_row("Gamma", tone.gamma,
                           {.min = 0.25,
                            .max = 4,
                            .neutral = 1,
                            .curve = SliderCurve::logarithmic,
                            .hard_min = 0.1,
-                           .hard_max = 10});
+                           .hard_max = 10,
+                           .tip = "Makes the middle tones lighter or darker; black and white stay."});
     return changed;
 }
 
@@ -107,7 +120,7 @@ bool offer_light_ink(DrawingSettings& settings) {
 }  // namespace
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
-    if (!section("Tone")) return false;
+    if (!section("Picture")) return false;
     bool changed = draw_source(settings, info.drawn);
     changed |= draw_exposure(settings, info);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
@@ -124,10 +137,16 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
                            .max = 1,
                            .neutral = 0,
                            .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
+    changed |= slider_row("Blur", tone.blur,
+                          {.min = 0,
+                           .max = 20,
+                           .neutral = 0,
+                           .format = "%.1f",
+                           .hard_min = 0,
+                           .hard_max = 100,
+                           .tip = "Smooths grain and noise away, over so many of the picture's pixels."});
     changed |=
-        slider_row("Blur", tone.blur,
-                   {.min = 0, .max = 20, .neutral = 0, .format = "%.1f", .hard_min = 0, .hard_max = 100});
-    changed |= switch_row("Invert", tone.invert);
+        switch_row("Invert", tone.invert, "Dots where the picture is light: for light ink on dark paper.");
     if (info.mostly_black) changed |= offer_light_ink(settings);
     return changed;
 }

@@ -186,6 +186,36 @@ void show_row_tip(const char* text, const Row& row) {
     show_tip(text, hovered && !ImGui::IsAnyItemActive(), row.start);
 }
 
+enum class FoldKind { section, within };
+
+bool fold(const char* title, bool open_at_first, FoldKind kind) {
+    float unit = ImGui::GetTextLineHeight() / 15;
+    ImGui::Dummy({0, 2 * unit});
+    ImGui::PushID(title);
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    ImGuiID state = ImGui::GetID("open");
+    bool open = storage->GetBool(state, open_at_first);
+    ImVec2 start = ImGui::GetCursorScreenPos();
+    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight() + 3 * unit;
+    if (press_area("title", {width, height})) storage->SetBool(state, open = !open);
+    note_place(title);
+    bool hot = ImGui::IsItemHovered();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (kind == FoldKind::section) {
+        list->AddLine(start, {start.x + width, start.y}, colour_of(ThemeColour::line), unit);
+        push_title_font();
+    }
+    list->AddText({start.x, start.y + (height - ImGui::GetTextLineHeight()) / 2 + unit},
+                  ImGui::GetColorU32(ImGuiCol_Text), title);
+    if (kind == FoldKind::section) pop_title_font();
+    float arm = 3.5f * unit, x = start.x + width - arm - unit, y = start.y + height / 2 + unit;
+    float tip = open ? -arm / 2 : arm / 2;
+    const ImVec2 chevron[] = {{x - arm, y - tip}, {x, y + tip}, {x + arm, y - tip}};
+    list->AddPolyline(chevron, 3, colour_of(hot ? ThemeColour::text : ThemeColour::quiet), 0, 1.5f * unit);
+    ImGui::PopID();
+    return open;
+}
+
 }  // namespace
 
 void note_place(const char* label, const WidgetPlace& place) {
@@ -266,7 +296,7 @@ bool slider_row(const char* label, float& value, const SliderRange& range) {
     return true;
 }
 
-bool switch_row(const char* label, bool& value) {
+bool switch_row(const char* label, bool& value, const char* tip) {
     Row row;
     bool toggled = begin_row(label, row);
     float height = std::floor(ImGui::GetTextLineHeight() * 1.1f), width = std::floor(height * 1.8f);
@@ -281,11 +311,12 @@ bool switch_row(const char* label, bool& value) {
                         colour_of(value ? ThemeColour::accent : ThemeColour::track), radius);
     list->AddCircleFilled({value ? min.x + width - radius : min.x + radius, top + radius}, radius * 0.72f,
                           colour_of(ThemeColour::panel), 24);
+    show_row_tip(tip, row);
     end_row(row);
     return toggled;
 }
 
-bool choice_row(const char* label, int& chosen, std::span<const char* const> names) {
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip) {
     Row row;
     begin_row(label, row);
     ImGui::SetNextItemWidth(row.start.x + row.width - row.control_x);
@@ -304,6 +335,7 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
         close_on_escape();
         ImGui::EndCombo();
     }
+    if (!open) show_row_tip(tip, row);
     end_row(row);
     return changed;
 }
@@ -342,7 +374,7 @@ bool segmented_row(const char* label, int& chosen, std::span<const char* const> 
     return changed;
 }
 
-bool colour_row(const char* label, glm::vec3& colour) {
+bool colour_row(const char* label, glm::vec3& colour, const char* tip) {
     Row row;
     begin_row(label, row);
     float width = std::floor(row.height * 1.8f);
@@ -359,35 +391,19 @@ bool colour_row(const char* label, glm::vec3& colour) {
         note_place("Colour picker");
         if (!ImGui::GetIO().WantTextInput) close_on_escape();  // else it ends the typing
         ImGui::EndPopup();
+    } else {
+        show_row_tip(tip, row);
     }
     end_row(row);
     return changed;
 }
 
 bool section(const char* title, bool open_at_first) {
-    float unit = ImGui::GetTextLineHeight() / 15;
-    ImGui::Dummy({0, 2 * unit});
-    ImGui::PushID(title);
-    ImGuiStorage* storage = ImGui::GetStateStorage();
-    ImGuiID state = ImGui::GetID("open");
-    bool open = storage->GetBool(state, open_at_first);
-    ImVec2 start = ImGui::GetCursorScreenPos();
-    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight() + 3 * unit;
-    if (press_area("title", {width, height})) storage->SetBool(state, open = !open);
-    note_place(title);
-    bool hot = ImGui::IsItemHovered();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddLine(start, {start.x + width, start.y}, colour_of(ThemeColour::line), unit);
-    push_title_font();
-    list->AddText({start.x, start.y + (height - ImGui::GetTextLineHeight()) / 2 + unit},
-                  ImGui::GetColorU32(ImGuiCol_Text), title);
-    pop_title_font();
-    float arm = 3.5f * unit, x = start.x + width - arm - unit, y = start.y + height / 2 + unit;
-    float tip = open ? -arm / 2 : arm / 2;
-    const ImVec2 chevron[] = {{x - arm, y - tip}, {x, y + tip}, {x + arm, y - tip}};
-    list->AddPolyline(chevron, 3, colour_of(hot ? ThemeColour::text : ThemeColour::quiet), 0, 1.5f * unit);
-    ImGui::PopID();
-    return open;
+    return fold(title, open_at_first, FoldKind::section);
+}
+
+bool subsection(const char* title, bool open_at_first) {
+    return fold(title, open_at_first, FoldKind::within);
 }
 
 void tip(const char* text) {

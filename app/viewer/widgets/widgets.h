@@ -76,21 +76,25 @@ double track_value(double position, const SliderRange& range);
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
 
-/// A tick box row. True when toggled.
-bool switch_row(const char* label, bool& value);
+/// A tick box row. True when toggled. A row's tip is what a mouse at rest on it is told.
+bool switch_row(const char* label, bool& value, const char* tip = nullptr);
 
 /// A list to choose from. True when another entry was chosen.
-bool choice_row(const char* label, int& chosen, std::span<const char* const> names);
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names,
+                const char* tip = nullptr);
 
 /// Two to four choices side by side. True when another was chosen.
 bool segmented_row(const char* label, int& chosen, std::span<const char* const> names,
                    const char* tip = nullptr);
 
 /// A colour with a picker behind it; sRGB-encoded 0..1.
-bool colour_row(const char* label, glm::vec3& colour);
+bool colour_row(const char* label, glm::vec3& colour, const char* tip = nullptr);
 
 /// A section's title with a line above; a click folds the section. Returns whether it is open.
 bool section(const char* title, bool open_at_first = true);
+
+/// The same within a section.
+bool subsection(const char* title, bool open_at_first = true);
 
 /// More about the item drawn last, while the mouse rests on it.
 void tip(const char* text);

@@ -1,0 +1,102 @@
+#include "app/viewer/panels/method_panel.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+namespace {
+
+bool draw_placer(DrawingSettings& settings) {
+    int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
+    if (!segmented_row(
+            "Placer", placer, std::array{"exact", "Figure 8"},
+            "exact: each dot once, and none is lost. Figure 8: as the paper prints it, a quarter of "
+            "its dots lie on others."))
+        return false;
+    settings.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
+    return true;
+}
+
+bool draw_density(DensityChoice& density) {
+    int source = static_cast<int>(density.source);
+    bool changed = segmented_row(
+        "Density", source, std::array{"photo", "grey", "ramp"},
+        "What the dots draw: the photograph, an even grey or a ramp from light to dark. On the last two a "
+        "repeating tile is seen best.");
+    density.source = static_cast<DensitySource>(source);
+    const Greyed greyed(density.source == DensitySource::grey ? nullptr : "Of the density grey only.");
+    changed |= slider_row("Grey", density.grey,
+                          {.min = 0.01,
+                           .max = 1,
+                           .neutral = 0.5,
+                           .hard_min = 0,
+                           .hard_max = 1,
+                           .tip = "How dense the even grey is; 1 is as dark as the scale makes it."});
+    return changed;
+}
+
+bool draw_levels(int& deepest) {
+    double levels = deepest;
+    if (!slider_row("Levels up to", levels,
+                    {.min = 0,
+                     .max = kDeepestStep,
+                     .neutral = kDeepestStep,
+                     .format = deepest == kDeepestStep ? "all" : "%.0f",
+                     .tip = "Shows only the dots that the first so many divisions of the page have placed."}))
+        return false;
+    const int chosen = static_cast<int>(std::lround(levels));
+    return std::exchange(deepest, chosen) != chosen;
+}
+
+}  // namespace
+
+const char* why_only_exact(PlacerKind placer) {
+    return placer == PlacerKind::exact
+               ? nullptr
+               : "The paper's placer (Figure 8) knows nothing of this: its dots stay as placed, "
+                 "in the paper's order.";
+}
+
+bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
+    // The tile's own comes first, then RankingMethod's.
+    int chosen = ranking ? static_cast<int>(*ranking) + 1 : 0;
+    if (!choice_row(label, chosen,
+                    std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"},
+                    "Which of the tile's points become dots first while it gets darker."))
+        return false;
+    ranking.reset();
+    if (chosen > 0) ranking = static_cast<RankingMethod>(chosen - 1);
+    return true;
+}
+
+bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
+    DrawingSettings& drawing = settings.drawing;
+    hint(
+        "All dots come from one small square of points, the tile: each copy is divided into four smaller "
+        "ones "
+        "until its points are dense enough for the picture there.");
+    bool changed = draw_placer(drawing);
+    // What is drawn with; the own choice comes back with the exact placer.
+    std::string tile = tile_in_use(drawing);
+    if (tile_row("Tile", tile, tiles)) {
+        drawing.tile = tile;
+        changed = true;
+    }
+    {
+        const Greyed greyed(why_only_exact(drawing.placer));
+        changed |= ranking_row("Order", drawing.ranking);
+    }
+    changed |= draw_density(settings.density);
+    changed |= draw_levels(settings.deepest_level);
+    changed |= switch_row(
+        "Every frame", settings.every_frame,
+        "Places all dots anew in each frame, without rest, and shows how many frames a second that "
+        "makes.");
+    return changed;
+}
+
+}  // namespace dapple

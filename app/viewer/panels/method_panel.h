@@ -1,0 +1,21 @@
+#pragma once
+// Rows of the section "The method": which tile the dots come from and how they are taken out of it, for
+// whoever wants to know. The usual choices are good ones.
+
+#include <optional>
+
+#include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/panels/tile_row.h"
+
+namespace dapple {
+
+/// True while something changes.
+bool draw_method_rows(ViewerSettings& settings, const TileList& tiles);
+
+/// The order in which a tile's points become dots. True when another was chosen.
+bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);
+
+/// Why rows that only the exact placer knows are greyed; null if they are not.
+const char* why_only_exact(PlacerKind placer);
+
+}  // namespace dapple
