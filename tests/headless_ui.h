@@ -23,7 +23,7 @@ class HeadlessUi {
         io.DisplaySize = {400, 900};
         prepare_input();
         io.UserData = &places_;
-        apply_theme(1);
+        apply_theme({}, 1);
 #if IMGUI_VERSION_NUM < 19200
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;

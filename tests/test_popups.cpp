@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
+#include "app/viewer/panels/command_palette.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "tests/headless_ui.h"
@@ -50,4 +53,33 @@ TEST_CASE("the question mark that brings help sends it away again, as Escape doe
     open = true;
     ui.type("?");  // in the frame in which it opens
     CHECK(open);
+}
+
+TEST_CASE("the command palette finds what has every word typed, and Enter does it") {
+    std::vector<const char*> found;
+    for (const Shortcut& each : shortcuts_with("PICTURE open", shortcuts())) found.push_back(each.meaning);
+    REQUIRE(found.size() == 1);
+    CHECK(std::string(found[0]) == "Open a picture");
+    CHECK(shortcuts_with("", shortcuts()).size() > 15);
+    CHECK(shortcuts_with("zebra", shortcuts()).empty());
+
+    CommandPalette palette;
+    std::vector<Action> asked;
+    HeadlessUi ui([&] { palette.draw(shortcuts(), [&](Action action) { asked.push_back(action); }); });
+    palette.toggle();
+    ui.frame();
+    ui.frame();
+    for (const char* letter : {"z", "o", "o", "m"}) ui.type(letter);
+    CHECK(ui.has("Zoom in"));
+    CHECK_FALSE(ui.has("Redo"));
+    ui.key(Key::down);
+    ui.key(Key::enter);
+    ui.frame();
+    CHECK(asked == std::vector{Action::zoom_out});
+    CHECK_FALSE(ui.has("Zoom in"));
+    palette.toggle();
+    ui.frame();
+    ui.frame();
+    ui.click("Undo");  // of what was typed before nothing is left
+    CHECK(asked.back() == Action::undo);
 }

@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
+#include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/theme.h"
-#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {
@@ -21,27 +21,19 @@ void row(const char* keys, const char* meaning) {
 }  // namespace
 
 void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts) {
-    if (open && !ImGui::IsPopupOpen("Keys")) ImGui::OpenPopup("Keys");
-    ImVec2 middle = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(
-            "Keys", &open,
-            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
-        return;
+    const Dialog dialog("Keys", open);
+    if (!dialog) return;
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         row("Wheel", "Zoom at the pointer");
         row("Drag", "Move the view");
-        for (const Shortcut& shortcut : shortcuts) row(shortcut.keys, shortcut.meaning);
+        for (const Shortcut& shortcut : shortcuts)
+            if (*shortcut.keys) row(shortcut.keys, shortcut.meaning);
         row("Ctrl+click", "On a slider: type the number");
         row("Double-click", "On a slider's name: back to neutral");
         row("Drop a file", "Open it; a .tile is drawn with");
         ImGui::EndTable();
     }
-    bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered();
-    const bool again = help_pressed() && !ImGui::IsWindowAppearing();
-    if (outside || again || escape_pressed()) open = false;
-    if (!open) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    if (help_pressed() && !ImGui::IsWindowAppearing()) open = false;
 }
 
 }  // namespace dapple

@@ -24,6 +24,9 @@ constexpr Shortcut kShortcuts[] = {
     {Action::photograph, "P, held", "The photograph instead of its dots"},
     {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
+    {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
+    {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
+    {Action::about, "", "About Dapple: version and licences"},
     {Action::help, "?, F1", "These keys"},
     {Action::quit, "Ctrl+Q", "Quit"},
 };
@@ -43,6 +46,9 @@ constexpr Shortcut kLightShortcuts[] = {
     {Action::darker, "Shift+E", "Half a stop darker"},
     {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panel"},
     {Action::full_screen, "F11", "Full screen"},
+    {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
+    {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
+    {Action::about, "", "About Dapple: version and licences"},
     {Action::help, "?, F1", "These keys"},
     {Action::quit, "Ctrl+Q", "Quit"},
 };
@@ -91,6 +97,8 @@ std::vector<Action> pressed_actions() {
         when(key_pressed(Key::y), Action::redo);
         when(key_pressed(Key::zero), Action::one_to_one);
         when(key_pressed(Key::b), Action::toggle_panels);
+        when(key_pressed(Key::p), Action::palette);
+        when(key_pressed(Key::comma), Action::preferences);
         when(key_pressed(Key::q), Action::quit);
     } else {
         when(key_pressed(Key::f), Action::fit);

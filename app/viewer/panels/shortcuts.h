@@ -26,12 +26,15 @@ enum class Action {
     lighter,
     darker,
     help,
+    palette,
+    preferences,
+    about,
     quit,
 };
 
 struct Shortcut {
     Action action;
-    const char* keys;     // "Ctrl+O"
+    const char* keys;     // "Ctrl+O"; empty: none
     const char* meaning;  // "Open a picture"
 };
 /// Of the window of a drawing, and of an environment map's.

@@ -10,6 +10,7 @@
 
 #include "app/files/tile_library.h"
 #include "app/viewer/model/tile_choices.h"
+#include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
 
 namespace dapple {
@@ -72,7 +73,7 @@ void Shell::frame(Document& document) {
     do_this = [&](Action action) { act(action, document, frame); };
     for (const auto& path : window_.take_dropped()) document.take_dropped(path);
     for (Action action : pressed_actions()) do_this(action);
-    draw_dialogs(document);
+    draw_dialogs(document, do_this);
     document.draw(frame);
     window_.end_frame();
     report_outside(document);
@@ -98,6 +99,12 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             return window_.toggle_full_screen();
         case Action::help:
             return toggle(help_shown_);
+        case Action::palette:
+            return palette_.toggle();
+        case Action::preferences:
+            return toggle(preferences_shown_);
+        case Action::about:
+            return toggle(about_shown_);
         case Action::quit:
             return window_.close();
         default:
@@ -109,8 +116,11 @@ void Shell::ask_where_to_save(const Document& document) {
     if (auto question = document.where_to_save()) dialog_.ask_where_to_save(std::move(*question));
 }
 
-void Shell::draw_dialogs(Document& document) {
+void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
+    palette_.draw(document.shortcuts(), act);
     draw_help_panel(help_shown_, document.shortcuts());
+    draw_about_panel(about_shown_);
+    if (draw_preferences_panel(preferences_shown_, appearance_)) window_.set_appearance(appearance_);
     const auto path = dialog_.draw([&](std::size_t format) { document.draw_saving_options(format); });
     if (!path) return;
     if (dialog_.saves())

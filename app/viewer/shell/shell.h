@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/viewer/panels/command_palette.h"
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/status_log.h"
@@ -24,7 +25,7 @@ class Shell {
     void frame(Document& document);
     void act(Action action, Document& document, const Frame& frame);
     void ask_where_to_save(const Document& document);
-    void draw_dialogs(Document& document);
+    void draw_dialogs(Document& document, const std::function<void(Action)>& act);
     void report_outside(const Document& document);
 
     bool log_status_;
@@ -32,7 +33,9 @@ class Shell {
     Window window_;
     FileDialog dialog_;
     bool asks_for_tile_ = false;  // of use while the dialog is open and does not save
-    bool panels_shown_ = true, help_shown_ = false;
+    bool panels_shown_ = true, help_shown_ = false, preferences_shown_ = false, about_shown_ = false;
+    CommandPalette palette_;
+    Appearance appearance_;
     bool ready_ = false;
     double last_seconds_ = 0;  // of the last frame
     std::string logged_;

@@ -14,7 +14,6 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/shell/window_icon.h"
 #include "app/viewer/widgets/keys.h"
-#include "app/viewer/widgets/theme.h"
 
 namespace dapple {
 namespace {
@@ -150,10 +149,11 @@ void Window::follow_content_scale() {
     glfwGetWindowContentScale(window_, &scale, &ignored);
     // Where the system itself enlarges (macOS), points are not pixels and the text must not grow twice.
     scale = std::clamp(scale / static_cast<float>(pixels_per_point().x), kSmallestScale, kLargestScale);
-    if (scale == content_scale_) return;
+    if (scale == content_scale_ && appearance_ == applied_) return;
     bool again = content_scale_ > 0;
     content_scale_ = scale;
-    apply_theme(scale);
+    applied_ = appearance_;
+    apply_theme(appearance_, scale);
     set_smallest_size();
     if (again) {
 #if IMGUI_VERSION_NUM < 19200  // later it follows by itself

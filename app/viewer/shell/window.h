@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/viewer/shell/input_queue.h"
+#include "app/viewer/widgets/theme.h"
 
 struct GLFWwindow;
 
@@ -27,6 +28,8 @@ class Window {
     void close();
     void set_title(const std::string& title);
     void toggle_full_screen();
+    /// From the next frame on.
+    void set_appearance(const Appearance& appearance) { appearance_ = appearance; }
 
     /// Sleeps until something happens or the time is over; 0 returns at once. False: nothing happened.
     bool wait_for_events(double seconds);
@@ -71,6 +74,7 @@ class Window {
     std::chrono::steady_clock::time_point seen_{};  // the last frame that was
     bool damaged_ = false;                          // to be drawn again, whatever the reason
     float content_scale_ = 0;
+    Appearance appearance_, applied_;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};
 };
 

@@ -25,6 +25,9 @@ enum class Key {
     y,
     z,
     zero,
+    comma,
+    up,
+    down,
     tab,
     enter,
     keypad_enter,
@@ -75,6 +78,12 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(Z, Z);
         case Key::zero:
             return DAPPLE_KEY(0, 0);
+        case Key::comma:
+            return DAPPLE_KEY(COMMA, Comma);
+        case Key::up:
+            return DAPPLE_KEY(UP, UpArrow);
+        case Key::down:
+            return DAPPLE_KEY(DOWN, DownArrow);
         case Key::tab:
             return DAPPLE_KEY(TAB, Tab);
         case Key::enter:

@@ -1,5 +1,6 @@
 #include "app/viewer/widgets/theme.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -11,30 +12,47 @@ namespace {
 
 constexpr float kTextHeight = 15;  // pixels at content scale 1
 
-glm::u8vec3 bytes_of(ThemeColour colour) {
-    switch (colour) {
-        case ThemeColour::surround:
-            return {223, 219, 210};
-        case ThemeColour::panel:
-            return {248, 246, 241};
-        case ThemeColour::track:
-            return {226, 221, 211};
-        case ThemeColour::line:
-            return {214, 208, 196};
-        case ThemeColour::text:
-            return {46, 44, 41};
-        case ThemeColour::quiet:
-            return {117, 111, 101};
-        case ThemeColour::accent:
-            return {46, 84, 122};
-        case ThemeColour::warning:
-            return {160, 60, 36};
-    }
-    return {};
+struct Palette {
+    glm::u8vec3 surround, panel, track, line, text, quiet, accent, warning;
+};
+
+constexpr Palette kLight{{223, 219, 210}, {248, 246, 241}, {226, 221, 211}, {214, 208, 196},
+                         {46, 44, 41},    {96, 91, 83},    {46, 84, 122},   {150, 52, 30}};
+constexpr Palette kDark{{24, 23, 22},    {36, 35, 33},    {62, 60, 57},    {72, 69, 65},
+                        {236, 233, 226}, {188, 183, 174}, {134, 180, 224}, {244, 150, 122}};
+constexpr Palette kHighContrast{{0, 0, 0},       {0, 0, 0},       {56, 56, 56},  {255, 255, 255},
+                                {255, 255, 255}, {226, 226, 226}, {255, 214, 0}, {255, 150, 120}};
+
+const Palette& palette_of(Theme theme) {
+    return theme == Theme::light ? kLight : theme == Theme::dark ? kDark : kHighContrast;
 }
 
-ImVec4 shade(ThemeColour colour, float opacity = 1) {
-    glm::vec3 c = rgb_of(colour);
+// ImGui's style keeps the theme: each colour has a place there, some of them of things that nothing here
+// draws.
+ImGuiCol place_of(ThemeColour colour) {
+    switch (colour) {
+        case ThemeColour::surround:
+            return ImGuiCol_NavWindowingDimBg;
+        case ThemeColour::panel:
+            return ImGuiCol_WindowBg;
+        case ThemeColour::track:
+            return ImGuiCol_FrameBgActive;
+        case ThemeColour::line:
+            return ImGuiCol_Separator;
+        case ThemeColour::text:
+            return ImGuiCol_NavWindowingHighlight;
+        case ThemeColour::quiet:
+            return ImGuiCol_TextDisabled;
+        case ThemeColour::accent:
+            return ImGuiCol_CheckMark;
+        case ThemeColour::warning:
+            return ImGuiCol_PlotLinesHovered;
+    }
+    return ImGuiCol_NavWindowingHighlight;
+}
+
+ImVec4 shade(glm::u8vec3 colour, float opacity = 1) {
+    const glm::vec3 c = glm::vec3(colour) / 255.0f;
     return {c.r, c.g, c.b, opacity};
 }
 
@@ -50,9 +68,12 @@ ImFont* load_font(const char* pattern, float height) {
     return io.Fonts->AddFontDefault(&config);
 }
 
-void set_colours(ImGuiStyle& style) {
-    using enum ThemeColour;
-    ImGui::StyleColorsLight(&style);
+void set_colours(ImGuiStyle& style, Theme theme) {
+    const auto& [surround, panel, track, line, text, quiet, accent, warning] = palette_of(theme);
+    if (theme == Theme::light)
+        ImGui::StyleColorsLight(&style);
+    else
+        ImGui::StyleColorsDark(&style);
     auto set = [&](ImGuiCol where, ImVec4 colour) { style.Colors[where] = colour; };
     set(ImGuiCol_Text, shade(text));
     set(ImGuiCol_TextDisabled, shade(quiet));
@@ -81,18 +102,21 @@ void set_colours(ImGuiStyle& style) {
     set(ImGuiCol_Separator, shade(line));
     set(ImGuiCol_TitleBg, shade(panel));
     set(ImGuiCol_TitleBgActive, shade(panel));
-    set(ImGuiCol_ModalWindowDimBg, shade(text, 0.35f));
+    set(ImGuiCol_ModalWindowDimBg, shade(theme == Theme::light ? text : surround, 0.35f));
+    set(place_of(ThemeColour::surround), shade(surround));
+    set(place_of(ThemeColour::text), shade(text));
+    set(place_of(ThemeColour::warning), shade(warning));
 }
 
 }  // namespace
 
 glm::vec3 rgb_of(ThemeColour colour) {
-    return glm::vec3(bytes_of(colour)) / 255.0f;
+    const ImVec4& c = ImGui::GetStyle().Colors[place_of(colour)];
+    return {c.x, c.y, c.z};
 }
 
 std::uint32_t colour_of(ThemeColour colour) {
-    auto c = bytes_of(colour);
-    return ImGui::GetColorU32(IM_COL32(c.r, c.g, c.b, 255));  // paler where a row is greyed
+    return ImGui::GetColorU32(place_of(colour));  // paler where a row is greyed
 }
 
 std::optional<std::filesystem::path> find_font(const char* pattern) {
@@ -113,7 +137,8 @@ std::optional<std::filesystem::path> find_font(const char* pattern) {
     return file;
 }
 
-void apply_theme(float content_scale) {
+void apply_theme(const Appearance& appearance, float content_scale) {
+    content_scale *= std::clamp(appearance.text_size, kSmallestText, kLargestText);
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     float height = std::round(kTextHeight * content_scale);
@@ -121,7 +146,7 @@ void apply_theme(float content_scale) {
     load_font("sans-serif:bold", height);
 
     ImGuiStyle style;
-    set_colours(style);
+    set_colours(style, appearance.theme);
     style.WindowPadding = {16, 12};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 5};

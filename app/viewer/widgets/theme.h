@@ -1,5 +1,6 @@
 #pragma once
-// How the window looks: warm paper greys and one ink blue, sizes in proportion to the text.
+// How the window looks: warm paper greys and one ink blue, in light, dark and high contrast, sizes in
+// proportion to the text. Text on what is behind it has a contrast of 4.5:1 and more (WCAG 2.1, 1.4.3).
 
 #include <cstdint>
 #include <filesystem>
@@ -10,8 +11,18 @@
 namespace dapple {
 
 enum class ThemeColour { surround, panel, track, line, text, quiet, accent, warning };
+enum class Theme { light, dark, high_contrast };
 
-/// As ImGui packs colours.
+/// What people choose of it.
+struct Appearance {
+    Theme theme = Theme::light;
+    float text_size = 1;  // times the usual one, 0.75..2
+
+    bool operator==(const Appearance&) const = default;
+};
+inline constexpr float kSmallestText = 0.75f, kLargestText = 2;
+
+/// Those of the theme applied last. As ImGui packs colours.
 std::uint32_t colour_of(ThemeColour colour);
 /// As the shaders take them, 0..1.
 glm::vec3 rgb_of(ThemeColour colour);
@@ -21,7 +32,7 @@ std::optional<std::filesystem::path> find_font(const char* pattern);
 
 /// Loads fonts and sets ImGui's style for a content scale (1: 96 dpi). To be called between frames; sets up
 /// anew when called again.
-void apply_theme(float content_scale);
+void apply_theme(const Appearance& appearance, float content_scale);
 
 /// Bold, where the system has it.
 void push_title_font();

@@ -1,0 +1,76 @@
+#include "app/viewer/panels/about_panel.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "app/viewer/widgets/dialog.h"
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+namespace {
+
+constexpr float kWidth = 30;  // letters' heights
+
+struct Library {
+    const char* name;
+    const char* licence;
+    const char* version;
+};
+
+}  // namespace
+
+bool draw_preferences_panel(bool& open, Appearance& appearance) {
+    const Dialog dialog("Preferences", open);
+    if (!dialog) return false;
+    ImGui::Dummy({kWidth * ImGui::GetTextLineHeight(), 0});
+    int theme = static_cast<int>(appearance.theme);
+    bool changed = segmented_row("Theme", theme, std::array{"light", "dark", "high contrast"},
+                                 "How the window looks; the drawing and its files stay as they are.");
+    appearance.theme = static_cast<Theme>(theme);
+    int size = appearance.text_size < 0.95f  ? 0
+               : appearance.text_size < 1.1f ? 1
+               : appearance.text_size < 1.4f ? 2
+                                             : 3;
+    if (segmented_row("Text", size, std::array{"small", "usual", "large", "huge"},
+                      "The size of all text and rows, beside the scale that the desktop asks for.")) {
+        appearance.text_size = std::array{0.85f, 1.0f, 1.25f, 1.6f}[static_cast<std::size_t>(size)];
+        changed = true;
+    }
+    return changed;
+}
+
+void draw_about_panel(bool& open) {
+    const Dialog dialog("About Dapple", open);
+    if (!dialog) return;
+    push_title_font();
+    ImGui::TextUnformatted("Dapple " DAPPLE_VERSION);
+    pop_title_font();
+    ImGui::PushTextWrapPos(kWidth * ImGui::GetTextLineHeight());
+    ImGui::TextUnformatted(
+        "Photographs as dots, in real time. The method is Ares Lagae's and Philip Dutre's: a self-similar "
+        "hierarchical tile, divided again and again (2006).");
+    ImGui::TextUnformatted("Free to use, change and pass on under the MIT licence.");
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, ImGui::GetTextLineHeight() / 2});
+    const std::array kLibraries{Library{"Dear ImGui", "MIT", IMGUI_VERSION},
+                                Library{"GLFW", "zlib", glfwGetVersionString()},
+                                Library{"OpenImageIO", "BSD", "reads pictures, in a process of its own"},
+                                Library{"GLM, {fmt}, nlohmann-json, CLI11, stb", "MIT", ""},
+                                Library{"oneTBB", "Apache 2.0", ""},
+                                Library{"libpng, zlib, fontconfig", "their own, free", ""}};
+    if (ImGui::BeginTable("libraries", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const Library& library : kLibraries) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(fmt::format("{} {}", library.name, library.version).c_str());
+            ImGui::TableNextColumn();
+            hint(library.licence);
+        }
+        ImGui::EndTable();
+    }
+}
+
+}  // namespace dapple

@@ -1,0 +1,14 @@
+#pragma once
+// The dialogs about the program itself: how it looks, and what it is.
+
+#include "app/viewer/widgets/theme.h"
+
+namespace dapple {
+
+/// Theme and size of the text. True when something was changed.
+bool draw_preferences_panel(bool& open, Appearance& appearance);
+
+/// Version, licence, and the libraries it stands on with theirs.
+void draw_about_panel(bool& open);
+
+}  // namespace dapple
