@@ -105,7 +105,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order) {
 
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch) {
-    const bool to_standard_output = path == kStandardOutput;
+    const bool to_standard_output = path == kStandardStream;
     const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
     const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count));
     Dots sorted;

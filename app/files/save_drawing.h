@@ -46,10 +46,10 @@ struct SavingWatch {
     std::function<void(double share)> progress;  // told now and then how much is written, 0..1
 };
 
-/// The path that stands for the standard output.
-inline constexpr const char* kStandardOutput = "-";
+/// What stands for the standard input and the standard output in place of a file's name.
+inline constexpr const char* kStandardStream = "-";
 
-/// Writes what the format or the name's ending says; to the standard output if the name is kStandardOutput,
+/// Writes what the format or the name's ending says; to the standard output if the name is kStandardStream,
 /// which needs a format and takes no TIFF. Returns false if stopped. Throws what drawing_format() and
 /// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
 /// as it was.

@@ -5,9 +5,6 @@
 
 namespace dapple {
 
-/// What stands for the standard input and the standard output in place of a file's name.
-inline constexpr const char* kStandardStream = "-";
-
 /// Copies it to a temporary file, since decoders are programs of their own and go back and forth in what they
 /// read, and reads that as read_picture() does. The file is gone afterwards, also if a signal ends the
 /// program. Throws std::runtime_error with one sentence that begins with "the standard input".
