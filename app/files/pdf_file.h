@@ -15,7 +15,7 @@ namespace dapple {
 
 /// A side of a PDF's page, 14,400 points: readers take no larger ones.
 inline constexpr double kLongestPdfSideMm = 14'400 / 72.0 * 25.4;
-/// The library keeps a page in memory until it is whole, about as many bytes a dot as the file has twice.
+/// The library keeps a page in memory until it is whole, about 20 bytes a dot.
 inline constexpr std::uint64_t kMostPdfDots = 20'000'000;
 
 struct PdfStyle {
