@@ -214,7 +214,7 @@ TEST_CASE(
         CHECK(std::stod(size[2]) == doctest::Approx(kHeight / 25.4 * 72).epsilon(1e-5));
         CHECK(std::regex_search(info, std::regex("Title: +My cat\n")));
         CHECK(std::regex_search(info, std::regex("Pages: +1\n")));
-        const Outcome drawn = run_in_shell("pdftoppm -r 254 -singlefile -png '" + scene("My cat.pdf") + "' " +
+        const Outcome drawn = run_in_shell("pdftoppm -scale-to-x 960 -scale-to-y 640 -singlefile -png '" + scene("My cat.pdf") + "' " +
                                            scene("pdf") + " && rsvg-convert -w 960 -h 640 -b white " +
                                            scene("a.svg") + " -o " + scene("svg.png"));
         CAPTURE(drawn.err);
@@ -228,7 +228,7 @@ TEST_CASE(
 TEST_CASE("a TIFF has the pixels of the PNG and its size on paper") {
     const Scene scene;
     for (const std::string colours : {"", "--ink '#a03010'"}) {
-        const std::string from = "render " + scene("cat.png") + " --dots 3000 --dpi 150.5 " + colours;
+        const std::string from = "render " + scene("cat.png") + " --dots 2000 --width 60 --dpi 150.5 " + colours;
         REQUIRE(run_dapple(from + " -o " + scene("a.png")).status == 0);
         REQUIRE(run_dapple(from + " -o " + scene("a.tif")).status == 0);
         const Picture png = read_picture(scene("a.png")), tiff = read_picture(scene("a.tif"));

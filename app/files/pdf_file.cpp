@@ -20,13 +20,18 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr std::size_t kDotsAtOnce = 1 << 14;  // sorted by their radii
 constexpr std::size_t kDotsOfAPath = 1000;    // printers' memory for one is small
 constexpr double kMicrometresPerMm = 1000;
+constexpr double kBytesADot = 9.5;         // in a file, about
+constexpr double kShareOfGathering = 0.2;  // of the time, before the library begins to write
 
 // A page that the library makes and writes into a stream. What the stream throws is kept while the C library
 // is in between.
 class PdfPage {
  public:
-    PdfPage(std::ostream& out, double width_pt, double height_pt)
+    PdfPage(std::ostream& out, double width_pt, double height_pt, std::uint64_t dots,
+            const WritingProgress& progress)
         : out_(out),
+          progress_(progress),
+          bytes_expected_(static_cast<double>(dots) * kBytesADot + 1),
           surface_(cairo_pdf_surface_create_for_stream(&PdfPage::write, this, width_pt, height_pt)),
           context_(cairo_create(surface_)) {}
     PdfPage(const PdfPage&) = delete;
@@ -60,6 +65,9 @@ class PdfPage {
         if (dropped_ || thrown_) return CAIRO_STATUS_WRITE_ERROR;
         try {
             out_.write(bytes, static_cast<std::streamsize>(size));
+            bytes_ += size;
+            const double share = std::min(bytes_ / bytes_expected_, 1.0);
+            if (progress_) progress_(kShareOfGathering + (1 - kShareOfGathering) * share);
             return CAIRO_STATUS_SUCCESS;
         } catch (...) {
             thrown_ = std::current_exception();
@@ -68,6 +76,8 @@ class PdfPage {
     }
 
     std::ostream& out_;
+    const WritingProgress& progress_;
+    double bytes_expected_, bytes_ = 0;
     bool dropped_ = false;
     std::exception_ptr thrown_;
     cairo_surface_t* surface_;
@@ -134,7 +144,7 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
 void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
                const WritingProgress& progress) {
     check_fits_pdf(page, dots.count);
-    PdfPage pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm);
+    PdfPage pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots.count, progress);
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_TITLE, style.title.c_str());
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATOR, "Dapple");
     // The library writes the time of day unless it is told one, and the same drawing is to be the same file.
@@ -146,7 +156,9 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
     set_colour(pdf.context(), style.ink);
     PdfDots drawn(pdf.context());
     const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
-    DotsReport report(dots.count, progress);
+    WritingProgress gathering;
+    if (progress) gathering = [&](double share) { progress(kShareOfGathering * share); };
+    DotsReport report(dots.count, gathering);
     dots.for_each_piece([&](const Dots& piece) {
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
