@@ -28,14 +28,14 @@ struct TableDot {
     double radius;
 };
 
-void draw(const Scene& scene, const std::string& name, const std::string& options = "") {
+void draw_to(const Scene& scene, const std::string& name, const std::string& options = "") {
     const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + scene(name) + " " + options);
     CAPTURE(outcome.err);
     REQUIRE(outcome.status == 0);
 }
 
 std::vector<TableDot> table_of(const Scene& scene, const std::string& options = "") {
-    draw(scene, "dots.csv", options);
+    draw_to(scene, "dots.csv", options);
     std::istringstream lines(text_of(scene("dots.csv")));
     std::vector<TableDot> dots;
     std::string line;
@@ -62,7 +62,7 @@ double farthest_off(const std::vector<TableDot>& table, const std::vector<glm::d
 
 // Root mean square of what two pictures of one size differ by, light 0..1; the second one moved so many
 // pixels right and down.
-double difference(const Picture& a, const Picture& b, int moved = 0) {
+double light_difference(const Picture& a, const Picture& b, int moved = 0) {
     REQUIRE(a.light.width == b.light.width);
     REQUIRE(a.light.height == b.light.height);
     double sum = 0;
@@ -90,17 +90,17 @@ TEST_CASE(
     const std::vector<TableDot> table = table_of(scene);
     for (const std::string machine : {"pen", "servo", "laser"}) {
         CAPTURE(machine);
-        draw(scene, "a.gcode", "--gcode " + machine + " --feed 1234.5 --dwell 0.25");
+        draw_to(scene, "a.gcode", "--gcode " + machine + " --feed 1234.5 --dwell 0.25");
         const std::string text = text_of(scene("a.gcode"));
         CHECK(farthest_off(table, plotted_gcode(text).dots) < 0.00075);
         CHECK(text.find(" F1234.5\n") != text.npos);
         CHECK(text.find("G4 P0.25\n") != text.npos);
     }
-    draw(scene, "a.nc");
-    draw(scene, "b.gcode", "--gcode pen");
+    draw_to(scene, "a.nc");
+    draw_to(scene, "b.gcode", "--gcode pen");
     CHECK(text_of(scene("a.nc")) == text_of(scene("b.gcode")));
-    draw(scene, "a.hpgl");
-    draw(scene, "a.plt");
+    draw_to(scene, "a.hpgl");
+    draw_to(scene, "a.plt");
     CHECK(farthest_off(table, plotted_hpgl(text_of(scene("a.hpgl"))).dots) < 0.018);
     CHECK(text_of(scene("a.hpgl")) == text_of(scene("a.plt")));
 }
@@ -109,7 +109,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
     const Scene scene;
     put_text(scene("my.txt"),
              "# Mine\nstart ; begin {feed}\nend ; end\n  move X{x}Y{y}\ndot D{dwell}R{radius}\n");
-    draw(scene, "a.nc", "--gcode " + scene("my.txt") + " --dot-radius 0.25");
+    draw_to(scene, "a.nc", "--gcode " + scene("my.txt") + " --dot-radius 0.25");
     const std::string text = text_of(scene("a.nc"));
     CHECK(text.starts_with("; begin 3000\nX"));
     CHECK(text.ends_with("\nD0.1R0.25\n; end\n"));
@@ -144,7 +144,7 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
     if (!is_installed("/usr/bin/python3 -c 'import ezdxf'")) return;
     const Scene scene;
     const std::vector<TableDot> table = table_of(scene, "--dot-radius 0.345");
-    draw(scene, "a.dxf", "--dot-radius 0.345");
+    draw_to(scene, "a.dxf", "--dot-radius 0.345");
     put_text(scene("read.py"),
              "import ezdxf, sys\n"
              "drawing = ezdxf.readfile(sys.argv[1])\n"
@@ -169,7 +169,7 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
 TEST_CASE("JSON has the numbers of the table, named as there") {
     const Scene scene;
     static_cast<void>(table_of(scene));
-    draw(scene, "a.json");
+    draw_to(scene, "a.json");
     const nlohmann::json drawing = read_json(scene("a.json"));
     CHECK(drawing["page"] == nlohmann::json{{"width_mm", kWidth}, {"height_mm", kHeight}});
     CHECK(drawing["unit"] == "mm");
@@ -221,8 +221,8 @@ TEST_CASE(
         REQUIRE(drawn.status == 0);
         const Picture pdf = read_picture(scene("pdf.png")), svg = read_picture(scene("svg.png"));
         // Only how edges are smoothed: a pixel, 0.1 mm, makes more of a difference.
-        CHECK(difference(pdf, svg) < 0.07);
-        CHECK(difference(pdf, svg, 1) > 0.14);
+        CHECK(light_difference(pdf, svg) < 0.07);
+        CHECK(light_difference(pdf, svg, 1) > 0.14);
     }
 }
 

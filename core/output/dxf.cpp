@@ -8,11 +8,11 @@
 namespace dapple {
 namespace {
 
-constexpr int kDecimals = 3;
-constexpr double kLeastRadiusMm = 0.001;
+constexpr int kDxfDecimals = 3;
+constexpr double kLeastDxfRadiusMm = 0.001;
 
 // Each value stands on a line of its own, below the number of its group, which says what it is.
-constexpr const char* kLayers =
+constexpr const char* kDxfTables =
     "  0\nSECTION\n  2\nTABLES\n"
     "  0\nTABLE\n  2\nLTYPE\n 70\n1\n"
     "  0\nLTYPE\n  2\nCONTINUOUS\n 70\n0\n  3\nSolid line\n 72\n65\n 73\n0\n 40\n0.0\n"
@@ -31,14 +31,14 @@ void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, d
     text << "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n"
          << "  9\n$EXTMIN\n 10\n0.0\n 20\n0.0\n 30\n0.0\n"
          << "  9\n$EXTMAX\n 10\n";
-    text.fixed(page.width_mm, kDecimals) << "\n 20\n";
-    text.fixed(page.height_mm, kDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
-    text << kLayers << "  0\nSECTION\n  2\nENTITIES\n";
+    text.fixed(page.width_mm, kDxfDecimals) << "\n 20\n";
+    text.fixed(page.height_mm, kDxfDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
+    text << kDxfTables << "  0\nSECTION\n  2\nENTITIES\n";
     for_each_plotted_dot(dots, page, dot_radius_mm, progress, [&](const PlottedDot& dot) {
         text << "  0\nCIRCLE\n  8\nDots\n 10\n";
-        text.fixed(dot.x_mm, kDecimals) << "\n 20\n";
-        text.fixed(dot.y_mm, kDecimals) << "\n 30\n0.0\n 40\n";
-        text.fixed(std::max(dot.radius_mm, kLeastRadiusMm), kDecimals) << '\n';
+        text.fixed(dot.x_mm, kDxfDecimals) << "\n 20\n";
+        text.fixed(dot.y_mm, kDxfDecimals) << "\n 30\n0.0\n 40\n";
+        text.fixed(std::max(dot.radius_mm, kLeastDxfRadiusMm), kDxfDecimals) << '\n';
     });
     text << "  0\nENDSEC\n  0\nEOF\n";
     text.flush();

@@ -13,12 +13,12 @@
 namespace dapple {
 namespace {
 
-using Kind = GcodePiece::Kind;
+using PieceKind = GcodePiece::Kind;
 
-constexpr int kDecimals = 3;
+constexpr int kGcodeDecimals = 3;
 
 // G21: millimetres; G90: places, not steps; G94: the feed in millimetres a minute.
-constexpr std::string_view kPen =
+constexpr std::string_view kPenTemplate =
     "start G21\n"
     "start G90\n"
     "start G94\n"
@@ -31,7 +31,7 @@ constexpr std::string_view kPen =
     "end M2\n";
 
 // Grbl turns a servo by the spindle's speed: S20 is up and S90 is down on many.
-constexpr std::string_view kServo =
+constexpr std::string_view kServoTemplate =
     "start G21\n"
     "start G90\n"
     "start G94\n"
@@ -48,7 +48,7 @@ constexpr std::string_view kServo =
     "end M2\n";
 
 // G1 and no G0 before a burst: Grbl's laser mode burns at G1 only. S250 is a quarter of Grbl's usual 1000.
-constexpr std::string_view kLaser =
+constexpr std::string_view kLaserTemplate =
     "start G21\n"
     "start G90\n"
     "start G94\n"
@@ -63,26 +63,27 @@ constexpr std::string_view kLaser =
 
 struct Placeholder {
     std::string_view name;
-    Kind kind;
+    PieceKind kind;
 };
-constexpr std::array kPlaceholders{Placeholder{"{x}", Kind::x}, Placeholder{"{y}", Kind::y},
-                                   Placeholder{"{radius}", Kind::radius}, Placeholder{"{feed}", Kind::feed},
-                                   Placeholder{"{dwell}", Kind::dwell}};
+constexpr std::array kPlaceholders{Placeholder{"{x}", PieceKind::x}, Placeholder{"{y}", PieceKind::y},
+                                   Placeholder{"{radius}", PieceKind::radius},
+                                   Placeholder{"{feed}", PieceKind::feed},
+                                   Placeholder{"{dwell}", PieceKind::dwell}};
 
-bool is_of_a_dot(Kind kind) {
-    return kind == Kind::x || kind == Kind::y || kind == Kind::radius;
+bool is_of_a_dot(PieceKind kind) {
+    return kind == PieceKind::x || kind == PieceKind::y || kind == PieceKind::radius;
 }
 
-void add_text(std::vector<GcodePiece>& pieces, std::string_view text) {
-    if (pieces.empty() || pieces.back().kind != Kind::text) pieces.push_back({Kind::text});
+void add_gcode_text(std::vector<GcodePiece>& pieces, std::string_view text) {
+    if (pieces.empty() || pieces.back().kind != PieceKind::text) pieces.push_back({PieceKind::text});
     pieces.back().text += text;
 }
 
 // A line of G-code, its placeholders told from the rest.
-void add_line(std::vector<GcodePiece>& pieces, std::string_view line, const TextLines& at) {
+void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, const TextLines& at) {
     while (!line.empty()) {
         const std::size_t open = line.find('{');
-        add_text(pieces, line.substr(0, open));
+        add_gcode_text(pieces, line.substr(0, open));
         if (open == line.npos) break;
         line.remove_prefix(open);
         const std::string_view name = line.substr(0, line.find('}') + 1);
@@ -96,7 +97,7 @@ void add_line(std::vector<GcodePiece>& pieces, std::string_view line, const Text
         pieces.push_back({found->kind});
         line.remove_prefix(name.size());
     }
-    add_text(pieces, "\n");
+    add_gcode_text(pieces, "\n");
 }
 
 std::string_view without_blanks_before(std::string_view text) {
@@ -105,10 +106,10 @@ std::string_view without_blanks_before(std::string_view text) {
 }
 
 void check_whole(const GcodeTemplate& lines, const TextLines& at) {
-    const auto has = [&](Kind kind) {
+    const auto has = [&](PieceKind kind) {
         return std::ranges::find(lines.each_dot, kind, &GcodePiece::kind) != lines.each_dot.end();
     };
-    if (!has(Kind::x) || !has(Kind::y))
+    if (!has(PieceKind::x) || !has(PieceKind::y))
         at.fail("the template ends and no line for a dot has {x} and {y}, so the tool would not move");
     for (const auto& once : {lines.start, lines.end}) {
         if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
@@ -116,27 +117,27 @@ void check_whole(const GcodeTemplate& lines, const TextLines& at) {
     }
 }
 
-void write_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
-                  const PlottedDot& dot) {
+void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
+                        const PlottedDot& dot) {
     for (const GcodePiece& piece : pieces) {
         switch (piece.kind) {
-            case Kind::text:
+            case PieceKind::text:
                 text << std::string_view(piece.text);
                 break;
-            case Kind::x:
-                text.fixed(dot.x_mm, kDecimals);
+            case PieceKind::x:
+                text.fixed(dot.x_mm, kGcodeDecimals);
                 break;
-            case Kind::y:
-                text.fixed(dot.y_mm, kDecimals);
+            case PieceKind::y:
+                text.fixed(dot.y_mm, kGcodeDecimals);
                 break;
-            case Kind::radius:
-                text.fixed(dot.radius_mm, kDecimals);
+            case PieceKind::radius:
+                text.fixed(dot.radius_mm, kGcodeDecimals);
                 break;
-            case Kind::feed:
-                text.fixed(style.feed_mm_per_min, kDecimals);
+            case PieceKind::feed:
+                text.fixed(style.feed_mm_per_min, kGcodeDecimals);
                 break;
-            case Kind::dwell:
-                text.fixed(style.dwell_s, kDecimals);
+            case PieceKind::dwell:
+                text.fixed(style.dwell_s, kGcodeDecimals);
                 break;
         }
     }
@@ -159,11 +160,11 @@ std::string_view name_of(Machine machine) {
 std::string_view gcode_template_of(Machine machine) {
     switch (machine) {
         case Machine::pen:
-            return kPen;
+            return kPenTemplate;
         case Machine::servo:
-            return kServo;
+            return kServoTemplate;
         case Machine::laser:
-            return kLaser;
+            return kLaserTemplate;
     }
     return "";
 }
@@ -177,20 +178,20 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
         const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
         const std::string_view kind = line.substr(0, end), code = without_blanks_before(line.substr(end));
         if (kind == "start")
-            add_line(result.start, code, lines);
+            add_gcode_line(result.start, code, lines);
         else if (kind == "move")
-            add_line(moves, code, lines);
+            add_gcode_line(moves, code, lines);
         else if (kind == "dot")
-            add_line(dots, code, lines);
+            add_gcode_line(dots, code, lines);
         else if (kind == "end")
-            add_line(result.end, code, lines);
+            add_gcode_line(result.end, code, lines);
         else
             lines.fail(fmt::format("\"{}\" is not known; lines begin with start, move, dot or end", kind));
     }
     result.each_dot = std::move(moves);
     for (GcodePiece& piece : dots) {
-        if (piece.kind == Kind::text)
-            add_text(result.each_dot, piece.text);
+        if (piece.kind == PieceKind::text)
+            add_gcode_text(result.each_dot, piece.text);
         else
             result.each_dot.push_back(std::move(piece));
     }
@@ -201,11 +202,11 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress) {
     TextBuffer text(out);
-    write_pieces(text, style.lines.start, style, {});
+    write_gcode_pieces(text, style.lines.start, style, {});
     for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
-        write_pieces(text, style.lines.each_dot, style, dot);
+        write_gcode_pieces(text, style.lines.each_dot, style, dot);
     });
-    write_pieces(text, style.lines.end, style, {});
+    write_gcode_pieces(text, style.lines.end, style, {});
     text.flush();
 }
 
