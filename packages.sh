@@ -6,14 +6,14 @@
 # compilers_at_once: prints how many compilers may run at once.
 
 build_packages=(
-    cmake g++ libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
-    libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libpng-dev libstb-dev libtbb-dev ninja-build
-    nlohmann-json3-dev pkg-config
+    cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
+    libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libpng-dev libstb-dev libtbb-dev libtiff-dev
+    ninja-build nlohmann-json3-dev pkg-config
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin openimageio-tools x11-utils xauth xdotool
-    xvfb
+    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin libtiff-tools openimageio-tools
+    poppler-utils python3-ezdxf x11-utils xauth xdotool xvfb
 )
 
 ensure_packages() {

@@ -22,7 +22,8 @@ TEST_CASE("help names every option and shows examples") {
           "--dot-radius", "--width",    "--margin",     "--dpi",    "--black-point", "--white-point",
           "--exposure",   "--contrast", "--brightness", "--gamma",  "--blur",        "--invert",
           "--ink",        "--paper",    "--order",      "--sheet",  "--region",      "--tiles",
-          "--background", "--threads",  "--huge",       "--stats",  "Examples:"}) {
+          "--background", "--threads",  "--huge",       "--stats",  "--format",      "--gcode",
+          "--feed",       "--dwell",    "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }
@@ -160,13 +161,13 @@ TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1,
 TEST_CASE("an option that has no say in the drawing is refused, with what it is for") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " -o ";
-    scene.must_fail(from + scene("new.svg") + " --dpi 600", "--dpi: only a PNG has pixels");
-    scene.must_fail(from + scene("new.csv") + " --dpi 600", "--dpi: only a PNG has pixels");
-    scene.must_fail(from + scene("new.png") + " --order space", "--order: the pixels of a PNG have no order");
+    scene.must_fail(from + scene("new.svg") + " --dpi 600", "--dpi: only a PNG or a TIFF has pixels");
+    scene.must_fail(from + scene("new.csv") + " --dpi 600", "--dpi: only a PNG or a TIFF has pixels");
+    scene.must_fail(from + scene("new.png") + " --order space", "--order: the pixels of a PNG or a TIFF");
     for (const std::string colour : {"--ink '#fff'", "--paper '#fff'", "--background"})
         scene.must_fail(from + scene("new.csv") + " " + colour, "a table has no colours");
     scene.must_fail(from + scene("new.svg") + " --paper '#fff'",
-                    "--paper: shows in an SVG with --background only");
+                    "--paper: shows in an SVG or a PDF with --background only");
     scene.must_fail(from + scene("new.svg") + " --placer figure8 --scale 100 --ranking energy",
                     "--ranking: the figure8 placer has an order of its own");
     scene.must_fail(from + scene("new.svg") + " --order priority --relax 3",

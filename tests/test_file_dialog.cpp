@@ -173,6 +173,18 @@ TEST_CASE("another name takes the question whether to replace back") {
     CHECK(f.chosen == folder.root.path() / "ant.svg");
 }
 
+TEST_CASE("a format may have two endings, and the name keeps the one that was typed") {
+    Folder folder;
+    DialogUi f;
+    ImGui::GetIO().DisplaySize = {900, 700};
+    f.dialog.ask_where_to_save({.title = "Export",
+                                .formats = {{"SVG", ".svg"}, {"G-code", ".gcode", ".nc"}},
+                                .start = folder.root.path() / "cat.NC"});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.root.path() / "cat.NC");
+}
+
 TEST_CASE("the file that was written last is written again without a question") {
     Folder folder;
     DialogUi f;

@@ -535,6 +535,11 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     settings.drawing.show_tiles = true;
     ui.frame();
     CHECK(ui.has("Tile layer"));
+    format = DrawingFormat::gcode;
+    ui.frame();
+    CHECK_FALSE(ui.has("Paper in SVG"));
+    ui.click("laser");
+    CHECK(settings.saving.machine == Machine::laser);
     format = DrawingFormat::png;
     ui.frame();
     CHECK_FALSE(ui.has("Dot order"));

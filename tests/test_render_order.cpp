@@ -49,7 +49,7 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         const DrawingPlan plan = pipeline.plan(request_of(settings));
         Drawn drawn;
         REQUIRE(pipeline.draw(plan, drawn));
-        for (const std::string ending : {".svg", ".csv", ".png"}) {
+        for (const std::string ending : {".svg", ".csv", ".png", ".nc", ".json"}) {
             CHECK(save_drawing(
                 scene("window" + ending), settings,
                 {.dots = stream_of(drawn.stippling.dots, drawn.stippling.scale),

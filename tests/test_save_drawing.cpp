@@ -35,7 +35,8 @@ constexpr PageSize kPage{.width_mm = 10, .height_mm = 100, .mm_per_page_unit = 1
 TEST_CASE("progress rises from nothing to all, in every format") {
     TemporaryFolder folder;
     const Dots dots = many_dots();
-    for (const char* name : {"a.svg", "a.csv", "a.png"}) {
+    for (const char* name :
+         {"a.svg", "a.csv", "a.png", "a.pdf", "a.tif", "a.gcode", "a.hpgl", "a.dxf", "a.json"}) {
         CAPTURE(name);
         std::vector<double> shares;
         const SavingWatch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
@@ -50,7 +51,8 @@ TEST_CASE("progress rises from nothing to all, in every format") {
 TEST_CASE("a saving that is stopped half way leaves the old file whole and nothing else") {
     TemporaryFolder folder;
     const Dots dots = many_dots();
-    for (const char* name : {"a.svg", "a.csv", "a.png"}) {
+    for (const char* name :
+         {"a.svg", "a.csv", "a.png", "a.pdf", "a.tif", "a.gcode", "a.hpgl", "a.dxf", "a.json"}) {
         CAPTURE(name);
         std::ofstream(folder / name) << "old";
         std::stop_source source;
@@ -69,6 +71,7 @@ TEST_CASE("a few dots are saved for plotters in an order of short moves, unless 
     const Dots dots = many_dots();
     CHECK(usual_order(DrawingFormat::svg, dots.size()) == DotOrder::space);
     CHECK(usual_order(DrawingFormat::svg, kMostSortedDots + 1) == DotOrder::recursion);
+    CHECK(usual_order(DrawingFormat::gcode, dots.size()) == DotOrder::space);
     CHECK(usual_order(DrawingFormat::csv, 10) == DotOrder::recursion);
     TemporaryFolder folder;
     const auto saved = [&](std::optional<DotOrder> order) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <tbb/info.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,8 +17,11 @@
 
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
+#include "app/files/pdf_file.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
+#include "app/files/standard_input.h"
+#include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
 #include "app/shown_text.h"
@@ -42,24 +46,48 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+bool is_standard_stream(const std::filesystem::path& path) {
+    return path == kStandardStream;
+}
+
+bool reads_standard_input(const RenderOptions& options) {
+    return options.image && is_standard_stream(*options.image);
+}
+
+DrawingFormat format_of(const RenderOptions& options) {
+    if (options.format) return *options.format;
+    return is_standard_stream(options.output) ? DrawingFormat::svg : drawing_format(options.output);
+}
+
 std::string name_of_image(const RenderOptions& options) {
+    if (reads_standard_input(options)) return "the standard input";
     return options.image ? options.image->string() : "the sample";
 }
 
 void check_files(const RenderOptions& options) {
-    const FileInUse picture{options.image, "the picture"}, tile{options.drawing.tile, "the tile"};
-    check_apart(options.output, {picture, tile});
-    check_can_save(options.output);
+    FileInUse picture{options.image, "the picture"}, drawing{options.output, "the drawing"};
+    const FileInUse tile{options.drawing.tile, "the tile"};
+    if (reads_standard_input(options)) picture.path.reset();
+    if (is_standard_stream(options.output)) {
+        drawing.path.reset();
+        if (is_binary(format_of(options)) && ::isatty(STDOUT_FILENO)) {
+            throw std::runtime_error(
+                "the standard output is a terminal, which cannot show such a drawing; send it to a file or "
+                "a program");
+        }
+    } else {
+        check_apart(options.output, {picture, tile});
+        check_can_save(options.output);
+    }
     if (!options.stats) return;
-    check_apart(*options.stats, {picture, tile, {options.output, "the drawing"}});
+    check_apart(*options.stats, {picture, tile, drawing});
     check_can_save(*options.stats);
 }
 
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     DrawingRequest request = request_of(options.drawing, options.margin_mm);
-    request.placing.thresholds =
-        drawing_format(options.output) == DrawingFormat::csv || options.order == DotOrder::priority;
+    request.placing.thresholds = is_table(format_of(options)) || options.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
     if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(
@@ -142,15 +170,22 @@ struct Rendered {
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
     bool mostly_black = false;                // light ink would draw the picture better
-    std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
+    std::optional<Preflight> preflight = {};  // of what is plotted, if its dots were in memory
     Times times = {};
 };
 
+// Of a file that was saved; none of the standard output or a pipe.
+std::optional<std::uint64_t> bytes_in(const std::filesystem::path& output) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(output, error);
+    if (error || is_standard_stream(output)) return std::nullopt;
+    return bytes;
+}
+
 // What someone who is about to plot it should know, in a line or two.
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
-    std::error_code error;
-    const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
-    const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
+    const std::optional<std::uint64_t> bytes = bytes_in(options.output);
+    const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
     const Preflight& found = *drawn.preflight;
     fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them; the nearest are {:.2g} mm apart\n",
                grouped(drawn.dots), size, found.pen_up_m, found.nearest_mm);
@@ -195,8 +230,6 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
                                       {"blur", drawn.tone.blur},
                                       {"detail", drawn.tone.detail},
                                       {"invert", drawn.tone.invert}};
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(options.output, error);
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", drawn.width},
@@ -218,7 +251,7 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
         {"margin_mm", options.margin_mm},
         {"order", name_of(drawn.order)},
         {"preflight", preflight},
-        {"file_bytes", error ? 0 : bytes},
+        {"file_bytes", bytes_in(options.output).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
         {"read_ms", drawn.times.read},
@@ -230,20 +263,50 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
     out << stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
+// "let the drawing's name end in .png or .tif"
+std::string let_it_end_in(const char* endings) {
+    return fmt::format("let the drawing's name end in {}", endings);
+}
+
+void check_format(const RenderOptions& options) {
+    if (is_standard_stream(options.output)) {
+        if (options.format == DrawingFormat::tiff)
+            throw CLI::ValidationError(
+                "--format", "tif is not written from its beginning to its end, so it needs a file; give png");
+        return;
+    }
+    if (!options.format) return;
+    std::optional<DrawingFormat> by_name;
+    try {
+        by_name = drawing_format(options.output);
+    } catch (const std::runtime_error&) {
+        return;  // it says nothing, or nothing of a drawing
+    }
+    if (by_name == options.format) return;
+    throw CLI::ValidationError(
+        "--format", fmt::format("{}, but the name {} says {}; leave one of them away",
+                                name_of(*options.format), options.output.string(), name_of(*by_name)));
+}
+
 void check_that_fit(const CLI::App& command, const RenderOptions& options) {
-    const DrawingFormat format = drawing_format(options.output);
+    check_format(options);
+    const DrawingFormat format = format_of(options);
     if (options.region && command.count("--sheet") > 0)
         throw CLI::ValidationError("--region", "cannot be given together with --sheet");
     if (format != DrawingFormat::svg)
-        refuse(command, {"--tiles"}, "only an SVG has layers; let the drawing's name end in .svg");
-    if (format != DrawingFormat::png)
-        refuse(command, {"--dpi"}, "only a PNG has pixels; let the drawing's name end in .png");
-    if (format == DrawingFormat::png) refuse(command, {"--order"}, "the pixels of a PNG have no order");
-    if (format == DrawingFormat::csv)
+        refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
+    if (!has_pixels(format))
+        refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
+    if (has_pixels(format)) refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    if (!has_colours(format)) {
+        const std::string what = is_table(format) ? "a table has" : "a file for machines has";
         refuse(command, {"--ink", "--paper", "--background"},
-               "a table has no colours; let the drawing's name end in .svg or .png");
-    if (format == DrawingFormat::svg && !options.drawing.background)
-        refuse(command, {"--paper"}, "shows in an SVG with --background only; give that too");
+               what + " no colours; " + let_it_end_in(".svg, .pdf, .png or .tif"));
+    }
+    if (has_optional_paper(format) && !options.drawing.background)
+        refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
+    if (format != DrawingFormat::gcode)
+        refuse(command, {"--gcode", "--feed", "--dwell"}, "is of G-code; " + let_it_end_in(".gcode or .nc"));
     if (options.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(
             "--order",
@@ -251,11 +314,64 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     }
 }
 
+Picture picture_of(const RenderOptions& options) {
+    if (!options.image) return sample_picture();
+    return reads_standard_input(options) ? read_picture_from_standard_input(options.limit)
+                                         : read_picture(*options.image, options.limit);
+}
+
+// A machine by its name, or a template of one's own.
+GcodeTemplate gcode_template_in(const std::string& text) {
+    for (const Machine machine : {Machine::pen, Machine::servo, Machine::laser})
+        if (text == name_of(machine)) return parse_gcode_template(gcode_template_of(machine));
+    if (!std::filesystem::exists(text)) {
+        throw std::runtime_error(
+            fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
+    }
+    try {
+        return parse_gcode_template(text_of_file(text));
+    } catch (const std::runtime_error& error) {
+        const std::string why = error.what();
+        throw std::runtime_error(why.starts_with(text) ? why : fmt::format("{}: {}", text, why));
+    }
+}
+
+void add_gcode_options(CLI::App& command, GcodeStyle& gcode) {
+    command
+        .add_option_function<std::string>(
+            "--gcode", [&gcode](const std::string& text) { gcode.lines = gcode_template_in(text); },
+            "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
+            "M3; laser: a burst by M3; or a template of your own, see below")
+        ->type_name("pen|servo|laser|FILE")
+        ->default_str("pen")
+        ->group("G-code");
+    add_number(command, "--feed", gcode.feed_mm_per_min,
+               {.least = 0, .most = 1e6, .at_least = NumberRange::Least::excluded}, "MM/MIN",
+               "G-code: how fast the tool moves, in millimetres a minute")
+        ->group("G-code");
+    add_number(command, "--dwell", gcode.dwell_s, {.least = 0, .most = 60}, "SECONDS",
+               "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds")
+        ->group("G-code");
+}
+
+constexpr const char* kGcodeHelp =
+    "A template for --gcode is a text whose lines begin with start, move, dot or end: what is written once "
+    "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand for the "
+    "dot's place in mm from the lower left corner, {radius} for its radius, {feed} and {dwell} for the two "
+    "options. A pen that a servo turns:\n"
+    "  start G21\n"
+    "  start G90\n"
+    "  move G1 X{x} Y{y} F{feed}\n"
+    "  dot M3 S90\n"
+    "  dot G4 P{dwell}\n"
+    "  dot M3 S20\n"
+    "  end M5\n";
+
 }  // namespace
 
 void render(const RenderOptions& options) {
     const DrawingSettings& settings = options.drawing;
-    const DrawingFormat format = drawing_format(options.output);
+    const DrawingFormat format = format_of(options);
     check_files(options);
     check_margin(options);
 
@@ -266,14 +382,15 @@ void render(const RenderOptions& options) {
     times.tile = watch.lap();
     std::optional<ProgressLine> line(std::in_place);
     line->show(0, "reading the picture");
-    Picture picture = options.image ? read_picture(*options.image, options.limit) : sample_picture();
+    Picture picture = picture_of(options);
     pipeline.set_light(std::move(picture.light), picture.exposure);
     const int width = pipeline.light().width, height = pipeline.light().height;
     times.read = watch.lap();
 
     const Excerpt excerpt = excerpt_of(page_of(pipeline.light(), options), options);
     // Better now than after the placing.
-    if (format == DrawingFormat::png) static_cast<void>(raster_size(excerpt.size, options.dpi));
+    if (has_pixels(format)) static_cast<void>(raster_size(excerpt.size, options.dpi));
+    if (format == DrawingFormat::pdf) check_fits_pdf(excerpt.size, 0);
     DrawingPlan plan = plan_for(pipeline, options);
     times.tone = watch.lap();
 
@@ -281,9 +398,10 @@ void render(const RenderOptions& options) {
     line->show(0, plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots");
     const DotStream dots = pipeline.stream(plan, excerpt.part);
     check_not_empty(plan, dots.count, options);
+    if (format == DrawingFormat::pdf) check_fits_pdf(excerpt.size, dots.count);
     const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
     DotStream drawn_dots = dots;
-    if (format == DrawingFormat::png && excerpt.part != PagePart{}) {
+    if (has_pixels(format) && excerpt.part != PagePart{}) {
         // Pixels show the part of a dot that reaches over from the next sheet.
         drawn_dots = pipeline.stream(plan, widened(excerpt.part, radius_mm / excerpt.size.mm_per_page_unit));
     }
@@ -307,8 +425,8 @@ void render(const RenderOptions& options) {
                       .order = order,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};
     Dots sorted;
-    const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
-    if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
+    const bool is_plot = is_plotted(format) && dots.count <= kMostSortedDots;
+    if (is_plot || (order != DotOrder::recursion && !has_pixels(format))) {
         sorted = sorted_dots(dots, order);
         drawn_dots = stream_of(sorted, dots.scale);
     }
@@ -324,7 +442,9 @@ void render(const RenderOptions& options) {
                   .picture = picture_box,
                   .tile_size = pipeline.tile().tile().size(),
                   .dpi = options.dpi,
-                  .order = DotOrder::recursion},
+                  .order = DotOrder::recursion,
+                  .gcode = options.gcode,
+                  .format = format},
                  {.stop = {}, .progress = [&](double share) { line->show(share, what); }});
     times.write = watch.lap();
     line.reset();
@@ -346,13 +466,23 @@ void render(const RenderOptions& options) {
 
 RenderCommand::RenderCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand("render",
-                                                     "Stipple a picture into a file: SVG for plotters and "
-                                                     "drawing programs, PNG as pixels, CSV as a table");
-    command->add_option("image", options_.image, "The picture; without one, the built-in sample")
+                                                     "Stipple a picture into a file: SVG, G-code, HPGL and "
+                                                     "DXF for plotters and lasers, PDF, PNG and TIFF for "
+                                                     "print, CSV and JSON as tables");
+    command
+        ->add_option("image", options_.image,
+                     "The picture, - for the standard input; without one, the built-in sample")
         ->type_name("IMAGE");
-    command->add_option("-o,--output", options_.output, "The drawing; its name ends in .svg, .png or .csv")
+    command
+        ->add_option("-o,--output", options_.output,
+                     "The drawing; its name ends in " + drawing_endings() + ". - for the standard output")
         ->type_name("OUT")
         ->required();
+    add_choice(*command, "--format", options_.format,
+               {DrawingFormat::svg, DrawingFormat::pdf, DrawingFormat::png, DrawingFormat::tiff,
+                DrawingFormat::gcode, DrawingFormat::hpgl, DrawingFormat::dxf, DrawingFormat::csv,
+                DrawingFormat::json},
+               "What is written where no name says it: an SVG without this");
     command->add_option("--stats", options_.stats, "Save figures about the drawing, as JSON")
         ->type_name("FILE");
     command->add_flag_callback(
@@ -360,20 +490,23 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
     add_page_options(*command, options_.drawing);
-    add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N", "PNG: pixels to the inch")
+    add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N",
+               "PNG, TIFF: pixels to the inch")
         ->group("Page");
     add_length(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm},
                "Bare paper on each side, within the width; the dots' radius keeps all of them on the sheet")
         ->group("Page");
     command
         ->add_flag("--background", options_.drawing.background,
-                   "SVG: paint the paper under the dots, as a PNG always has it")
+                   "SVG, PDF: paint the paper under the dots, as a PNG always has it")
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
         ->group("Page");
     add_arrangement_options(*command, options_.order, options_.sheet, options_.region);
+    add_gcode_options(*command, options_.gcode);
     command->footer(
-        "Examples:\n"
+        std::string(kGcodeHelp) +
+        "\nExamples:\n"
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
         "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
@@ -381,6 +514,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
+        "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
+        "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing);

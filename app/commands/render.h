@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "app/drawing_settings.h"
+#include "app/files/drawing_format.h"
 #include "app/files/picture.h"
+#include "core/output/gcode.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 
@@ -16,14 +18,16 @@ class App;
 namespace dapple {
 
 struct RenderOptions {
-    std::optional<std::filesystem::path> image;  // none: the built-in sample
-    std::filesystem::path output;                // .svg, .png or .csv
+    std::optional<std::filesystem::path> image;  // none: the built-in sample; "-": the standard input
+    std::filesystem::path output;                // ends as drawing_format() has it; "-": the standard output
+    std::optional<DrawingFormat> format;         // none: what the output's name says, or SVG
     DrawingSettings drawing;
-    double dpi = 300;                         // of a PNG
+    double dpi = 300;                         // of pixels
     Sheet sheet;                              // the whole drawing, or a part of it
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     std::optional<DotOrder> order;            // none: usual_order() of the file
     double margin_mm = 0;                     // of bare paper, on each side within the width
+    GcodeStyle gcode;                         // of G-code
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
 };

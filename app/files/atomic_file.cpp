@@ -51,8 +51,8 @@ fs::path folder_of(const fs::path& file) {
 // A file descriptor as a stream. Exceptions leave it through the stream, which has them switched on.
 class DescriptorBuffer : public std::streambuf {
  public:
-    DescriptorBuffer(int descriptor, const fs::path& target)
-        : descriptor_(descriptor), target_(target), buffer_(std::size_t{1} << 18) {
+    DescriptorBuffer(int descriptor, const fs::path& target, bool can_go_back)
+        : descriptor_(descriptor), target_(target), can_go_back_(can_go_back), buffer_(std::size_t{1} << 18) {
         setp(buffer_.data(), buffer_.data() + buffer_.size());
     }
 
@@ -66,6 +66,19 @@ class DescriptorBuffer : public std::streambuf {
     int sync() override {
         write_out();
         return 0;
+    }
+
+    // Places in a file, for writers that go back. A pipe has none.
+    pos_type seekoff(off_type offset, std::ios::seekdir from, std::ios::openmode) override {
+        if (!can_go_back_) return pos_type(off_type(-1));
+        const bool tell = from == std::ios::cur && offset == 0;
+        if (tell) return pos_type(::lseek(descriptor_, 0, SEEK_CUR) + (pptr() - pbase()));
+        write_out();
+        const int whence = from == std::ios::beg ? SEEK_SET : from == std::ios::cur ? SEEK_CUR : SEEK_END;
+        return pos_type(::lseek(descriptor_, offset, whence));
+    }
+    pos_type seekpos(pos_type place, std::ios::openmode mode) override {
+        return seekoff(off_type(place), std::ios::beg, mode);
     }
 
     void write_out() {
@@ -85,12 +98,16 @@ class DescriptorBuffer : public std::streambuf {
 
     int descriptor_;
     const fs::path& target_;
+    bool can_go_back_;
     std::vector<char> buffer_;
 };
 
-void write_through(int descriptor, const fs::path& target, const std::function<void(std::ostream&)>& write) {
+enum class GoingBack { possible, impossible };
+
+void write_through(int descriptor, const fs::path& target, GoingBack back,
+                   const std::function<void(std::ostream&)>& write) {
     const WriteErrorsInsteadOfSignals errors;
-    DescriptorBuffer buffer(descriptor, target);
+    DescriptorBuffer buffer(descriptor, target, back == GoingBack::possible);
     std::ostream out(&buffer);
     out.exceptions(std::ios::badbit | std::ios::failbit);
     write(out);
@@ -100,7 +117,7 @@ void write_through(int descriptor, const fs::path& target, const std::function<v
 void write_directly(const fs::path& target, const std::function<void(std::ostream&)>& write) {
     Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file) fail_to_write(target, errno);
-    write_through(file.get(), target, write);
+    write_through(file.get(), target, GoingBack::impossible, write);
     if (file.close() != 0) fail_to_write(target, errno);
 }
 
@@ -120,7 +137,7 @@ void write_beside(const fs::path& target, const std::function<void(std::ostream&
     PartFile part = part_beside(target);
     if (replaces) static_cast<void>(::fchmod(part.descriptor(), old.st_mode & 07777));
 
-    write_through(part.descriptor(), target, write);
+    write_through(part.descriptor(), target, GoingBack::possible, write);
     if (::fsync(part.descriptor()) != 0) fail_to_write(target, errno);
     if (const int error = part.rename_to(target)) fail_to_write(target, error);
 
@@ -192,6 +209,10 @@ void check_can_save(const fs::path& target) {
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
         fail(target, fmt::format("the folder {} is read-only; choose another", folder.string()));
     }
+}
+
+void write_to_standard_output(const std::function<void(std::ostream&)>& write) {
+    write_through(STDOUT_FILENO, "the standard output", GoingBack::impossible, write);
 }
 
 void save_atomically(const fs::path& target, const std::function<void(std::ostream&)>& write) {

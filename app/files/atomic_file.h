@@ -13,12 +13,17 @@ namespace dapple {
 /// If anything goes wrong, or Ctrl+C or SIGTERM ends the program meanwhile, the temporary file is removed and
 /// an existing `target` stays as it was. If it is killed, an existing `target` stays too, and the next save
 /// into that folder removes the temporary file. Links are followed, to files that are not there yet too; what
-/// exists and is no regular file (a pipe, /dev/null) is written to directly.
+/// exists and is no regular file (a pipe, /dev/null) is written to directly. In a regular file the stream can
+/// go back to what was written.
 ///
 /// Throws std::runtime_error naming the target and what is wrong: its folder is missing or read-only, it is a
 /// folder, read-only itself or a link to itself, the disk is full, nobody reads the pipe. What `write` throws
 /// passes through.
 void save_atomically(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write);
+
+/// Calls `write` with the standard output as a stream, which cannot go back. Throws std::runtime_error with
+/// one sentence if nobody reads it any more or the disk is full. What `write` throws passes through.
+void write_to_standard_output(const std::function<void(std::ostream&)>& write);
 
 /// Throws what save_atomically() would throw before it calls `write`, so that hours of work don't end at a
 /// misspelt folder.

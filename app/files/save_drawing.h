@@ -9,22 +9,19 @@
 #include <stop_token>
 
 #include "app/drawing_settings.h"
+#include "app/files/drawing_format.h"
 #include "core/image/rectangle.h"
+#include "core/output/gcode.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
 
 namespace dapple {
 
-enum class DrawingFormat { svg, png, csv };
-
-/// What a name's ending says, in upper or lower case. Throws std::runtime_error if it is another.
-DrawingFormat drawing_format(const std::filesystem::path& path);
-
 /// More dots than this are not held in memory to be sorted unless someone asks for an order.
 inline constexpr std::uint64_t kMostSortedDots = 5'000'000;
 
-/// The order that suits such a file: SVG is plotted, so space, up to kMostSortedDots; else as placed.
+/// The order that suits such a file: space for one that is plotted, up to kMostSortedDots; else as placed.
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
 
 /// All dots of a stream, sorted; `recursion` leaves them as they come.
@@ -37,8 +34,10 @@ struct DrawingToSave {
     std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
-    double dpi = 300;                               // of a PNG
+    double dpi = 300;                               // of pixels
     std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
+    GcodeStyle gcode = {};               // its radius is the one above
+    std::optional<DrawingFormat> format = {};  // none: what the name's ending says
 };
 
 /// For someone who waits.
@@ -47,8 +46,13 @@ struct SavingWatch {
     std::function<void(double share)> progress;  // told now and then how much is written, 0..1
 };
 
-/// Writes what the name's ending says. Returns false if stopped. Throws what drawing_format() and
-/// save_atomically() throw. In both cases an existing file stays as it was.
+/// What stands for the standard input and the standard output in place of a file's name.
+inline constexpr const char* kStandardStream = "-";
+
+/// Writes what the format or the name's ending says; to the standard output if the name is kStandardStream,
+/// which needs a format and takes no TIFF. Returns false if stopped. Throws what drawing_format() and
+/// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
+/// as it was.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch = {});
 

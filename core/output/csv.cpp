@@ -6,6 +6,13 @@
 
 namespace dapple {
 
+TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const CsvColumns& columns) {
+    const double mm = page.mm_per_page_unit;
+    return {piece.x[i] * mm, piece.y[i] * mm,
+            piece.radius.empty() ? columns.dot_radius_mm : piece.radius[i] * mm,
+            tile_rank_of(piece.threshold[i], columns.tile_size), piece.critical[i]};
+}
+
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress) {
     TextBuffer text(out);
@@ -15,12 +22,9 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
         assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
-            const double radius_mm =
-                piece.radius.empty() ? columns.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
-            const TileRank at = tile_rank_of(piece.threshold[i], columns.tile_size);
-            text << piece.x[i] * page.mm_per_page_unit << ',' << piece.y[i] * page.mm_per_page_unit << ','
-                 << radius_mm << ',' << std::int64_t{at.level} << ',' << std::int64_t{at.rank} << ','
-                 << piece.critical[i] << '\n';
+            const TableRow row = table_row(piece, i, page, columns);
+            text << row.x_mm << ',' << row.y_mm << ',' << row.radius_mm << ',' << std::int64_t{row.at.level}
+                 << ',' << std::int64_t{row.at.rank} << ',' << row.critical_scale << '\n';
         }
         return true;
     });

@@ -14,6 +14,16 @@ struct CsvColumns {
     std::size_t tile_size = 0;  // N, which a threshold needs to say level and rank
 };
 
+/// A dot as a line of the table.
+struct TableRow {
+    double x_mm = 0, y_mm = 0, radius_mm = 0;
+    TileRank at;
+    float critical_scale = 0;
+};
+
+/// The i-th dot of a piece, which has to have thresholds.
+TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const CsvColumns& columns);
+
 /// A line x_mm,y_mm,radius_mm,level,rank,critical_scale and a line a dot, in the order given. Numbers have as
 /// many digits as it takes to read back the very same: x_mm / mm_per_page_unit, rounded to float, is the
 /// dot's x. Needs Dots::threshold and Dots::critical, and the memory of a piece and a buffer.

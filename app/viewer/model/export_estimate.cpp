@@ -6,8 +6,14 @@
 #include <streambuf>
 #include <vector>
 
+#include "app/files/pdf_file.h"
 #include "app/files/png_file.h"
+#include "app/files/tiff_file.h"
 #include "core/output/csv.h"
+#include "core/output/dots_json.h"
+#include "core/output/dxf.h"
+#include "core/output/gcode.h"
+#include "core/output/hpgl.h"
 #include "core/output/raster.h"
 #include "core/output/svg.h"
 
@@ -18,21 +24,28 @@ constexpr std::size_t kSample = 2000;     // dots or tiles that are written
 constexpr int kPatch = 64, kPatches = 8;  // pixels; along each side of the page
 constexpr double kMmPerInch = 25.4;
 
-// Counts what is written, and keeps none of it.
+// Counts what is written, and keeps none of it; what is written again, of a writer that goes back, once.
 class ByteCount : public std::streambuf {
  public:
-    double bytes() const { return bytes_; }
+    double bytes() const { return static_cast<double>(end_); }
 
  private:
     int_type overflow(int_type c) override {
-        ++bytes_;
+        advance(1);
         return traits_type::not_eof(c);
     }
     std::streamsize xsputn(const char*, std::streamsize count) override {
-        bytes_ += static_cast<double>(count);
+        advance(count);
         return count;
     }
-    double bytes_ = 0;
+    pos_type seekoff(off_type offset, std::ios::seekdir from, std::ios::openmode) override {
+        const off_type base = from == std::ios::cur ? at_ : from == std::ios::end ? end_ : 0;
+        return pos_type(at_ = base + offset);
+    }
+    pos_type seekpos(pos_type place, std::ios::openmode) override { return pos_type(at_ = off_type(place)); }
+    void advance(std::streamsize count) { end_ = std::max(end_, at_ += count); }
+
+    off_type at_ = 0, end_ = 0;
 };
 
 template <class Write>
@@ -116,7 +129,8 @@ Mosaic mosaic_of(const EstimatedDrawing& drawing, const RasterSize& size) {
     return mosaic;
 }
 
-double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawing, double radius) {
+double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const EstimatedDrawing& drawing,
+                   double radius) {
     const Mosaic mosaic = mosaic_of(drawing, raster_size(drawing.page, drawing.dpi));
     const Grid<float> coverage = coverage_of(stream_of(mosaic.dots), mosaic.page,
                                              {.dot_radius_mm = radius, .dpi = drawing.dpi, .threads = 0});
@@ -124,8 +138,13 @@ double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawin
     PngHeader header{coverage.width, coverage.height, drawing.dpi};
     if (is_grey(settings.ink) && is_grey(settings.paper)) header.colours = PngColours::grey;
     const auto write = [&](std::ostream& out) {
-        write_png(out, header,
-                  [&](const PixelSink& sink) { sink(ink_on_paper(coverage, settings.ink, settings.paper)); });
+        const auto draw = [&](const PixelSink& sink) {
+            sink(ink_on_paper(coverage, settings.ink, settings.paper));
+        };
+        if (format == DrawingFormat::tiff)
+            write_tiff(out, header, draw);
+        else
+            write_png(out, header, draw);
     };
     return bytes_of(write) / mosaic.share;
 }
@@ -135,20 +154,46 @@ double png_bytes(const DrawingSettings& settings, const EstimatedDrawing& drawin
 double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
                        const EstimatedDrawing& drawing) {
     const double radius = drawing.dot_radius_mm;
-    if (format == DrawingFormat::png) return png_bytes(settings, drawing, radius);
-    if (format == DrawingFormat::csv)
-        return text_bytes(drawing, [&](std::ostream& out, const DotStream& dots) {
-            write_csv(out, dots, drawing.page, {.dot_radius_mm = radius, .tile_size = drawing.tile_size});
-        });
-    const double dots = text_bytes(drawing, [&](std::ostream& out, const DotStream& stream) {
-        write_svg(out, stream, drawing.page,
-                  {.dot_radius_mm = radius, .ink = settings.ink, .background = {}});
+    const PageSize& page = drawing.page;
+    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size};
+    const auto written = [&](const auto& write) { return text_bytes(drawing, write); };
+    switch (format) {
+        case DrawingFormat::png:
+        case DrawingFormat::tiff:
+            return pixel_bytes(format, settings, drawing, radius);
+        case DrawingFormat::csv:
+            return written(
+                [&](std::ostream& out, const DotStream& dots) { write_csv(out, dots, page, columns); });
+        case DrawingFormat::json:
+            return written(
+                [&](std::ostream& out, const DotStream& dots) { write_dots_json(out, dots, page, columns); });
+        case DrawingFormat::gcode: {
+            GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(drawing.machine))};
+            style.dot_radius_mm = radius;
+            return written(
+                [&](std::ostream& out, const DotStream& dots) { write_gcode(out, dots, page, style); });
+        }
+        case DrawingFormat::hpgl:
+            return written([&](std::ostream& out, const DotStream& dots) { write_hpgl(out, dots, page); });
+        case DrawingFormat::dxf:
+            return written(
+                [&](std::ostream& out, const DotStream& dots) { write_dxf(out, dots, page, radius); });
+        case DrawingFormat::pdf:
+            check_fits_pdf(page, drawing.dots.size());
+            return written([&](std::ostream& out, const DotStream& dots) {
+                write_pdf(out, dots, page, {.dot_radius_mm = radius, .ink = settings.ink, .background = {}});
+            });
+        case DrawingFormat::svg:
+            break;
+    }
+    const double dots = written([&](std::ostream& out, const DotStream& stream) {
+        write_svg(out, stream, page, {.dot_radius_mm = radius, .ink = settings.ink, .background = {}});
     });
     return drawing.tiles.empty() ? dots : dots + tile_bytes(drawing);
 }
 
 ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format) {
-    const Key key{pane.placings(), format, settings.drawing, settings.saving.dpi};
+    const Key key{pane.placings(), format, settings.drawing, settings.saving.dpi, settings.saving.machine};
     if (key_ == key) return facts_;
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
@@ -164,7 +209,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
                                         .dot_radius_mm = drawing.dot_radius * mm_per_unit,
                                         .tiles = drawing.outlines,
                                         .tile_size = pane.tile_size(),
-                                        .dpi = settings.saving.dpi});
+                                        .dpi = settings.saving.dpi,
+                                        .machine = settings.saving.machine});
     } catch (const std::exception& error) {
         facts_.trouble = error.what();
     }

@@ -21,6 +21,7 @@ struct EstimatedDrawing {
     std::span<const PlacedTile> tiles = {};
     std::size_t tile_size = 16;
     double dpi = 300;
+    Machine machine = Machine::pen;
 };
 
 /// Bytes, about: the format's own writer writes some of the dots, or some of the pixels, and the rest is
@@ -46,6 +47,7 @@ class ExportEstimate {
         DrawingFormat format{};
         DrawingSettings drawing;
         double dpi = 0;
+        Machine machine{};
         bool operator==(const Key&) const = default;
     };
     std::optional<Key> key_;

@@ -71,14 +71,13 @@ void Session::save(const fs::path& path) {
         DotsRequest request = dots_request(drawn, choice);
         request.drawing.most_dots = most;
         request.drawing.placing.thresholds =
-            format == DrawingFormat::csv ||
-            (format == DrawingFormat::svg && saving.order == DotOrder::priority);
+            is_table(format) || (!has_pixels(format) && saving.order == DotOrder::priority);
         if (!bench.place(request, drawing, stop)) return {};
         const PageSize page = bench.plan(request).page;
         const std::size_t tile_size = bench.pipeline().tile().tile().size();
         const double dpi = saving.dpi;
-        const auto order_wanted =
-            format == DrawingFormat::png ? std::optional(DotOrder::recursion) : saving.order;
+        const auto order_wanted = has_pixels(format) ? std::optional(DotOrder::recursion) : saving.order;
+        const GcodeStyle gcode{.lines = parse_gcode_template(gcode_template_of(saving.machine))};
         return [=, drawing = std::move(drawing)](const SavingWatch& watch) {
             return save_drawing(path, drawn,
                                 {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
@@ -87,7 +86,8 @@ void Session::save(const fs::path& path) {
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size,
                                  .dpi = dpi,
-                                 .order = order_wanted},
+                                 .order = order_wanted,
+                                 .gcode = gcode},
                                 watch);
         };
     };

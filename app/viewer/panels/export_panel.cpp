@@ -19,6 +19,13 @@ constexpr const char* kOrders =
     "by priority: the first n dots are the drawing with n dots if they are not relaxed, so that a plot may "
     "stop at any time.";
 
+constexpr const char* kMachines =
+    "What the machine does at a dot.\n"
+    "pen: lowers it by the Z axis.\n"
+    "servo: turns a servo by M3.\n"
+    "laser: burns for a moment.\n"
+    "dapple render --help tells how to write a template of your own.";
+
 bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const DotOrder order = choice.value_or(usual);
     // As DotOrder has them, but for the last two.
@@ -27,6 +34,13 @@ bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const bool changed =
         segmented_row("Dot order", chosen, std::array{"as placed", "short moves", "by priority"}, kOrders);
     if (changed) choice = kShown[static_cast<std::size_t>(chosen)];
+    return changed;
+}
+
+bool draw_machine(Machine& machine) {
+    int chosen = static_cast<int>(machine);
+    const bool changed = segmented_row("Machine", chosen, std::array{"pen", "servo", "laser"}, kMachines);
+    if (changed) machine = static_cast<Machine>(chosen);
     return changed;
 }
 
@@ -53,7 +67,7 @@ std::string size_in_words(const ExportInfo& info) {
 
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
-    if (format == DrawingFormat::png)
+    if (has_pixels(format))
         changed |= slider_row("Dots per inch", settings.saving.dpi,
                               {.min = 50,
                                .max = 1200,
@@ -65,7 +79,10 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                .tip = "Pixels to the inch of the page, whose width is under Dots."});
     else
         changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
-    if (format == DrawingFormat::svg) changed |= switch_row("Paper in SVG", settings.drawing.background);
+    if (has_optional_paper(format))
+        changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
+                              settings.drawing.background);
+    if (format == DrawingFormat::gcode) changed |= draw_machine(settings.saving.machine);
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
         return changed;

@@ -11,7 +11,7 @@ constexpr Shortcut kShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a picture"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
-    {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PNG or CSV"},
+    {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
     {Action::undo, "Ctrl+Z", "Undo"},
     {Action::redo, "Ctrl+Y", "Redo"},
     {Action::fit, "F", "Fit the page into the window"},

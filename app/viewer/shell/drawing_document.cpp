@@ -63,9 +63,11 @@ OpenQuestion DrawingDocument::what_to_open() const {
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
     const fs::path& saved = session_.saved_path();
     const fs::path name = fs::path(session_.picture().name).stem().concat(".svg");
-    // In the order of DrawingFormat.
+    std::vector<FileFormat> formats;
+    for (const DrawingFormatName& each : kDrawingFormats)
+        formats.push_back({each.shown, each.ending, each.others});
     return SaveQuestion{.title = "Export the drawing",
-                        .formats = {{"SVG", ".svg"}, {"PNG", ".png"}, {"CSV", ".csv"}},
+                        .formats = std::move(formats),
                         .start = saved.empty() ? fs::current_path() / name : saved,
                         .own_file = saved,
                         .option_rows = kExportRows};

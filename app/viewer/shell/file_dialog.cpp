@@ -86,15 +86,21 @@ void FileDialog::show(const fs::path& start) {
 std::vector<std::string> FileDialog::endings() const {
     if (!saves_) return open_question_.endings;
     std::vector<std::string> endings;
-    for (const FileFormat& format : question_.formats) endings.emplace_back(format.ending);
+    for (const FileFormat& format : question_.formats) {
+        endings.emplace_back(format.ending);
+        if (!format.others.empty()) endings.emplace_back(format.others);
+    }
     return endings;
 }
 
 std::optional<std::size_t> FileDialog::format_of(const fs::path& path) const {
-    const std::vector<std::string> known = endings();
-    const auto found = std::ranges::find(known, ending_of(path));
-    if (found == known.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - known.begin());
+    const std::string ending = ending_of(path);
+    const auto is_its = [&](const FileFormat& format) {
+        return !ending.empty() && (ending == format.ending || ending == format.others);
+    };
+    const auto found = std::ranges::find_if(question_.formats, is_its);
+    if (found == question_.formats.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - question_.formats.begin());
 }
 
 fs::path FileDialog::with_ending(const fs::path& path) const {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dapple {
@@ -22,8 +23,9 @@ std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
 
 /// A kind of file that can be written.
 struct FileFormat {
-    const char* name;    // "SVG"
-    const char* ending;  // ".svg"
+    const char* name;              // "SVG"
+    const char* ending;            // ".svg"
+    std::string_view others = {};  // an ending that is read the same; none: empty
 };
 
 /// What is to be opened.

@@ -1,0 +1,175 @@
+#include "app/files/pdf_file.h"
+
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <glm/vec2.hpp>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "app/shown_text.h"
+
+namespace dapple {
+namespace {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+constexpr std::size_t kDotsAtOnce = 1 << 14;  // sorted by their radii
+constexpr std::size_t kDotsOfAPath = 1000;    // printers' memory for one is small
+constexpr double kMicrometresPerMm = 1000;
+constexpr double kBytesADot = 9.5;         // in a file, about
+constexpr double kShareOfGathering = 0.2;  // of the time, before the library begins to write
+
+// A page that the library makes and writes into a stream. What the stream throws is kept while the C library
+// is in between.
+class PdfPage {
+ public:
+    PdfPage(std::ostream& out, double width_pt, double height_pt, std::uint64_t dots,
+            const WritingProgress& progress)
+        : out_(out),
+          progress_(progress),
+          bytes_expected_(static_cast<double>(dots) * kBytesADot + 1),
+          surface_(cairo_pdf_surface_create_for_stream(&PdfPage::write, this, width_pt, height_pt)),
+          context_(cairo_create(surface_)) {}
+    PdfPage(const PdfPage&) = delete;
+    PdfPage& operator=(const PdfPage&) = delete;
+    ~PdfPage() {
+        dropped_ = true;
+        cairo_destroy(context_);
+        cairo_surface_destroy(surface_);
+    }
+
+    cairo_surface_t* surface() const { return surface_; }
+    cairo_t* context() const { return context_; }
+
+    void finish() {
+        cairo_show_page(context_);
+        const cairo_status_t drawn = cairo_status(context_);
+        cairo_surface_finish(surface_);
+        if (thrown_) std::rethrow_exception(thrown_);
+        for (const cairo_status_t status : {drawn, cairo_surface_status(surface_)}) {
+            if (status == CAIRO_STATUS_SUCCESS) continue;
+            throw std::runtime_error(
+                fmt::format("the PDF cannot be written: {}", cairo_status_to_string(status)));
+        }
+    }
+
+ private:
+    static cairo_status_t write(void* self, const unsigned char* bytes, unsigned size) {
+        return static_cast<PdfPage*>(self)->put(reinterpret_cast<const char*>(bytes), size);
+    }
+    cairo_status_t put(const char* bytes, unsigned size) {
+        if (dropped_ || thrown_) return CAIRO_STATUS_WRITE_ERROR;
+        try {
+            out_.write(bytes, static_cast<std::streamsize>(size));
+            bytes_ += size;
+            const double share = std::min(bytes_ / bytes_expected_, 1.0);
+            if (progress_) progress_(kShareOfGathering + (1 - kShareOfGathering) * share);
+            return CAIRO_STATUS_SUCCESS;
+        } catch (...) {
+            thrown_ = std::current_exception();
+            return CAIRO_STATUS_WRITE_ERROR;
+        }
+    }
+
+    std::ostream& out_;
+    const WritingProgress& progress_;
+    double bytes_expected_, bytes_ = 0;
+    bool dropped_ = false;
+    std::exception_ptr thrown_;
+    cairo_surface_t* surface_;
+    cairo_t* context_;
+};
+
+void set_colour(cairo_t* context, glm::vec3 colour) {
+    cairo_set_source_rgb(context, colour.r, colour.g, colour.b);
+}
+
+// Dots with a common radius are drawn together: overlapping ones unite all the same.
+class PdfDots {
+ public:
+    explicit PdfDots(cairo_t* context) : context_(context) {
+        cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);
+    }
+
+    void add(glm::dvec2 place_pt, double radius_mm) {
+        const auto radius = std::max(std::lround(radius_mm * kMicrometresPerMm), 1L);
+        waiting_[radius].push_back(place_pt);
+        if (++count_ == kDotsAtOnce) draw();
+    }
+
+    void draw() {
+        for (auto& [radius, places] : waiting_) {
+            const double radius_mm = static_cast<double>(radius) / kMicrometresPerMm;
+            cairo_set_line_width(context_, 2 * radius_mm * kPointsPerMm);
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                cairo_move_to(context_, places[i].x, places[i].y);
+                cairo_line_to(context_, places[i].x, places[i].y);
+                if ((i + 1) % kDotsOfAPath == 0) cairo_stroke(context_);
+            }
+            if (places.size() % kDotsOfAPath != 0) cairo_stroke(context_);
+        }
+        waiting_.clear();
+        count_ = 0;
+    }
+
+ private:
+    cairo_t* context_;
+    std::map<long, std::vector<glm::dvec2>> waiting_;  // by radius in micrometres
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
+    // What is rounded up to a hundredth of a millimetre is taken too.
+    if (std::max(page.width_mm, page.height_mm) > kLongestPdfSideMm + 0.01) {
+        throw std::runtime_error(
+            fmt::format("a PDF's page is {:g} mm wide and high at most, and this one has {:g} x {:g} mm; "
+                        "choose a smaller "
+                        "width, a part of it or SVG",
+                        kLongestPdfSideMm, page.width_mm, page.height_mm));
+    }
+    if (dots > kMostPdfDots) {
+        throw std::runtime_error(fmt::format(
+            "a PDF is made in memory and has {} dots at most, and these are {}; choose fewer, a part of "
+            "the page or SVG",
+            grouped(kMostPdfDots), grouped(dots)));
+    }
+}
+
+void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
+               const WritingProgress& progress) {
+    check_fits_pdf(page, dots.count);
+    PdfPage pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots.count, progress);
+    cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_TITLE, style.title.c_str());
+    cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATOR, "Dapple");
+    // The library writes the time of day unless it is told one, and the same drawing is to be the same file.
+    cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
+    if (style.background) {
+        set_colour(pdf.context(), *style.background);
+        cairo_paint(pdf.context());
+    }
+    set_colour(pdf.context(), style.ink);
+    PdfDots drawn(pdf.context());
+    const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
+    WritingProgress gathering;
+    if (progress) gathering = [&](double share) { progress(kShareOfGathering * share); };
+    DotsReport report(dots.count, gathering);
+    dots.for_each_piece([&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            report.next();
+            const double radius_mm =
+                piece.radius.empty() ? style.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
+            drawn.add(glm::dvec2(piece.x[i], piece.y[i]) * pt_per_unit, radius_mm);
+        }
+        return true;
+    });
+    drawn.draw();
+    pdf.finish();
+}
+
+}  // namespace dapple

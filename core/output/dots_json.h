@@ -1,0 +1,16 @@
+#pragma once
+// Dots as JSON, for programs and web pages.
+
+#include <ostream>
+
+#include "core/output/csv.h"
+
+namespace dapple {
+
+/// {"page": {"width_mm": 200, "height_mm": 150}, "unit": "mm", "columns": ["x_mm", ...], "dots": [[...],
+/// ...]}: the page's size, then the table that write_csv() writes, an array for each dot on a line of its
+/// own, with the same numbers. Needs what write_csv() needs.
+void write_dots_json(std::ostream& out, const DotStream& dots, const PageSize& page,
+                     const CsvColumns& columns, const WritingProgress& progress = {});
+
+}  // namespace dapple

@@ -1,0 +1,213 @@
+#include "core/output/gcode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "core/output/plotted_dots.h"
+#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
+
+namespace dapple {
+namespace {
+
+using PieceKind = GcodePiece::Kind;
+
+constexpr int kGcodeDecimals = 3;
+
+// G21: millimetres; G90: places, not steps; G94: the feed in millimetres a minute.
+constexpr std::string_view kPenTemplate =
+    "start G21\n"
+    "start G90\n"
+    "start G94\n"
+    "start G0 Z2\n"
+    "move G1 X{x} Y{y} F{feed}\n"
+    "dot G1 Z0 F{feed}\n"
+    "dot G4 P{dwell}\n"
+    "dot G0 Z2\n"
+    "end G0 X0 Y0\n"
+    "end M2\n";
+
+// Grbl turns a servo by the spindle's speed: S20 is up and S90 is down on many.
+constexpr std::string_view kServoTemplate =
+    "start G21\n"
+    "start G90\n"
+    "start G94\n"
+    "start M3 S20\n"
+    "start G4 P{dwell}\n"
+    "start G1 F{feed}\n"
+    "move G1 X{x} Y{y}\n"
+    "dot M3 S90\n"
+    "dot G4 P{dwell}\n"
+    "dot M3 S20\n"
+    "dot G4 P{dwell}\n"
+    "end G0 X0 Y0\n"
+    "end M5\n"
+    "end M2\n";
+
+// G1 and no G0 before a burst: Grbl's laser mode burns at G1 only. S250 is a quarter of Grbl's usual 1000.
+constexpr std::string_view kLaserTemplate =
+    "start G21\n"
+    "start G90\n"
+    "start G94\n"
+    "start M5\n"
+    "start G1 F{feed}\n"
+    "move G1 X{x} Y{y}\n"
+    "dot M3 S250\n"
+    "dot G4 P{dwell}\n"
+    "dot M5\n"
+    "end G0 X0 Y0\n"
+    "end M2\n";
+
+struct Placeholder {
+    std::string_view name;
+    PieceKind kind;
+};
+constexpr std::array kPlaceholders{Placeholder{"{x}", PieceKind::x}, Placeholder{"{y}", PieceKind::y},
+                                   Placeholder{"{radius}", PieceKind::radius},
+                                   Placeholder{"{feed}", PieceKind::feed},
+                                   Placeholder{"{dwell}", PieceKind::dwell}};
+
+bool is_of_a_dot(PieceKind kind) {
+    return kind == PieceKind::x || kind == PieceKind::y || kind == PieceKind::radius;
+}
+
+void add_gcode_text(std::vector<GcodePiece>& pieces, std::string_view text) {
+    if (pieces.empty() || pieces.back().kind != PieceKind::text) pieces.push_back({PieceKind::text});
+    pieces.back().text += text;
+}
+
+// A line of G-code, its placeholders told from the rest.
+void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, const TextLines& at) {
+    while (!line.empty()) {
+        const std::size_t open = line.find('{');
+        add_gcode_text(pieces, line.substr(0, open));
+        if (open == line.npos) break;
+        line.remove_prefix(open);
+        const std::string_view name = line.substr(0, line.find('}') + 1);
+        const auto found = std::ranges::find(kPlaceholders, name, &Placeholder::name);
+        if (found == kPlaceholders.end()) {
+            at.fail(
+                fmt::format("\"{}\" is not known; there are {{x}}, {{y}}, {{radius}}, {{feed}} and "
+                            "{{dwell}}",
+                            name.empty() ? line : name));
+        }
+        pieces.push_back({found->kind});
+        line.remove_prefix(name.size());
+    }
+    add_gcode_text(pieces, "\n");
+}
+
+std::string_view without_blanks_before(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    return text;
+}
+
+void check_whole(const GcodeTemplate& lines, const TextLines& at) {
+    const auto has = [&](PieceKind kind) {
+        return std::ranges::find(lines.each_dot, kind, &GcodePiece::kind) != lines.each_dot.end();
+    };
+    if (!has(PieceKind::x) || !has(PieceKind::y))
+        at.fail("the template ends and no line for a dot has {x} and {y}, so the tool would not move");
+    for (const auto& once : {lines.start, lines.end}) {
+        if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
+            at.fail("{x}, {y} and {radius} are of a dot; start and end lines have none");
+    }
+}
+
+void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
+                        const PlottedDot& dot) {
+    for (const GcodePiece& piece : pieces) {
+        switch (piece.kind) {
+            case PieceKind::text:
+                text << std::string_view(piece.text);
+                break;
+            case PieceKind::x:
+                text.fixed(dot.x_mm, kGcodeDecimals);
+                break;
+            case PieceKind::y:
+                text.fixed(dot.y_mm, kGcodeDecimals);
+                break;
+            case PieceKind::radius:
+                text.fixed(dot.radius_mm, kGcodeDecimals);
+                break;
+            case PieceKind::feed:
+                text.fixed(style.feed_mm_per_min, kGcodeDecimals);
+                break;
+            case PieceKind::dwell:
+                text.fixed(style.dwell_s, kGcodeDecimals);
+                break;
+        }
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(Machine machine) {
+    switch (machine) {
+        case Machine::pen:
+            return "pen";
+        case Machine::servo:
+            return "servo";
+        case Machine::laser:
+            return "laser";
+    }
+    return "";
+}
+
+std::string_view gcode_template_of(Machine machine) {
+    switch (machine) {
+        case Machine::pen:
+            return kPenTemplate;
+        case Machine::servo:
+            return kServoTemplate;
+        case Machine::laser:
+            return kLaserTemplate;
+    }
+    return "";
+}
+
+GcodeTemplate parse_gcode_template(std::string_view text) {
+    GcodeTemplate result;
+    std::vector<GcodePiece> moves, dots;
+    TextLines lines(text);
+    while (!lines.at_end()) {
+        const std::string_view line = without_blanks_before(lines.next_content());
+        const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+        const std::string_view kind = line.substr(0, end), code = without_blanks_before(line.substr(end));
+        if (kind == "start")
+            add_gcode_line(result.start, code, lines);
+        else if (kind == "move")
+            add_gcode_line(moves, code, lines);
+        else if (kind == "dot")
+            add_gcode_line(dots, code, lines);
+        else if (kind == "end")
+            add_gcode_line(result.end, code, lines);
+        else
+            lines.fail(fmt::format("\"{}\" is not known; lines begin with start, move, dot or end", kind));
+    }
+    result.each_dot = std::move(moves);
+    for (GcodePiece& piece : dots) {
+        if (piece.kind == PieceKind::text)
+            add_gcode_text(result.each_dot, piece.text);
+        else
+            result.each_dot.push_back(std::move(piece));
+    }
+    check_whole(result, lines);
+    return result;
+}
+
+void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
+                 const WritingProgress& progress) {
+    TextBuffer text(out);
+    write_gcode_pieces(text, style.lines.start, style, {});
+    for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
+        write_gcode_pieces(text, style.lines.each_dot, style, dot);
+    });
+    write_gcode_pieces(text, style.lines.end, style, {});
+    text.flush();
+}
+
+}  // namespace dapple

@@ -1,0 +1,68 @@
+#pragma once
+// Dots as G-code, for plotters with a pen lift, and lasers: a template says what the machine does at a dot.
+//
+// A template is a text of lines that begin with what they are for. Lines of one kind are written in their
+// order, without that first word; blank lines and those that begin with # are skipped:
+//
+//     start G21                   once, before all dots
+//     move  G1 X{x} Y{y}          for each dot: the tool's way there
+//     dot   M3 S90                for each dot: the tool makes it
+//     dot   G4 P{dwell}
+//     end   M5                    once, after all dots
+//
+// {x} and {y} are the dot's place in millimetres from the page's lower left corner, {radius} its radius,
+// {feed} and {dwell} the two numbers of GcodeStyle.
+
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/output/progress.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
+
+namespace dapple {
+
+enum class Machine {
+    pen,    // moved up and down by the Z axis
+    servo,  // a pen on a servo that M3 turns, as on plotters that run Grbl
+    laser,  // a burst of M3 for each dot
+};
+
+/// "pen", "servo", "laser".
+std::string_view name_of(Machine machine);
+
+/// The template of a kind of machine, as text.
+std::string_view gcode_template_of(Machine machine);
+
+/// What stands in a line for something else, or text as it is.
+struct GcodePiece {
+    enum class Kind { text, x, y, radius, feed, dwell } kind = Kind::text;
+    std::string text = {};
+
+    bool operator==(const GcodePiece&) const = default;
+};
+
+/// Each part with its line ends.
+struct GcodeTemplate {
+    std::vector<GcodePiece> start, each_dot, end;
+
+    bool operator==(const GcodeTemplate&) const = default;
+};
+
+/// Throws std::runtime_error naming the line that is wrong: "line 3: ...".
+GcodeTemplate parse_gcode_template(std::string_view text);
+
+struct GcodeStyle {
+    GcodeTemplate lines = parse_gcode_template(gcode_template_of(Machine::pen));
+    double feed_mm_per_min = 3000;
+    double dwell_s = 0.1;
+    double dot_radius_mm = 0;  // where dots have none of their own
+};
+
+/// Lengths have three decimals at most. Needs the memory of a piece and a buffer.
+void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
+                 const WritingProgress& progress = {});
+
+}  // namespace dapple

@@ -1,0 +1,22 @@
+#pragma once
+// Dots for pen plotters that read HPGL.
+
+#include <ostream>
+
+#include "core/output/progress.h"
+#include "core/placing/dot_stream.h"
+#include "core/placing/page.h"
+
+namespace dapple {
+
+/// Plotter units to the millimetre, which the language fixes.
+inline constexpr int kHpglUnitsPerMm = 40;
+
+/// The first pen goes to each dot, down and up again, in the order given: PU4000,2000;PD4000,2000; is a line
+/// of no length, as plotters that ignore a PD without a place need it. Whole plotter units, 0.025 mm; the
+/// origin is the page's lower left corner. The dots' size is the pen's. Needs the memory of a piece and a
+/// buffer.
+void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
+                const WritingProgress& progress = {});
+
+}  // namespace dapple

@@ -1,0 +1,109 @@
+#pragma once
+// Machines that read what is written for them, and note where a dot comes onto the paper. Written from the
+// languages' definitions, for tests, with nothing of the writers in them.
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dapple {
+
+/// What a plotter did, millimetres from the lower left corner.
+struct Plot {
+    std::vector<glm::dvec2> dots{};
+    glm::dvec2 at{0, 0};
+};
+
+/// A machine with a Z axis, or a servo or a laser that M3 drives at over S50. It makes a dot where it rests
+/// with its tool down. Throws std::runtime_error if the tool moves while it is down, if anything moves before
+/// millimetres and places are agreed on, or at a word that such machines don't know.
+inline Plot plotted_gcode(const std::string& text) {
+    Plot plot;
+    bool millimetres = false, places = false, on = false;
+    double power = 0, z = 1, feed = 0;
+    int motion = -1;
+    const auto is_down = [&] { return z <= 0 || (on && power > 50); };
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::map<char, double> values;
+        std::vector<int> g, m;
+        for (std::string word; words >> word;) {
+            const double value = std::stod(word.substr(1));
+            if (word[0] == 'G')
+                g.push_back(static_cast<int>(value));
+            else if (word[0] == 'M')
+                m.push_back(static_cast<int>(value));
+            else
+                values[word[0]] = value;
+        }
+        if (values.contains('F')) feed = values['F'];
+        if (values.contains('S')) power = values['S'];
+        for (const int code : m) {
+            if (code != 2 && code != 3 && code != 5) throw std::runtime_error("unknown: " + line);
+            on = code == 3 || (on && code == 2);
+        }
+        bool rests = false;
+        for (const int code : g) {
+            if (code == 21)
+                millimetres = true;
+            else if (code == 90)
+                places = true;
+            else if (code == 0 || code == 1)
+                motion = code;
+            else if (code == 4)
+                rests = true;
+            else if (code != 94)
+                throw std::runtime_error("unknown: " + line);
+        }
+        if (rests) {
+            if (!(values.at('P') > 0)) throw std::runtime_error("no rest: " + line);
+            if (is_down()) plot.dots.push_back(plot.at);
+            continue;
+        }
+        if (values.contains('Z')) z = values['Z'];
+        if (!values.contains('X') && !values.contains('Y')) continue;
+        if (!millimetres || !places || is_down() || (motion == 1 && feed <= 0) || motion < 0)
+            throw std::runtime_error("must not move: " + line);
+        if (values.contains('X')) plot.at.x = values['X'];
+        if (values.contains('Y')) plot.at.y = values['Y'];
+    }
+    if (is_down()) throw std::runtime_error("the tool stays down");
+    return plot;
+}
+
+/// A pen plotter, 40 units to the millimetre. It makes a dot where the pen goes down, and throws
+/// std::runtime_error if that is then moved, before there is a pen, or at an unknown instruction.
+inline Plot plotted_hpgl(const std::string& text) {
+    Plot plot;
+    bool down = false, ready = false;
+    int pen = 0;
+    std::istringstream instructions(text);
+    for (std::string each; std::getline(instructions >> std::ws, each, ';');) {
+        const std::string name = each.substr(0, 2), rest = each.substr(2);
+        if (name == "IN") {
+            ready = true;
+        } else if (name == "SP") {
+            pen = std::stoi(rest);
+        } else if (name == "PU" || name == "PD") {
+            const bool was_down = std::exchange(down, name == "PD");
+            if (!ready || (down && pen == 0)) throw std::runtime_error("no pen: " + each);
+            if (down && !was_down) plot.dots.push_back(plot.at);
+            if (rest.empty()) continue;
+            const std::size_t comma = rest.find(',');
+            const glm::dvec2 to(std::stoi(rest) / 40.0, std::stoi(rest.substr(comma + 1)) / 40.0);
+            if (down && to != plot.at) throw std::runtime_error("a line: " + each);
+            plot.at = to;
+        } else {
+            throw std::runtime_error("unknown: " + each);
+        }
+    }
+    if (down || pen != 0) throw std::runtime_error("the pen stays");
+    return plot;
+}
+
+}  // namespace dapple
