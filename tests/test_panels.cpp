@@ -260,8 +260,6 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
     f.ui.enter("Dots", "many");
     CHECK(f.settings.placing.count == 1);
     CHECK(f.ui.has("Refusal"));
-    f.ui.enter("Page, mm", "8in");
-    CHECK(f.settings.width_mm == doctest::Approx(203.2));
 }
 
 TEST_CASE("a fixed dot size begins at the one on screen") {

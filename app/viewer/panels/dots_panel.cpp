@@ -37,14 +37,6 @@ constexpr SliderRange kRadius{.min = 0.02,
                               .hard_min = 0.001,
                               .hard_max = 100,
                               .typed = TypedKind::length};
-constexpr SliderRange kWidth{.min = 20,
-                             .max = 2000,
-                             .neutral = 200,
-                             .curve = SliderCurve::logarithmic,
-                             .format = "%.0f",
-                             .hard_min = 1,
-                             .hard_max = 100'000,
-                             .typed = TypedKind::length};
 constexpr const char* kOnlyExact =
     "The paper's placer (Figure 8) knows neither: its dots stay as placed, in the paper's order.";
 
@@ -164,7 +156,6 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, const Ti
         const Greyed greyed(unused);
         changed |= draw_relax(settings.relax, drawn);
     }
-    changed |= slider_row("Page, mm", settings.width_mm, kWidth);
 
     int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
     if (segmented_row(

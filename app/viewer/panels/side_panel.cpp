@@ -7,6 +7,7 @@
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/panels/view_panel.h"
 #include "app/viewer/widgets/theme.h"
@@ -50,6 +51,7 @@ bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::
                                        .mostly_black = mostly_black(histogram, page.tone)});
     const auto open_tile = [&act] { act(Action::open_tile); };
     draw_dots_panel(settings.drawing, session.drawn(session.pane()), {session.tiles(), open_tile});
+    draw_page_panel(settings.drawing.page, session.drawn(session.pane()).page);
     draw_view_panel(settings);
     draw_compare_panel(settings, {session.tiles()});
     const bool spectrum_open = draw_spectrum_panel(spectrum);
