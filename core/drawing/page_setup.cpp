@@ -159,6 +159,7 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
     const glm::dvec2 pixels(framed_picture), bare(margins.left + margins.right, margins.top + margins.bottom);
     const double longer = std::max(pixels.x, pixels.y);
     glm::dvec2 size, room;
+    double mm_per_pixel = 0;
     if (const std::optional<glm::dvec2> own = own_size(setup, framed_picture)) {
         size = *own;
         room = room_on(size, margins);
@@ -168,20 +169,20 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
             check_room(margins.top, margins.bottom, *setup.height_mm, "above", "below", "high");
         else
             check_room(margins.left, margins.right, setup.width_mm, "left", "right", "wide");
-        const double mm_per_pixel =
+        mm_per_pixel =
             by_height ? (*setup.height_mm - bare.y) / pixels.y : (setup.width_mm - bare.x) / pixels.x;
         room = pixels * mm_per_pixel;
         size = room + bare;
     }
     const Rectangle<double> within{{margins.left, margins.top}, glm::dvec2(margins.left, margins.top) + room};
-    const DotReach kept = keeps_dots_inside(setup) ? reach : DotReach{};
-    const double around = 2 * kept.picture_units * longer;  // pixels
-    const glm::dvec2 fitting = (room - 2 * kept.mm) / (pixels + around);
-    const double mm_per_pixel = std::min(fitting.x, fitting.y);
+    if (keeps_dots_inside(setup)) {
+        const glm::dvec2 fitting = (room - 2 * reach.mm) / (pixels + 2 * reach.picture_units * longer);
+        mm_per_pixel = std::min(fitting.x, fitting.y);
+    }
     if (!(mm_per_pixel > 0)) {
         throw std::runtime_error(
             fmt::format("{:g} x {:g} mm within the margins leave no room for dots of radius {:g} mm", room.x,
-                        room.y, kept.mm));
+                        room.y, reach.mm));
     }
     const glm::dvec2 drawn = pixels * mm_per_pixel;
     const glm::dvec2 corner = within.low + glm::max((room - drawn) / 2.0, 0.0);
