@@ -11,6 +11,7 @@
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -260,6 +261,42 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
     f.ui.enter("Dots", "many");
     CHECK(f.settings.placing.count == 1);
     CHECK(f.ui.has("Refusal"));
+}
+
+TEST_CASE("the page is a paper, or as large as is typed, with margins alike or each its own") {
+    PageSetup setup;
+    const PageSize drawn{200, 150, 200};
+    HeadlessUi ui([&] { draw_page_panel(setup, drawn); });
+    // A page of the picture's shape has no orientation, and one side rules.
+    ui.click("landscape");
+    CHECK(setup == PageSetup{});
+    ui.enter("Height, mm", "8in");
+    CHECK(*setup.height_mm == doctest::Approx(203.2));
+    ui.enter("Width, mm", "180");
+    CHECK(setup == PageSetup{.width_mm = 180});
+
+    ui.click("Paper");
+    ui.click("A4");
+    ui.click("landscape");
+    ui.click("fill");
+    ui.click("90");
+    ui.enter("Margin, mm", "15");
+    CHECK(setup == PageSetup{.paper = Paper::a4,
+                             .orientation = PageOrientation::landscape,
+                             .width_mm = 180,
+                             .margins = {15, 15, 15, 15},
+                             .fit = PageFit::fill,
+                             .quarter_turns = 1});
+    ui.click("each side");
+    ui.enter("Left, mm", "1in");
+    CHECK(setup.margins == Margins{15, 15, 15, 25.4});
+    ui.click("alike");
+    CHECK(setup.margins == Margins{15, 15, 15, 15});
+    ui.click("Paper");
+    ui.click("custom");
+    CHECK(setup.width_mm == 200);
+    CHECK(*setup.height_mm == 150);
+    CHECK(setup.orientation == PageOrientation::automatic);
 }
 
 TEST_CASE("a fixed dot size begins at the one on screen") {
