@@ -9,10 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/render.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
+#include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
@@ -281,6 +283,54 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
     CHECK(same_order);
     CHECK(lines == 40'000);
     CHECK(ascends);
+}
+
+TEST_CASE("window and command save the same bytes, however the page is set up") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    DrawingSettings drawing;
+    drawing.placing.count = 3000;
+    Session session(drawing, [] {});
+    session.open_sample();
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.placed_once(); }));
+    const std::vector<PageSetup> pages{
+        {},
+        {.margins = {10, 20, 30, 40}},
+        {.paper = Paper::a4,
+         .orientation = PageOrientation::landscape,
+         .margins = {15, 15, 15, 15},
+         .fit = PageFit::fill,
+         .quarter_turns = 1},
+        {.paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{100, 200}, {800, 500}}}}};
+    int saved = 0;
+    for (const PageSetup& page : pages) {
+        for (const char* const ending : {".svg", ".csv", ".png"}) {
+            drawing.page = page;
+            drawing.show_tiles = std::string(ending) == ".svg";
+            const fs::path by_window = folder / (std::to_string(saved) + ending),
+                           by_command = folder / (std::to_string(saved) + "c" + ending);
+            CAPTURE(by_window);
+            ++saved;
+            session.settings.drawing = drawing;
+            session.settings.saving.dpi = 100;
+            session.save(by_window);
+            REQUIRE(brings([&] { return session.saved_path() == by_window; }));
+            RenderOptions options;
+            options.output = by_command;
+            options.drawing = drawing;
+            options.dpi = 100;
+            render(options);
+            CHECK(text_of(by_window).size() > 1000);
+            CHECK((text_of(by_window) == text_of(by_command)));
+        }
+    }
 }
 
 TEST_CASE("a dropped tile file is drawn with until undo brings the former tile back") {
