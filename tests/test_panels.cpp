@@ -220,8 +220,7 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Relax", "Page, mm", "exact", "Tile", "Order"})
-            places.push_back(f.ui.place(row));
+        for (const char* row : {"Dots", "Relax", "exact", "Tile", "Order"}) places.push_back(f.ui.place(row));
         return places;
     };
     const std::vector<WidgetPlace> places = rows();
@@ -654,6 +653,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {}, {kTiles});
+        draw_page_panel(settings.drawing.page, {200, 150, 200});
         draw_view_panel(settings);
         draw_compare_panel(settings, {kTiles});
     });
@@ -662,7 +662,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Page, mm", "Photograph", "Right placer"}) {
+                              "Orientation", "Photograph", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
