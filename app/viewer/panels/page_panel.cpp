@@ -24,7 +24,7 @@ constexpr const char* kPictureShape =
 
 bool draw_paper(PageSetup& setup, const PageSize& drawn) {
     int paper = static_cast<int>(setup.paper);
-    if (!choice_row("Paper", paper, paper_titles())) return false;
+    if (!choice_row("Paper size", paper, paper_titles())) return false;
     setup.paper = static_cast<Paper>(paper);
     if (setup.paper == Paper::custom) {
         // As it was, to be changed from there.
@@ -98,12 +98,13 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn) {
 
 bool draw_page_panel(PageSetup& setup, const PageSize& drawn) {
     if (!section("Page")) return false;
+    // "Paper" alone is the colour of it.
     bool changed = draw_paper(setup, drawn);
     const char* const shaped = setup.paper == Paper::as_picture ? kPictureShape : nullptr;
     {
         const Greyed greyed(shaped);
         int orientation = static_cast<int>(setup.orientation);
-        if (segmented_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"})) {
+        if (choice_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"})) {
             setup.orientation = static_cast<PageOrientation>(orientation);
             changed = true;
         }
