@@ -22,7 +22,8 @@ TEST_CASE("help names every option and shows examples") {
           "--dot-radius", "--width",    "--margin",     "--dpi",    "--black-point", "--white-point",
           "--exposure",   "--contrast", "--brightness", "--gamma",  "--blur",        "--invert",
           "--ink",        "--paper",    "--order",      "--sheet",  "--region",      "--tiles",
-          "--background", "--threads",  "--huge",       "--stats",  "Examples:"}) {
+          "--background", "--threads",  "--huge",       "--stats",  "--page",        "--orientation",
+          "--height",     "--fit",      "--crop",       "--rotate", "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }
