@@ -7,7 +7,7 @@ std::string tile_in_use(const DrawingSettings& settings) {
     return turns ? "paper16" : settings.tile;
 }
 
-DrawingRequest request_of(const DrawingSettings& settings, double margin_mm) {
+DrawingRequest request_of(const DrawingSettings& settings) {
     return {.automatic_tone = settings.automatic_tone,
             .automatic_exposure = settings.automatic_exposure,
             .tone = settings.tone,
@@ -15,7 +15,7 @@ DrawingRequest request_of(const DrawingSettings& settings, double margin_mm) {
             .placing = settings.placing,
             .relax = settings.relax,
             .size = settings.dot_size,
-            .width_mm = settings.width_mm - 2 * margin_mm};
+            .page = settings.page};
 }
 
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/drawing/page_setup.h"
 #include "core/drawing/request.h"
 #include "core/image/colour.h"
 #include "core/image/detail.h"
@@ -28,7 +29,7 @@ struct DrawingSettings {
     PlacingRequest placing{.count = kDefaultDots, .threads = 0};
     std::optional<int> relax;  // steps; none: the usual ones
     DotSize dot_size;
-    double width_mm = 200;   // of the page; the picture fills it
+    PageSetup page;
     glm::vec3 ink = kBlack;  // sRGB-encoded, 0..1
     glm::vec3 paper = kWhite;
     bool background = false;  // paint the paper under an SVG's dots
@@ -41,7 +42,7 @@ struct DrawingSettings {
 /// that turn their children, meets the default one.
 std::string tile_in_use(const DrawingSettings& settings);
 
-/// What is asked of the pipeline; `margin_mm` of the page's width are left bare on each side.
-DrawingRequest request_of(const DrawingSettings& settings, double margin_mm = 0);
+/// What is asked of the pipeline.
+DrawingRequest request_of(const DrawingSettings& settings);
 
 }  // namespace dapple

@@ -6,6 +6,11 @@
 // shows there.
 uniform vec2 page_min;  // pixels, y down
 uniform vec2 page_max;
+uniform vec2 picture_min;  // pixels, y down: where the picture lies on the page
+uniform vec2 picture_max;
+uniform vec2 picture_corner;  // shares of the photograph: what is at the picture's upper left corner,
+uniform vec2 picture_across;  // and the ways from there along its upper
+uniform vec2 picture_down;    // and its left edge
 uniform float canvas_height;
 uniform float shadow;  // width in pixels
 uniform vec3 desk;     // these two sRGB-encoded
@@ -44,7 +49,9 @@ vec4 dots_at(ivec2 pixel) {
 
 #if !defined(SHEET) || defined(PICTURE)
 vec3 sheet_at(vec2 pixel) {
-    vec4 texel = texture(picture, (pixel - page_min) / (page_max - page_min));
+    vec2 at = (pixel - picture_min) / (picture_max - picture_min);
+    vec4 texel = texture(picture, picture_corner + at.x * picture_across + at.y * picture_down);
+    if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return paper_light;
     vec3 seen = to_encoded(min(to_light(texel.rgb) * picture_gain, 1.0));
     return to_light(mix(paper, seen, picture_opacity * texel.a));
 }

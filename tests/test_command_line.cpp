@@ -18,12 +18,13 @@ TEST_CASE("help names every option and shows examples") {
     CHECK(all.err.empty());
     CHECK(all.out.find("render") != std::string::npos);
     for (const char* option :
-         {"--output",     "--scale",    "--dots",       "--placer", "--tile",        "--ranking",
-          "--dot-radius", "--width",    "--margin",     "--dpi",    "--black-point", "--white-point",
-          "--exposure",   "--contrast", "--brightness", "--gamma",  "--blur",        "--invert",
-          "--ink",        "--paper",    "--order",      "--sheet",  "--region",      "--tiles",
-          "--background", "--threads",  "--huge",       "--stats",  "--format",      "--gcode",
-          "--feed",       "--dwell",    "Examples:"}) {
+         {"--output",     "--scale",    "--dots",       "--placer",      "--tile",        "--ranking",
+          "--dot-radius", "--width",    "--margin",     "--dpi",         "--black-point", "--white-point",
+          "--exposure",   "--contrast", "--brightness", "--gamma",       "--blur",        "--invert",
+          "--ink",        "--paper",    "--order",      "--sheet",       "--region",      "--tiles",
+          "--background", "--threads",  "--huge",       "--stats",       "--format",      "--gcode",
+          "--feed",       "--dwell",    "--page",       "--orientation", "--height",      "--fit",
+          "--crop",       "--rotate",   "Examples:"}) {
         CAPTURE(std::string(option));
         CHECK(render.out.find(option) != std::string::npos);
     }

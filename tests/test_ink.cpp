@@ -50,7 +50,7 @@ Measured measured(float light, std::uint64_t count, int steps, bool by_tone, dou
     Pipeline& pipeline = pipeline_of(light);
     DrawingRequest request{
         .automatic_tone = false, .placing = {.count = count, .threads = 0}, .relax = steps};
-    request.width_mm = kWidthMm;
+    request.page.width_mm = kWidthMm;
     if (by_tone) {
         // About so many on black.
         const double largest = kWidthMm * std::sqrt(1.5 / (std::numbers::pi * static_cast<double>(count)));

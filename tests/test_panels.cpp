@@ -12,6 +12,7 @@
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/method_panel.h"
+#include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -38,7 +39,6 @@ struct DotsUi {
     DrawnInfo drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
     HeadlessUi ui{[this] {
         draw_dots_panel(settings, drawn);
-        draw_page_panel(settings);
         draw_method_rows(all, {kTiles});
     }};
 };
@@ -225,8 +225,7 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Relax", "Width, mm", "exact", "Tile", "Order"})
-            places.push_back(f.ui.place(row));
+        for (const char* row : {"Dots", "Relax", "exact", "Tile", "Order"}) places.push_back(f.ui.place(row));
         return places;
     };
     const std::vector<WidgetPlace> places = rows();
@@ -266,8 +265,43 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
     f.ui.enter("Dots", "many");
     CHECK(f.settings.placing.count == 1);
     CHECK(f.ui.has("Refusal"));
-    f.ui.enter("Width, mm", "8in");
-    CHECK(f.settings.width_mm == doctest::Approx(203.2));
+}
+
+TEST_CASE("the page is a paper, or as large as is typed, with margins alike or each its own") {
+    PageSetup setup;
+    const PageSize drawn{200, 150, 200};
+    HeadlessUi ui([&] { draw_page_panel(setup, drawn); });
+    // A page of the picture's shape has no orientation, and one side rules.
+    ui.click("Orientation");
+    CHECK_FALSE(ui.has("landscape"));
+    ui.enter("Height, mm", "8in");
+    CHECK(*setup.height_mm == doctest::Approx(203.2));
+    ui.enter("Width, mm", "180");
+    CHECK(setup == PageSetup{.width_mm = 180});
+
+    ui.click("Paper size");
+    ui.click("A4");
+    ui.click("Orientation");
+    ui.click("landscape");
+    ui.click("fill");
+    ui.click("90");
+    ui.enter("Margin, mm", "15");
+    CHECK(setup == PageSetup{.paper = Paper::a4,
+                             .orientation = PageOrientation::landscape,
+                             .width_mm = 180,
+                             .margins = {15, 15, 15, 15},
+                             .fit = PageFit::fill,
+                             .quarter_turns = 1});
+    ui.click("each side");
+    ui.enter("Left, mm", "1in");
+    CHECK(setup.margins == Margins{15, 15, 15, 25.4});
+    ui.click("alike");
+    CHECK(setup.margins == Margins{15, 15, 15, 15});
+    ui.click("Paper size");
+    ui.click("custom");
+    CHECK(setup.width_mm == 200);
+    CHECK(*setup.height_mm == 150);
+    CHECK(setup.orientation == PageOrientation::automatic);
 }
 
 TEST_CASE("a fixed dot size begins at the one on screen") {
@@ -634,7 +668,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {});
-        draw_page_panel(settings.drawing);
+        draw_page_panel(settings.drawing.page, {200, 150, 200});
         draw_view_panel(settings);
         draw_method_rows(settings, {kTiles});
         draw_compare_panel(settings, {kTiles});
@@ -644,7 +678,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Width, mm", "Photograph", "Right placer"}) {
+                              "Orientation", "Photograph", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);

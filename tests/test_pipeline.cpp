@@ -110,7 +110,8 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .width_mm = 10'000}).steps == kUsualSteps);
+    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps ==
+          kUsualSteps);
     // By a scale as by the count that it comes to.
     CHECK(pipeline.plan({.placing = {.scale = 1000, .count = {}}}).steps == kUsualSteps);
     CHECK(pipeline.plan({.placing = {.scale = 50'000'000, .count = {}}}).steps == 0);
@@ -167,7 +168,7 @@ TEST_CASE("what a change has no say in is not made again") {
     CHECK(stays());
     request.placing.threads = 2;
     CHECK(stays());
-    request.width_mm = 90;
+    request.page.width_mm = 90;
     CHECK(stays());
     request.size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
     CHECK(stays());
@@ -209,7 +210,7 @@ TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
     Grid<float> grey(30, 60, 0.25f);
     pipeline.set_plain(Density(grey));
     const DrawingPlan plan =
-        pipeline.plan({.tone = {.contrast = 0.5f}, .placing = {.count = 1000}, .width_mm = 100});
+        pipeline.plan({.tone = {.contrast = 0.5f}, .placing = {.count = 1000}, .page = {.width_mm = 100}});
     CHECK(plan.density->values().values == grey.values);
     CHECK(plan.tone == Tone{.contrast = 0.5f});
     CHECK(plan.page.height_mm == doctest::Approx(200));
@@ -249,7 +250,7 @@ TEST_CASE("how many dots there are follows from their sizes") {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
         return static_cast<double>(
             all_of(pipeline.stream(pipeline.plan(
-                       {.placing = {.count = asked}, .relax = 3, .size = size, .width_mm = width})))
+                       {.placing = {.count = asked}, .relax = 3, .size = size, .page = {.width_mm = width}})))
                 .size());
     };
     const double usual = count(0.5, 1, 200, 7);
@@ -261,7 +262,7 @@ TEST_CASE("how many dots there are follows from their sizes") {
 
 TEST_CASE("a plan says how large its dots are") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingRequest request{.placing = {.count = 5000}, .relax = 4, .width_mm = 160};
+    const DrawingRequest request{.placing = {.count = 5000}, .relax = 4, .page = {.width_mm = 160}};
     DrawingRequest fixed = request, by_tone = request;
     fixed.size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
     by_tone.size = kByTone;

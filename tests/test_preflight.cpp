@@ -45,6 +45,15 @@ TEST_CASE("dots that reach over any edge of the page are counted") {
     CHECK(preflight(dots_at_mm({{0.5f, 20}, {50, 25}}), kPage, 0.4).over_edge == 0);
 }
 
+TEST_CASE("dots with a part in the margins are counted, each with its own radius") {
+    const Rectangle<double> within{{10, 5}, {90, 45}};
+    Dots dots = dots_at_mm({{10.3f, 20}, {50, 5.3f}, {89.7f, 20}, {50, 44.7f}, {50, 25}, {10.4f, 20}});
+    CHECK(preflight(dots, kPage, 0.4, within).outside_margins == 4);
+    CHECK(preflight(dots, kPage, 0.4).outside_margins == 0);
+    dots.radius = {0.002f, 0.004f, 0.002f, 0.004f, 0.002f, 0.002f};  // page units
+    CHECK(preflight(dots, kPage, 0.4, within).outside_margins == 2);
+}
+
 TEST_CASE("the distances of many dots are those found by comparing all pairs") {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place;

@@ -209,7 +209,7 @@ TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
     const DrawingPlan plan =
         pipeline.plan({.relax = 2,
                        .size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
-                       .width_mm = 20});
+                       .page = {.width_mm = 20}});
     Drawn drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     const Dots whole = joined(drawn.stippling.dots);

@@ -188,3 +188,44 @@ TEST_CASE("within a margin no dot reaches over the edge, in any format, and shee
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.svg") + " --margin 100",
                     "--margin: 100 mm on either side leave no room on a page 200 mm wide");
 }
+
+TEST_CASE("on a paper with margins exactly so many dots lie, all of each within the margins, on sheets too") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --page a5 --margin 12,14,16,18 --dots 900";
+    // Small dots, large dots, and dots of all sizes; the picture upright, lying, and filling the paper.
+    for (const std::string how :
+         {" --relax 0", " --fit fill --rotate 90", " --dot-radius 2.5 --orientation portrait",
+          " --crop 20%,10%,60%x80% --rotate 270 --orientation landscape"}) {
+        CAPTURE(how);
+        REQUIRE(run_dapple(from + how + " -o " + scene("p.svg") + " --stats " + scene("p.json")).status == 0);
+        const Svg svg = read_svg(scene("p.svg"));
+        const double px = 96 / 25.4, width = svg.document.child("svg").attribute("width").as_double(),
+                     height = svg.document.child("svg").attribute("height").as_double();
+        CHECK(width * height == 148 * 210);
+        REQUIRE(svg.circles().size() == 900);
+        double least = 1e9;  // from a dot's rim to the nearest margin
+        for (const pugi::xml_node& circle : svg.circles()) {
+            const auto mm = [&](const char* name) { return circle.attribute(name).as_double() / px; };
+            const double x = mm("cx"), y = mm("cy"), r = mm("r");
+            least = std::min({least, x - r - 18, width - 14 - x - r, y - r - 12, height - 16 - y - r});
+        }
+        // Coordinates are rounded to a hundredth of a px.
+        CHECK(least > -0.005);
+        CHECK(least < 1.5);
+        CHECK(read_json(scene("p.json"))["preflight"]["outside_the_margins"] == 0);
+        std::size_t on_sheets = 0;
+        for (const std::string sheet : {"1,1/2x1", "2,1/2x1"}) {
+            REQUIRE(run_dapple(from + how + " -o " + scene("s.svg") + " --sheet " + sheet).status == 0);
+            on_sheets += read_svg(scene("s.svg")).circles().size();
+        }
+        CHECK(on_sheets == 900);
+    }
+    const std::string begin = "render " + scene("cat.png") + " -o " + scene("new.svg");
+    scene.must_fail(begin + " --page a4 --width 100", "--width: cannot be given together with --page");
+    scene.must_fail(begin + " --fit fill", "--fit: has no say in a page of the picture's shape");
+    scene.must_fail(begin + " --page a9", "--page: a9 is not known");
+    scene.must_fail(begin + " --rotate 45", "--rotate: 45 is not known");
+    scene.must_fail(begin + " --crop 0,0,97x10",
+                    "--crop: the part reaches to 97 x 10 pixels, and the picture is 96 x 64");
+    scene.must_fail(begin + " --page a6 --dot-radius 60", "--dot-radius: ");
+}

@@ -68,7 +68,7 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/tile", {"core/text"}},
         {"core/placing", {"core/image", "core/tile"}},
         {"core/relaxing", {"core/image", "core/placing"}},
-        {"core/drawing", {"core/image", "core/placing", "core/relaxing"}},
+        {"core/drawing", {"core/image", "core/placing", "core/relaxing", "core/text"}},
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},
         {"core/output", {"core/analysis", "core/image", "core/placing", "core/text", "core/tile"}},

@@ -123,21 +123,19 @@ TEST_CASE("the window around a part holds its dots, and no more than a hair beyo
 }
 
 TEST_CASE("a margin surrounds the picture, and sheets of the page with it share its edges") {
-    const PageSize page = with_margin({180, 120, 180}, 10);
-    CHECK(page.width_mm == 200);
-    CHECK(page.height_mm == 140);
-    CHECK(page.mm_per_page_unit == 180);
+    const PageSize page{200, 140, 180};
     // The picture's corner is 10 mm from the page's.
-    const Excerpt whole = sheet_of(page, {}, 10);
+    const Excerpt whole = sheet_of(page, {}, {10, 10});
     CHECK(whole.part.across.offset * 180 == doctest::Approx(-10));
     CHECK(whole.part.down.offset * 180 == doctest::Approx(-10));
-    const Excerpt left = sheet_of(page, {1, 1, 3, 2}, 10), middle = sheet_of(page, {2, 1, 3, 2}, 10),
-                  below = sheet_of(page, {2, 2, 3, 2}, 10);
+    const Excerpt left = sheet_of(page, {1, 1, 3, 2}, {10, 10}),
+                  middle = sheet_of(page, {2, 1, 3, 2}, {10, 10}),
+                  below = sheet_of(page, {2, 2, 3, 2}, {10, 10});
     CHECK(left.part.across.end == middle.part.across.first);
     CHECK(middle.part.down.end == below.part.down.first);
     CHECK(middle.part.across.first * 180 == doctest::Approx(200 / 3.0 - 10));
     CHECK(below.part.down.offset * 180 == doctest::Approx(60));
-    const Excerpt region = region_of(page, {{200 / 3.0, 0}, {400 / 3.0, 70}}, 10);
+    const Excerpt region = region_of(page, {{200 / 3.0, 0}, {400 / 3.0, 70}}, {10, 10});
     CHECK(region.part.across.first == middle.part.across.first);
     CHECK(region.part.across.end == middle.part.across.end);
     CHECK(region.part.down == middle.part.down);

@@ -99,7 +99,7 @@ TEST_CASE("the tone stays whatever the count, the width of the page and the orde
         CHECK(error_of(ramp(), settings, 10).mean < 0.02);
     }
     DrawingSettings postcard;
-    postcard.width_mm = 148;
+    postcard.page.width_mm = 148;
     CHECK(error_of(ramp(), postcard, 10).mean < 0.02);
     for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest}) {
         DrawingSettings settings;

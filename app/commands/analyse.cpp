@@ -47,7 +47,7 @@ Subject subject_of(const AnalyseOptions& options) {
                                                 .period = options.period});
     }
     DrawingSettings drawing = options.drawing;
-    if (options.width) drawing.width_mm = *options.width;
+    if (options.width) drawing.page.width_mm = *options.width;
     return dots_of_picture(options.input, drawing, cut_out, options.limit);
 }
 

@@ -279,8 +279,53 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
-    add_length(app, "--width", settings.width_mm, {.least = kShortestSideMm, .most = kLongestSideMm},
-               "Width of the page, 210, 21cm or 8in; the picture fills it, so its shape gives the height");
+    PageSetup& page = settings.page;
+    const NumberRange side{.least = kShortestSideMm, .most = kLongestSideMm};
+    const auto reading = [](const std::string& name, const Read& read) -> Read {
+        return [name, read](const std::string& text) {
+            try {
+                read(text);
+            } catch (const std::runtime_error& error) {
+                throw CLI::ValidationError(name, error.what());
+            }
+        };
+    };
+    add_text(
+        app, "--page", "PAPER",
+        "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a size "
+        "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape",
+        reading("--page", [&page](const std::string& text) { read_paper(text, page); }));
+    add_choice(app, "--orientation", page.orientation,
+               {PageOrientation::automatic, PageOrientation::portrait, PageOrientation::landscape},
+               "How the page lies; auto: as the picture, and a size of your own as you give it");
+    add_length(
+        app, "--width", page.width_mm, side,
+        "Width of the page, 210, 21cm or 8in; its height follows from the picture's shape, unless it is "
+        "given too");
+    add_text(app, "--height", "LENGTH",
+             "Height of the page; without --width that follows from the picture's shape",
+             [&page, side](const std::string& text) { page.height_mm = length_in("--height", text, side); });
+    add_text(app, "--margin", "LENGTH",
+             "Bare paper on each side, in which no part of a dot lies: 15mm, or top,right,bottom,left as in "
+             "10,15,20,15",
+             reading("--margin", [&page](const std::string& text) { page.margins = parse_margins(text); }))
+        ->default_str("0mm");
+    add_choice(app, "--fit", page.fit, {PageFit::inside, PageFit::fill},
+               "inside: all of the picture, in the middle of what the margins leave; fill: the middle of the "
+               "picture, cut to the shape of that");
+    add_text(
+        app, "--crop", "X,Y,WxH",
+        "Only a part of the picture, in pixels as in 100,50,640x480, or in percent as in 10%,10%,50%x80%",
+        reading("--crop", [&page](const std::string& text) { page.crop = parse_crop(text); }));
+    add_text(app, "--rotate", "0|90|180|270", "Turns the picture clockwise, after --crop",
+             [&page](const std::string& text) {
+                 const std::optional<int> degrees = number_of<int>(text);
+                 if (!degrees || *degrees < 0 || *degrees > 270 || *degrees % 90)
+                     throw CLI::ValidationError("--rotate",
+                                                text + " is not known; there are 0, 90, 180, 270");
+                 page.quarter_turns = *degrees / 90;
+             })
+        ->default_str("0");
     add_colour(app, "--ink", settings.ink, "Colour of the dots");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
@@ -306,13 +351,13 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     };
     add_text(
         app, "--sheet", "C,R/CxR",
-        "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; --width and --dots are "
+        "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
         "those of the whole",
         read_with("--sheet", parse_sheet, sheet));
     add_text(
         app, "--region", "X,Y,WxH",
         "Only a part of the page, in millimetres: 20,15,100x80 is 100 wide and 80 high, 20 from the left "
-        "and 15 from the top; --width and --dots are those of the whole",
+        "and 15 from the top; the page and --dots are those of the whole",
         read_with("--region", parse_region, region));
 }
 
@@ -347,6 +392,15 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
                                    "the figure8 placer's dots are shown as they are; leave it away");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
+    }
+    // Both make a page of that size.
+    PageSetup& page = settings.page;
+    if (given("--width") && given("--height")) page.paper = Paper::custom;
+    if (given("--page")) {
+        refuse(command, {"--width", "--height"}, "cannot be given together with --page, which says it");
+    } else if (page.paper == Paper::as_picture && command.get_option_no_throw("--fit")) {
+        refuse(command, {"--orientation", "--fit"},
+               "has no say in a page of the picture's shape; give --page, or --width and --height, too");
     }
     if (settings.tone.black_point >= settings.tone.white_point) {
         throw CLI::ValidationError("--black-point", "must be below --white-point");

@@ -92,7 +92,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings);
 /// --invert.
 void add_tone_options(CLI::App& app, DrawingSettings& settings);
 
-/// --width, --ink, --paper.
+/// --page, --orientation, --width, --height, --margin, --fit, --crop, --rotate, --ink, --paper.
 void add_page_options(CLI::App& app, DrawingSettings& settings);
 
 /// --order, --sheet, --region.

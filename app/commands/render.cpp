@@ -86,7 +86,7 @@ void check_files(const RenderOptions& options) {
 
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
-    DrawingRequest request = request_of(options.drawing, options.margin_mm);
+    DrawingRequest request = request_of(options.drawing);
     request.placing.thresholds = is_table(format_of(options)) || options.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
     if (plan.density->mean() == 0 && plan.placing.count) {
@@ -103,43 +103,59 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     return plan;
 }
 
-void check_margin(const RenderOptions& options) {
-    const double width = options.drawing.width_mm;
-    if (width - 2 * options.margin_mm >= kShortestSideMm) return;
-    throw std::runtime_error(fmt::format(
-        "--margin: {:g} mm on either side leave no room on a page {:g} mm wide", options.margin_mm, width));
+// What throws for a reason that an option gives, with that option's name.
+template <class Make>
+auto with_option(const char* option, const Make& make) {
+    try {
+        return make();
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+    }
 }
 
-// The page, its margin included, of a picture of so many pixels.
-PageSize page_of(const Grid<float>& light, const RenderOptions& options) {
-    const double width = options.drawing.width_mm,
-                 mm_per_pixel = (width - 2 * options.margin_mm) / light.width;
-    const double longer = std::max(light.width, light.height);
-    const PageSize page = with_margin(
-        {light.width * mm_per_pixel, light.height * mm_per_pixel, longer * mm_per_pixel}, options.margin_mm);
-    if (page.height_mm > kLongestSideMm) {
-        throw std::runtime_error(fmt::format(
-            "{}: {} x {} pixels would make a page {:g} mm wide and {:.4g} m high, and {:g} m is the most; "
-            "choose a --width of {:.2g} or less",
-            name_of_image(options), light.width, light.height, width, page.height_mm / 1000,
-            kLongestSideMm / 1000, width * kLongestSideMm / page.height_mm * 0.95));
-    }
-    return page;
+// The page of a picture of so many pixels, before it is known how large the dots are if they say so
+// themselves.
+PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
+    const PageSetup& setup = options.drawing.page;
+    PageSetup uncut = setup;
+    uncut.fit = PageFit::inside;
+    const glm::ivec2 cropped = with_option("--crop", [&] { return framing_of(uncut, picture); }).size();
+    static_cast<void>(with_option("--margin", [&] { return layout_of(setup, cropped); }));
+    const glm::ivec2 size = framing_of(setup, picture).size();
+    const PageLayout layout = with_option(
+        "--dot-radius", [&] { return layout_of(setup, size, {.mm = reach_mm(options.drawing.dot_size)}); });
+    const double width = layout.page.width_mm, height = layout.page.height_mm;
+    const auto too_long = [&](const char* given, double side, const char* is, const char* becomes,
+                              double other) {
+        return std::runtime_error(fmt::format(
+            "{}: {} x {} pixels would make a page {:g} mm {} and {:.4g} m {}, and {:g} m is the most; "
+            "choose a {} of {:.2g} or less",
+            name_of_image(options), size.x, size.y, side, is, other / 1000, becomes, kLongestSideMm / 1000,
+            given, side * kLongestSideMm / other * 0.95));
+    };
+    if (setup.paper != Paper::as_picture) return layout;
+    if (height > kLongestSideMm) throw too_long("--width", width, "wide", "high", height);
+    if (width > kLongestSideMm) throw too_long("--height", height, "high", "wide", width);
+    return layout;
 }
 
 // The page, or the part of it that is drawn.
-Excerpt excerpt_of(const PageSize& page, const RenderOptions& options) {
-    if (!options.region) return sheet_of(page, options.sheet, options.margin_mm);
+Excerpt excerpt_of(const PageLayout& layout, const RenderOptions& options) {
+    const glm::dvec2 corner = layout.picture.low;
+    if (!options.region) return sheet_of(layout.page, options.sheet, corner);
     const glm::dvec2 size = options.region->size();
     if (std::min(size.x, size.y) < kShortestSideMm) {
         throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
                                              size.x, size.y, kShortestSideMm));
     }
-    try {
-        return region_of(page, *options.region, options.margin_mm);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("--region: {}", error.what()));
-    }
+    return with_option("--region", [&] { return region_of(layout.page, *options.region, corner); });
+}
+
+// What the margins leave, seen from the excerpt's corner, in millimetres.
+Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout) {
+    const glm::dvec2 offset(excerpt.part.across.offset, excerpt.part.down.offset);
+    const glm::dvec2 corner = layout.picture.low + offset * layout.page.mm_per_page_unit;
+    return {layout.within_margins.low - corner, layout.within_margins.high - corner};
 }
 
 // Nothing at all on a page that is not white is a slip; nothing on one sheet of it need not be.
@@ -167,6 +183,7 @@ struct Rendered {
     double scale = 0;
     std::optional<std::uint64_t> duplicates;  // among them; none if that is not known
     PageSize page;                            // the sheet, the region or all of it
+    Rectangle<double> picture;                // on the whole page, in millimetres
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
     bool mostly_black = false;                // light ink would draw the picture better
@@ -218,7 +235,8 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
                      {"nearest_mm", found.nearest_mm},  // null if there are not two
                      {"nearer_than_0.5_mm", found.nearer_than_saxi},
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
-                     {"over_the_edge", found.over_edge}};
+                     {"over_the_edge", found.over_edge},
+                     {"outside_the_margins", found.outside_margins}};
     }
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},
@@ -230,6 +248,9 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
                                       {"blur", drawn.tone.blur},
                                       {"detail", drawn.tone.detail},
                                       {"invert", drawn.tone.invert}};
+    const auto [top, right, bottom, left] = settings.page.margins;
+    nlohmann::ordered_json margin = top;
+    if (settings.page.margins != Margins{top, top, top, top}) margin = {top, right, bottom, left};
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", drawn.width},
@@ -248,7 +269,10 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
         {"width_mm", drawn.page.width_mm},
         {"height_mm", drawn.page.height_mm},
         {"dot_radius_mm", drawn.radius_mm},
-        {"margin_mm", options.margin_mm},
+        {"page", paper_titles()[static_cast<std::size_t>(settings.page.paper)]},
+        {"margin_mm", margin},
+        {"picture_mm",
+         {drawn.picture.low.x, drawn.picture.low.y, drawn.picture.size().x, drawn.picture.size().y}},
         {"order", name_of(drawn.order)},
         {"preflight", preflight},
         {"file_bytes", bytes_in(options.output).value_or(0)},
@@ -373,7 +397,6 @@ void render(const RenderOptions& options) {
     const DrawingSettings& settings = options.drawing;
     const DrawingFormat format = format_of(options);
     check_files(options);
-    check_margin(options);
 
     Times times = {};
     Stopwatch watch;
@@ -387,11 +410,17 @@ void render(const RenderOptions& options) {
     const int width = pipeline.light().width, height = pipeline.light().height;
     times.read = watch.lap();
 
-    const Excerpt excerpt = excerpt_of(page_of(pipeline.light(), options), options);
+    PageLayout layout = layout_for({width, height}, options);
+    Excerpt excerpt = excerpt_of(layout, options);
     // Better now than after the placing.
     if (has_pixels(format)) static_cast<void>(raster_size(excerpt.size, options.dpi));
     if (format == DrawingFormat::pdf) check_fits_pdf(excerpt.size, 0);
     DrawingPlan plan = plan_for(pipeline, options);
+    if (keeps_dots_inside(settings.page)) {
+        // The dots' own size follows from their number, and the picture's place from their size.
+        layout = plan.layout(pipeline.find_scale(plan));
+        excerpt = excerpt_of(layout, options);
+    }
     times.tone = watch.lap();
 
     line->restart(0);
@@ -399,7 +428,7 @@ void render(const RenderOptions& options) {
     const DotStream dots = pipeline.stream(plan, excerpt.part);
     check_not_empty(plan, dots.count, options);
     if (format == DrawingFormat::pdf) check_fits_pdf(excerpt.size, dots.count);
-    const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
+    const double radius_mm = plan.radius(dots.scale) * layout.page.mm_per_page_unit;
     DotStream drawn_dots = dots;
     if (has_pixels(format) && excerpt.part != PagePart{}) {
         // Pixels show the part of a dot that reaches over from the next sheet.
@@ -409,8 +438,9 @@ void render(const RenderOptions& options) {
     if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
     move_to(excerpt.part, tiles);
     const double left = -excerpt.part.across.offset, top = -excerpt.part.down.offset;
-    const double longer = std::max(width, height);
-    const Rectangle<double> picture_box{{left, top}, {left + width / longer, top + height / longer}};
+    const double longer = std::max(plan.pixels.x, plan.pixels.y);
+    const Rectangle<double> picture_box{{left, top},
+                                        {left + plan.pixels.x / longer, top + plan.pixels.y / longer}};
     const DotOrder order = options.order.value_or(usual_order(format, dots.count));
     Rendered rendered{.width = width,
                       .height = height,
@@ -421,6 +451,7 @@ void render(const RenderOptions& options) {
                       .scale = dots.scale,
                       .duplicates = dots.duplicates,
                       .page = excerpt.size,
+                      .picture = layout.picture,
                       .radius_mm = radius_mm,
                       .order = order,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};
@@ -456,7 +487,7 @@ void render(const RenderOptions& options) {
             "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws the "
             "light parts instead\n");
     }
-    if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
+    if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm, margins_on(excerpt, layout));
     if (is_plot && on_terminal()) print_summary(options, rendered);
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
@@ -493,9 +524,6 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N",
                "PNG, TIFF: pixels to the inch")
         ->group("Page");
-    add_length(*command, "--margin", options_.margin_mm, {.least = 0, .most = kLongestSideMm},
-               "Bare paper on each side, within the width; the dots' radius keeps all of them on the sheet")
-        ->group("Page");
     command
         ->add_flag("--background", options_.drawing.background,
                    "SVG, PDF: paint the paper under the dots, as a PNG always has it")
@@ -510,7 +538,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
         "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
-        "  dapple render cat.jpg -o cat.svg --width 210 --margin 15   with a border for the pen\n"
+        "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
+        "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"

@@ -26,7 +26,6 @@ struct RenderOptions {
     Sheet sheet;                              // the whole drawing, or a part of it
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     std::optional<DotOrder> order;            // none: usual_order() of the file
-    double margin_mm = 0;                     // of bare paper, on each side within the width
     GcodeStyle gcode;                         // of G-code
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON

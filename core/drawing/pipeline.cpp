@@ -69,8 +69,16 @@ double DrawingPlan::radius(double scale) const {
     return 0;
 }
 
+PageLayout DrawingPlan::layout(double scale) const {
+    return layout_of(setup, pixels,
+                     size.sizing == DotSizing::automatic ? DotReach{.picture_units = radius(scale)}
+                                                         : DotReach{.mm = reach_mm(size)});
+}
+
 void Pipeline::set_light(Grid<float> light, float usual_exposure) {
     light_ = std::move(light);
+    framed_.reset();
+    framing_ = whole_picture({light_.width, light_.height});
     usual_exposure_ = usual_exposure;
     histogram_.reset();
     toned_.reset();
@@ -82,10 +90,23 @@ void Pipeline::set_plain(std::optional<Density> density) {
     if (density) plain_ = std::make_shared<const Density>(std::move(*density));
 }
 
+void Pipeline::frame(const PageSetup& setup) {
+    if (light_.empty()) return;
+    const glm::ivec2 size(light_.width, light_.height);
+    const Framing framing = framing_of(setup, size);
+    if (framing == framing_) return;
+    framed_.reset();
+    if (framing != whole_picture(size)) framed_ = framed(light_, framing);
+    framing_ = framing;
+    histogram_.reset();
+    toned_.reset();
+    density_.reset();
+}
+
 std::shared_ptr<const Histogram> Pipeline::histogram(float exposure) {
     if (light_.empty()) return nullptr;
     if (!histogram_ || histogram_exposure_ != exposure)
-        histogram_ = std::make_shared<const Histogram>(histogram_of(light_, exposure));
+        histogram_ = std::make_shared<const Histogram>(histogram_of(framed_light(), exposure));
     histogram_exposure_ = exposure;
     return histogram_;
 }
@@ -95,7 +116,7 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     if (density_ && toned_ == toned) return density_;
     const auto start = Clock::now();
     density_.reset();  // its memory may be needed
-    Grid<float> light = exposed(light_, toned.tone.exposure);
+    Grid<float> light = exposed(framed_light(), toned.tone.exposure);
     if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
     density_ = std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
     toned_ = toned;
@@ -105,10 +126,14 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
 
 // Density, count or scale, for the steps that the plan has.
 void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
-    const int width = plain_ ? plain_->width() : light_.width;
-    const int height = plain_ ? plain_->height() : light_.height;
+    const int width = plain_ ? plain_->width() : framed_light().width;
+    const int height = plain_ ? plain_->height() : framed_light().height;
     const double longer = std::max(width, height), pixels = double(width) * height;
-    plan.page = {request.width_mm, request.width_mm * height / width, request.width_mm * longer / width};
+    plan.setup = request.page;
+    plan.pixels = {width, height};
+    const PageLayout layout = layout_of(plan.setup, plan.pixels, {.mm = reach_mm(plan.size)});
+    const glm::dvec2 picture = layout.picture.size();
+    plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 
     Toned toned{plan.tone, {.relaxing_steps = plan.steps, .smallest_area = smallest_area(request.size)}};
     plan.full_load = InkCurve(toned.ink).full_load();
@@ -137,6 +162,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
 DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     tone_ms_ = 0;
     DrawingPlan plan;
+    frame(request.page);
     plan.tone = request.tone;
     plan.size = request.size;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
@@ -190,6 +216,13 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
     }
     give_sizes(plan, drawn.stippling.dots);
     return true;
+}
+
+double Pipeline::find_scale(DrawingPlan& plan) {
+    PlacingRequest& placing = plan.placing;
+    if (plan.placer == PlacerKind::exact && placing.count && !placing.cut)
+        placing.cut = placing_of(tile_->placer(), *plan.density, {.placing = placing}).cut;
+    return placing.cut ? placing.cut->last_scale() : placing.scale;
 }
 
 DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {

@@ -12,6 +12,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/drawing/page_setup.h"
 #include "core/drawing/request.h"
 #include "core/image/density.h"
 #include "core/image/histogram.h"
@@ -35,9 +36,14 @@ struct DrawingPlan {
     DotSize size;
     PageSize page;         // of the picture
     double full_load = 0;  // see InkCurve
+    PageSetup setup;
+    glm::ivec2 pixels{1, 1};  // of the picture, framed
 
     /// Of all dots, or of the largest ones, in page units, of a drawing that came to that scale.
     double radius(double scale) const;
+
+    /// The page, and where on it the picture lies, of a drawing that came to that scale.
+    PageLayout layout(double scale) const;
 };
 
 /// The dots of a whole page, kept.
@@ -63,13 +69,19 @@ class Pipeline {
     /// A density in the picture's place, which no tone changes; none: the picture again.
     void set_plain(std::optional<Density> density);
     bool has_picture() const { return plain_ || !light_.empty(); }
+    /// Of the picture as it was opened; as it was framed by the last plan().
     const Grid<float>& light() const { return light_; }
+    const Framing& framing() const { return framing_; }
+    const Grid<float>& framed_light() const { return framed_ ? *framed_ : light_; }
 
     void set_tile(RankedTile tile) { tile_.emplace(std::move(tile)); }
     RankedTile& tile() { return *tile_; }
 
-    /// Needs a picture and a tile. Throws what density_of() and Density throw.
+    /// Needs a picture and a tile. Throws what density_of(), Density, framing_of() and layout_of() throw.
     DrawingPlan plan(const DrawingRequest& request);
+
+    /// The scale that stream() comes to; a count's end is found now and kept in the plan.
+    double find_scale(DrawingPlan& plan);
 
     /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so
     /// many. False if stopped. Throws as stipple() does.
@@ -100,7 +112,11 @@ class Pipeline {
     std::shared_ptr<const Histogram> histogram(float exposure);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
+    void frame(const PageSetup& setup);
+
     Grid<float> light_;
+    std::optional<Grid<float>> framed_;  // none: all of it as it is
+    Framing framing_;
     float usual_exposure_ = 0;
     float histogram_exposure_ = 0;  // what histogram_ was made with
     std::shared_ptr<const Histogram> histogram_;

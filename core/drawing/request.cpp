@@ -4,6 +4,11 @@
 
 namespace dapple {
 
+double reach_mm(const DotSize& size) {
+    if (size.sizing == DotSizing::automatic) return 0;
+    return size.sizing == DotSizing::fixed ? size.radius_mm : size.largest_mm;
+}
+
 namespace {
 
 constexpr double kSeenMm = 0.1;        // between dots, at reading distance

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/drawing/page_setup.h"
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"
 
@@ -27,6 +28,9 @@ struct DotSize {
     bool operator==(const DotSize&) const = default;
 };
 
+/// How far the largest dots reach, in millimetres; 0 where it follows from how many there are.
+double reach_mm(const DotSize& size);
+
 struct DrawingRequest {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
@@ -40,7 +44,7 @@ struct DrawingRequest {
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
     DotSize size = {};
-    double width_mm = 200;                // of the picture on paper
+    PageSetup page = {};
     std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 
     bool operator==(const DrawingRequest&) const = default;

@@ -2,7 +2,9 @@
 // What a pen plotter will make of a drawing, told before it is plotted.
 
 #include <cstdint>
+#include <optional>
 
+#include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 
@@ -17,12 +19,16 @@ struct Preflight {
     double nearest_mm = 0;               // smallest distance between two dots; infinite if there are not two
     std::uint64_t nearer_than_saxi = 0;  // dots with another one nearer than kSaxiJoins
     std::uint64_t nearer_than_axidraw = 0;
-    std::uint64_t over_edge = 0;  // dots of that radius that reach over the page's edge
+    std::uint64_t over_edge = 0;        // dots of that radius that reach over the page's edge
+    std::uint64_t outside_margins = 0;  // dots with a part outside of what the margins leave
 
     bool operator==(const Preflight&) const = default;
 };
 
-/// Dots as seen from the page's corner, in the order of plotting. A million take a fraction of a second.
-Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm);
+/// Dots as seen from the page's corner, in the order of plotting. The margins leave that rectangle, in
+/// millimetres; none: all of the page. What reaches over it by less than a thousandth of a millimetre, which
+/// is as much as files round to, is within. A million take a fraction of a second.
+Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,
+                    const std::optional<Rectangle<double>>& within_margins = {});
 
 }  // namespace dapple

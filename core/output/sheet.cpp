@@ -71,19 +71,15 @@ Rectangle<double> parse_region(std::string_view text) {
     return {{x, y}, {x + width, y + height}};
 }
 
-PageSize with_margin(const PageSize& picture, double margin_mm) {
-    return {picture.width_mm + 2 * margin_mm, picture.height_mm + 2 * margin_mm, picture.mm_per_page_unit};
-}
-
-Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm) {
-    const double margin = margin_mm / page.mm_per_page_unit;
-    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit, margin),
-             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit, margin)},
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_corner_mm) {
+    const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
+    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit, margin.x),
+             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit, margin.y)},
             {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
 }
 
-Excerpt region_of(const PageSize& page, const Rectangle<double>& region, double margin_mm) {
-    const double margin = margin_mm / page.mm_per_page_unit;
+Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dvec2 picture_corner_mm) {
+    const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
     const auto [low, high] = region;
     const bool begins_on_page = low.x < page.width_mm && low.y < page.height_mm;
     if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm) {
@@ -91,8 +87,8 @@ Excerpt region_of(const PageSize& page, const Rectangle<double>& region, double 
             fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
                         high.x, high.y, page.width_mm, page.height_mm));
     }
-    return {{span_between(low.x, high.x, page.width_mm, page.mm_per_page_unit, margin),
-             span_between(low.y, high.y, page.height_mm, page.mm_per_page_unit, margin)},
+    return {{span_between(low.x, high.x, page.width_mm, page.mm_per_page_unit, margin.x),
+             span_between(low.y, high.y, page.height_mm, page.mm_per_page_unit, margin.y)},
             {std::min(high.x, page.width_mm) - low.x, std::min(high.y, page.height_mm) - low.y,
              page.mm_per_page_unit}};
 }

@@ -2,6 +2,7 @@
 // A part of a drawing on a sheet of its own: murals larger than a printer, a plotter or a desk; a detail to
 // try first.
 
+#include <glm/vec2.hpp>
 #include <string_view>
 
 #include "core/image/rectangle.h"
@@ -30,15 +31,12 @@ struct Excerpt {
     PageSize size;
 };
 
-/// The page on which that much bare paper surrounds the picture, which fills `picture`.
-PageSize with_margin(const PageSize& picture, double margin_mm);
-
 /// Each dot is on exactly one sheet: sheets made one by one join without a lost or a doubled dot.
-/// `margin_mm` is that of the page: its dots lie so much further right and down.
-Excerpt sheet_of(const PageSize& page, const Sheet& sheet, double margin_mm = 0);
+/// The dots lie so much further right and down as the picture's corner, told in millimetres of the page.
+Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_corner_mm = {});
 
 /// Regions with a common edge join as sheets do. A tenth of a millimetre over the page's edge is cut off:
 /// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
-Excerpt region_of(const PageSize& page, const Rectangle<double>& region, double margin_mm = 0);
+Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dvec2 picture_corner_mm = {});
 
 }  // namespace dapple

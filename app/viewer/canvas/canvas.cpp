@@ -59,8 +59,12 @@ void Canvas::zoom(double factor) {
     fitted_ = false;
 }
 
+Camera Canvas::fitted_to_sheet(glm::dvec2 canvas) const {
+    return sheet_ ? fitted(canvas, sheet_->size(), sheet_->low) : fitted(canvas, page_size_);
+}
+
 double Canvas::enlargement() const {
-    return camera_.pixels_per_unit / fitted(camera_.canvas, page_size_).pixels_per_unit;
+    return camera_.pixels_per_unit / fitted_to_sheet(camera_.canvas).pixels_per_unit;
 }
 
 void Canvas::handle_mouse(const CanvasPlace& place) {
@@ -124,8 +128,13 @@ void Canvas::go_on(glm::ivec2 pixels) {
 
 void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
-    camera_ = fitted_ ? fitted(pixels, page_size_) : resized(camera_, pixels);
-    for (CanvasLook& side : look.sides) side.page_size = page_size_;
+    // The left side's, whichever is drawn.
+    sheet_ = look.sides[0].sheet;
+    camera_ = fitted_ ? fitted_to_sheet(pixels) : resized(camera_, pixels);
+    for (CanvasLook& side : look.sides) {
+        side.page_size = page_size_;
+        side.sheet = sheet_;
+    }
     if (redraw == Redraw::later) return;
     upload();
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {

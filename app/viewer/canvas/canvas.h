@@ -69,6 +69,7 @@ class Canvas {
  private:
     using Clock = std::chrono::steady_clock;
 
+    Camera fitted_to_sheet(glm::dvec2 canvas) const;
     Columns columns_of(Side side, glm::ivec2 pixels) const;
     void upload();
     void draw_quickly(glm::ivec2 pixels);
@@ -83,7 +84,8 @@ class Canvas {
     bool uploading_ = false;
     Camera camera_;
     glm::dvec2 page_size_{1, 1};
-    bool fitted_ = true;  // until the person zooms or moves
+    std::optional<Rectangle<double>> sheet_;  // as CanvasLook has it
+    bool fitted_ = true;                      // until the person zooms or moves
     CameraMouse mouse_;
     std::optional<Camera> drawn_camera_;  // none: the drawing changed
     SplitLook drawn_look_;

@@ -8,6 +8,33 @@
 
 namespace dapple {
 
+namespace {
+
+// Seen from the picture's corner, in page units.
+std::optional<Rectangle<double>> sheet_around(const PageLayout& layout) {
+    const double unit = layout.page.mm_per_page_unit;
+    const glm::dvec2 page(layout.page.width_mm, layout.page.height_mm);
+    if (!(unit > 0) || layout.picture == Rectangle<double>{{0, 0}, page}) return std::nullopt;
+    return Rectangle<double>{-layout.picture.low / unit, (page - layout.picture.low) / unit};
+}
+
+}  // namespace
+
+PictureView view_of(const Framing& framing, glm::ivec2 picture) {
+    const glm::vec2 all(picture), low = glm::vec2(framing.pixels.low) / all,
+                                  high = glm::vec2(framing.pixels.high) / all, size = high - low;
+    switch (framing.quarter_turns) {
+        case 1:
+            return {{low.x, high.y}, {0, -size.y}, {size.x, 0}};
+        case 2:
+            return {high, {-size.x, 0}, {0, -size.y}};
+        case 3:
+            return {{high.x, low.y}, {0, size.y}, {-size.x, 0}};
+        default:
+            return {low, {size.x, 0}, {0, size.y}};
+    }
+}
+
 CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale) {
     const ViewerSettings& settings = session.settings;
     CanvasLook look;
@@ -16,6 +43,10 @@ CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, f
     look.ink = settings.drawing.ink;
     look.dot_radius = pane.page().dot_radius;
     if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
+    look.sheet = sheet_around(pane.page().layout);
+    if (settings.density.source == DensitySource::photograph &&
+        pane.page().framing.pixels != Rectangle<int>{})
+        look.picture_view = view_of(pane.page().framing, pane.page().picture_pixels);
     look.picture_gain = std::exp2(pane.page().tone.exposure - session.picture().exposure);
     look.tiles = settings.drawing.show_tiles;
     look.fade_scale = pane.fade_scale(zoom);

@@ -10,6 +10,9 @@ namespace dapple {
 /// `pixel_scale`: see CanvasLook.
 CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale);
 
+/// Where a picture that is framed so comes from, of one of so many pixels.
+PictureView view_of(const Framing& framing, glm::ivec2 picture);
+
 PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera);
 
 }  // namespace dapple

@@ -40,10 +40,27 @@ void set_transform(const GlProgram& program, const PageToPixels& map) {
     glViewport(low, low, static_cast<GLsizei>(canvas.x), static_cast<GLsizei>(canvas.y));
 }
 
-// Where the page lies, for a fragment shader.
+// Where the sheet lies, in pixels. Its corner may lie further out than a PagePoint reaches.
+Rectangle<double> sheet_on_canvas(const Camera& camera, const CanvasLook& look) {
+    const glm::dvec2 corner = to_canvas(camera, PagePoint(0));
+    if (!look.sheet) return {corner, to_canvas(camera, page_point(look.page_size))};
+    return {corner + look.sheet->low * camera.pixels_per_unit,
+            corner + look.sheet->high * camera.pixels_per_unit};
+}
+
+// Where the page and the picture on it lie, for a fragment shader.
 void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& look) {
-    const glm::dvec2 low = to_canvas(camera, PagePoint(0)),
-                     high = to_canvas(camera, page_point(look.page_size));
+    const auto [low, high] = sheet_on_canvas(camera, look);
+    const glm::dvec2 picture_low = to_canvas(camera, PagePoint(0)),
+                     picture_high = to_canvas(camera, page_point(look.page_size));
+    const auto vector = [&](const char* name, glm::vec2 value) {
+        glUniform2f(program.uniform(name), value.x, value.y);
+    };
+    vector("picture_min", picture_low);
+    vector("picture_max", picture_high);
+    vector("picture_corner", look.picture_view.corner);
+    vector("picture_across", look.picture_view.across);
+    vector("picture_down", look.picture_view.down);
     glUniform2f(program.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
     glUniform2f(program.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
     glUniform1f(program.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
@@ -337,8 +354,8 @@ Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& loo
                                      Columns columns) const {
     const double radius = (has_radii_ ? mean_radius_ : look.dot_radius) * camera.pixels_per_unit;
     const glm::dvec2 canvas_low(columns.first, 0), canvas_high(columns.end, camera.canvas.y);
-    const glm::dvec2 low = glm::floor(to_canvas(camera, PagePoint(0))),
-                     high = glm::ceil(to_canvas(camera, page_point(look.page_size)));
+    const Rectangle<double> sheet = sheet_on_canvas(camera, look);
+    const glm::dvec2 low = glm::floor(sheet.low), high = glm::ceil(sheet.high);
     DotGrid grid{glm::clamp(low, canvas_low, canvas_high), glm::clamp(high, canvas_low, canvas_high), 0};
     const glm::ivec2 size = grid.high - grid.low;
     if (!look.dots || dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0)
@@ -448,8 +465,8 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
 void Renderer::draw_page(const Job& job, const PixelBox& box) {
     const Camera& camera = job.camera;
     const int height = static_cast<int>(camera.canvas.y);
-    const glm::vec2 page_low = to_canvas(camera, PagePoint(0)),
-                    page_high = to_canvas(camera, page_point(job.look.page_size));
+    const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
+    const glm::vec2 page_low = sheet.low, page_high = sheet.high;
     // The page may reach further than integers do.
     const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
     const PixelBox inner{
@@ -486,12 +503,12 @@ void Renderer::draw_page(const Job& job, const PixelBox& box, const GlProgram& p
     glUniform4i(program.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
                 height - grid.low.y);
     const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
-    const auto sample = [&](PagePoint point) {
-        const glm::dvec2 at =
-            (to_canvas(camera, point) - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
+    const auto sample = [&](glm::dvec2 point) {
+        const glm::dvec2 at = (point - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
         return glm::ivec2(glm::round(glm::clamp(at, glm::dvec2(0), samples)));
     };
-    const glm::ivec2 first = sample(PagePoint(0)), end = sample(page_point(look.page_size));
+    const Rectangle<double> sheet = sheet_on_canvas(camera, look);
+    const glm::ivec2 first = sample(sheet.low), end = sample(sheet.high);
     const int rows = static_cast<int>(samples.y);
     glUniform4i(program.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
     set_colour(program, "desk", look.desk);

@@ -20,22 +20,34 @@
 #include "app/viewer/model/camera.h"
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_samples.h"
+#include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
 
 namespace dapple {
 
+/// Where the photograph's picture on the page comes from, in shares of the photograph's width and height: its
+/// upper left corner, and the ways along its upper and its left edge.
+struct PictureView {
+    glm::vec2 corner{0, 0}, across{1, 0}, down{0, 1};
+
+    bool operator==(const PictureView&) const = default;
+};
+
 /// How the drawing looks on screen; colours sRGB-encoded 0..1.
 struct CanvasLook {
     glm::vec3 desk{0.8f}, paper{1.0f}, ink{0.0f};
-    glm::dvec2 page_size{1, 1};  // page units
-    double dot_radius = 0.002;   // page units; of dots that have none of their own
-    float picture_opacity = 0;   // 0: bare paper
-    float picture_gain = 1;      // its light is multiplied by this
-    bool dots = true;            // shown
-    bool tiles = false;          // outlines shown
-    double fade_scale = 0;       // dots fade in below this scale; 0: none does
-    float pixel_scale = 1;       // pixels of a line meant to be one pixel wide at 96 dpi
+    glm::dvec2 page_size{1, 1};  // of the picture, page units
+    /// The sheet, page units; none: the picture's edges are the sheet's.
+    std::optional<Rectangle<double>> sheet = {};
+    PictureView picture_view = {};
+    double dot_radius = 0.002;  // page units; of dots that have none of their own
+    float picture_opacity = 0;  // 0: bare paper
+    float picture_gain = 1;     // its light is multiplied by this
+    bool dots = true;           // shown
+    bool tiles = false;         // outlines shown
+    double fade_scale = 0;      // dots fade in below this scale; 0: none does
+    float pixel_scale = 1;      // pixels of a line meant to be one pixel wide at 96 dpi
 
     bool operator==(const CanvasLook&) const = default;
 };

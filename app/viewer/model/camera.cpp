@@ -50,9 +50,9 @@ PagePoint point_at(const Camera& camera, glm::dvec2 canvas_point) {
     return moved(camera.centre, (canvas_point - camera.canvas * 0.5) / camera.pixels_per_unit);
 }
 
-Camera fitted(glm::dvec2 canvas, glm::dvec2 page_size) {
+Camera fitted(glm::dvec2 canvas, glm::dvec2 page_size, glm::dvec2 corner) {
     double fit = std::min(canvas.x / page_size.x, canvas.y / page_size.y) * 0.9;
-    return {canvas, page_point(page_size * 0.5), std::clamp(fit, kSmallestZoom, kLargestZoom)};
+    return {canvas, page_point(corner + page_size * 0.5), std::clamp(fit, kSmallestZoom, kLargestZoom)};
 }
 
 Camera zoomed_at(const Camera& camera, glm::dvec2 canvas_point, double factor) {

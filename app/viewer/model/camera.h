@@ -33,8 +33,9 @@ inline constexpr double kLargestZoom = 0x1p50;  // a pixel is still 4096 steps o
 glm::dvec2 to_canvas(const Camera& camera, PagePoint point);
 PagePoint point_at(const Camera& camera, glm::dvec2 canvas_point);
 
-/// The whole page in view with a margin of a twentieth around it.
-Camera fitted(glm::dvec2 canvas, glm::dvec2 page_size);
+/// The whole page in view with a margin of a twentieth around it. `corner` is the page's where that is not
+/// the picture's, in page units.
+Camera fitted(glm::dvec2 canvas, glm::dvec2 page_size, glm::dvec2 corner = {0, 0});
 
 /// Zoomed by a factor, the page point under canvas_point staying there.
 Camera zoomed_at(const Camera& camera, glm::dvec2 canvas_point, double factor);

@@ -198,14 +198,14 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
     const Stippling& stippling = drawing.stippling;
-    const glm::dvec2 size = drawing.page_size;
-    const double mm_per_unit = settings.drawing.width_mm / size.x;
+    const PageSize& page = drawing.layout.page;
+    const double mm_per_unit = page.mm_per_page_unit;
     facts_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
     try {
         facts_.bytes = estimated_bytes(format, settings.drawing,
                                        {.dots = stippling.dots,
                                         .scale = stippling.scale,
-                                        .page = {size.x * mm_per_unit, size.y * mm_per_unit, mm_per_unit},
+                                        .page = page,
                                         .dot_radius_mm = drawing.dot_radius * mm_per_unit,
                                         .tiles = drawing.outlines,
                                         .tile_size = pane.tile_size(),

@@ -7,6 +7,7 @@
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
+#include "core/output/sheet.h"
 
 namespace dapple {
 namespace {
@@ -73,7 +74,14 @@ void Session::save(const fs::path& path) {
         request.drawing.placing.thresholds =
             is_table(format) || (!has_pixels(format) && saving.order == DotOrder::priority);
         if (!bench.place(request, drawing, stop)) return {};
-        const PageSize page = bench.plan(request).page;
+        // The whole page, seen from its own corner rather than the picture's.
+        const PageLayout& layout = drawing.layout;
+        const Excerpt excerpt = sheet_of(layout.page, {}, layout.picture.low);
+        for (Dots& piece : drawing.stippling.dots.pieces) cut_to(excerpt.part, piece);
+        move_to(excerpt.part, drawing.outlines);
+        const glm::dvec2 corner(-excerpt.part.across.offset, -excerpt.part.down.offset);
+        const Rectangle<double> picture{corner, corner + drawing.page_size};
+        const PageSize page = excerpt.size;
         const std::size_t tile_size = bench.pipeline().tile().tile().size();
         const double dpi = saving.dpi;
         const auto order_wanted = has_pixels(format) ? std::optional(DotOrder::recursion) : saving.order;
@@ -84,6 +92,7 @@ void Session::save(const fs::path& path) {
                                  .page = page,
                                  .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
                                  .tiles = drawing.outlines,
+                                 .picture = picture,
                                  .tile_size = tile_size,
                                  .dpi = dpi,
                                  .order = order_wanted,
@@ -190,10 +199,11 @@ DrawnInfo Session::drawn(const Pane& pane) const {
     const PlacedDrawing& drawing = pane.page();
     return {.dots = drawing.stippling.dots.size() - drawing.stippling.duplicates,
             .scale = drawing.stippling.scale,
-            .dot_radius_mm = drawing.dot_radius * settings.drawing.width_mm / drawing.page_size.x,
+            .dot_radius_mm = drawing.dot_radius * drawing.layout.page.mm_per_page_unit,
             .most_dots = most_dots_,
             .tone = drawing.tone,
-            .steps = drawing.all_steps};
+            .steps = drawing.all_steps,
+            .page = drawing.layout.page};
 }
 
 }  // namespace dapple

@@ -122,6 +122,9 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
+        placed.layout = made.layout(placed.stippling.scale);
+        placed.framing = pipeline_.framing();
+        placed.picture_pixels = {pipeline_.light().width, pipeline_.light().height};
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
         placed.colours = chosen_colours(

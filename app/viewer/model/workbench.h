@@ -50,7 +50,10 @@ struct PlacedDrawing {
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
-    glm::dvec2 page_size{1, 1};        // page units
+    glm::dvec2 page_size{1, 1};        // of the picture, page units
+    PageLayout layout;                 // of the whole page
+    Framing framing;                   // of the picture that was opened,
+    glm::ivec2 picture_pixels{1, 1};   // which has so many
     PageWindow window;                 // dots and outlines are relative to its corner
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
     double relax_ms = 0;

@@ -38,16 +38,6 @@ constexpr SliderRange kRadius{.min = 0.02,
                               .hard_min = 0.001,
                               .hard_max = 100,
                               .typed = TypedKind::length};
-constexpr SliderRange kWidth{
-    .min = 20,
-    .max = 2000,
-    .neutral = 200,
-    .curve = SliderCurve::logarithmic,
-    .format = "%.0f",
-    .hard_min = 1,
-    .hard_max = 100'000,
-    .typed = TypedKind::length,
-    .tip = "The width on paper; type 21cm or 8.5in as well. The height follows the picture's shape."};
 void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
@@ -151,11 +141,6 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn) {
     const Greyed greyed(why_only_exact(settings.placer));
     changed |= draw_relax(settings.relax, drawn);
     return changed;
-}
-
-bool draw_page_panel(DrawingSettings& settings) {
-    if (!section("Page")) return false;
-    return slider_row("Width, mm", settings.width_mm, kWidth);
 }
 
 bool draw_pen_panel(DrawingSettings& settings) {

@@ -8,6 +8,7 @@
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/method_panel.h"
+#include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/panels/view_panel.h"
 #include "app/viewer/widgets/theme.h"
@@ -51,7 +52,7 @@ bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::
                                        .mostly_black = mostly_black(histogram, page.tone)});
     const auto open_tile = [&act] { act(Action::open_tile); };
     draw_dots_panel(settings.drawing, session.drawn(session.pane()));
-    draw_page_panel(settings.drawing);
+    draw_page_panel(settings.drawing.page, session.drawn(session.pane()).page);
     draw_pen_panel(settings.drawing);
     draw_view_panel(settings);
     bool spectrum_open = false;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
@@ -138,6 +139,7 @@ void DrawingDocument::draw(const Frame& frame) {
                                                           : Redraw::when_changed;
     canvas_.learn(frame.last_seconds);
     canvas_.show(place, look(place), redraw);
+    draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y}, captions);
@@ -180,7 +182,7 @@ void DrawingDocument::draw_loupe(const CanvasPlace& place) {
                  .step = settings.loupe.step,
                  .ink = settings.drawing.ink,
                  .paper = settings.drawing.paper,
-                 .mm_per_page_unit = settings.drawing.width_mm / pane->page().page_size.x},
+                 .mm_per_page_unit = pane->page().layout.page.mm_per_page_unit},
                 canvas_.camera(), place);
 }
 

@@ -1,0 +1,136 @@
+#include "app/viewer/panels/page_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+namespace {
+
+constexpr SliderRange kSide{.min = 20,
+                            .max = 2000,
+                            .neutral = 200,
+                            .curve = SliderCurve::logarithmic,
+                            .format = "%.4g",
+                            .hard_min = 1,
+                            .hard_max = 100'000,
+                            .typed = TypedKind::length};
+constexpr const char* kNamed = "The paper says how large the page is. For another size choose \"custom\".";
+constexpr const char* kPictureShape =
+    "The page has the picture's shape and lies as the picture does. For another choose a paper.";
+
+bool draw_paper(PageSetup& setup, const PageSize& drawn) {
+    int paper = static_cast<int>(setup.paper);
+    if (!choice_row("Paper size", paper, paper_titles(),
+                    "The sheet that is drawn on; \"as the picture\" makes it follow the picture's shape."))
+        return false;
+    setup.paper = static_cast<Paper>(paper);
+    if (setup.paper == Paper::custom) {
+        // As it was, to be changed from there.
+        setup.width_mm = drawn.width_mm;
+        setup.height_mm = drawn.height_mm;
+        setup.orientation = PageOrientation::automatic;
+    } else if (setup.paper == Paper::as_picture) {
+        setup.width_mm = drawn.width_mm;
+        setup.height_mm.reset();
+    }
+    return true;
+}
+
+bool draw_sides(PageSetup& setup, const PageSize& drawn) {
+    const bool named = setup.paper != Paper::as_picture && setup.paper != Paper::custom;
+    const Greyed greyed(named ? kNamed : nullptr);
+    bool changed = false;
+    // Of a page of the picture's shape, the side typed last says how long the other is.
+    const bool by_height = setup.paper == Paper::as_picture && setup.height_mm;
+    double width = named || by_height ? drawn.width_mm : setup.width_mm;
+    double height = named ? drawn.height_mm : setup.height_mm.value_or(drawn.height_mm);
+    if (slider_row("Width, mm", width, kSide)) {
+        setup.width_mm = width;
+        if (setup.paper == Paper::as_picture) setup.height_mm.reset();
+        changed = true;
+    }
+    if (slider_row("Height, mm", height, kSide)) {
+        setup.height_mm = height;
+        changed = true;
+    }
+    return changed;
+}
+
+bool draw_margins(PageSetup& setup, const PageSize& drawn) {
+    Margins& margins = setup.margins;
+    bool& each = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
+    const bool alike = margins == Margins{margins.top, margins.top, margins.top, margins.top};
+    int by = each || !alike ? 1 : 0;
+    bool changed = false;
+    if (segmented_row("Margins", by, std::array{"alike", "each side"},
+                      "Bare paper along the edges, in which no part of a dot lies.")) {
+        each = by == 1;
+        if (!each) {
+            margins = {margins.top, margins.top, margins.top, margins.top};
+            changed = !alike;
+        }
+    }
+    // The picture keeps some room.
+    const double shorter = std::min(drawn.width_mm, drawn.height_mm);
+    const SliderRange range{.min = 0,
+                            .max = std::clamp(shorter * 0.3, 1.0, 100.0),
+                            .neutral = 0,
+                            .format = "%.3g",
+                            .hard_max = std::max(shorter * 0.49, 1.0),
+                            .typed = TypedKind::length};
+    if (by == 0) {
+        if (slider_row("Margin, mm", margins.top, range)) {
+            margins = {margins.top, margins.top, margins.top, margins.top};
+            changed = true;
+        }
+        return changed;
+    }
+    changed |= slider_row("Top, mm", margins.top, range);
+    changed |= slider_row("Right, mm", margins.right, range);
+    changed |= slider_row("Bottom, mm", margins.bottom, range);
+    changed |= slider_row("Left, mm", margins.left, range);
+    return changed;
+}
+
+}  // namespace
+
+bool draw_page_panel(PageSetup& setup, const PageSize& drawn) {
+    if (!section("Page")) return false;
+    // "Paper" alone is the colour of it.
+    bool changed = draw_paper(setup, drawn);
+    const char* const shaped = setup.paper == Paper::as_picture ? kPictureShape : nullptr;
+    {
+        const Greyed greyed(shaped);
+        int orientation = static_cast<int>(setup.orientation);
+        if (choice_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"},
+                       "How the sheet lies; auto is as the picture lies.")) {
+            setup.orientation = static_cast<PageOrientation>(orientation);
+            changed = true;
+        }
+    }
+    changed |= draw_sides(setup, drawn);
+    changed |= draw_margins(setup, drawn);
+    {
+        const Greyed greyed(shaped);
+        int fit = static_cast<int>(setup.fit);
+        if (segmented_row("Fit", fit, std::array{"inside", "fill"},
+                          "inside: all of the picture, in the middle of the page. fill: the middle of the "
+                          "picture, cut to the shape that the margins leave.")) {
+            setup.fit = static_cast<PageFit>(fit);
+            changed = true;
+        }
+    }
+    int turns = setup.quarter_turns;
+    if (segmented_row("Rotate", turns, std::array{"0", "90", "180", "270"},
+                      "Turns the picture on the page, in degrees clockwise.")) {
+        setup.quarter_turns = turns;
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace dapple

@@ -1,0 +1,30 @@
+#include "core/image/framing.h"
+
+namespace dapple {
+
+Grid<float> framed(const Grid<float>& picture, const Framing& framing) {
+    const auto [low, high] = framing.pixels;
+    const glm::ivec2 size = framing.size();
+    Grid<float> result(size.x, size.y);
+    for (int y = 0; y < size.y; ++y) {
+        float* const row = result.row(y);
+        for (int x = 0; x < size.x; ++x) {
+            switch (framing.quarter_turns) {
+                case 1:  // what was at the lower left comes to the upper left
+                    row[x] = picture.at(low.x + y, high.y - 1 - x);
+                    break;
+                case 2:
+                    row[x] = picture.at(high.x - 1 - x, high.y - 1 - y);
+                    break;
+                case 3:
+                    row[x] = picture.at(high.x - 1 - y, low.y + x);
+                    break;
+                default:
+                    row[x] = picture.at(low.x + x, low.y + y);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace dapple

@@ -1,0 +1,33 @@
+#pragma once
+// Which part of a picture is drawn, and how it is turned.
+
+#include <glm/vec2.hpp>
+
+#include "core/image/grid.h"
+#include "core/image/rectangle.h"
+
+namespace dapple {
+
+/// Pixels of the picture as it was opened, cut out first; then so many quarter turns clockwise, 0..3.
+struct Framing {
+    Rectangle<int> pixels;
+    int quarter_turns = 0;
+
+    bool operator==(const Framing&) const = default;
+
+    /// Of the result.
+    glm::ivec2 size() const {
+        const glm::ivec2 cut = pixels.size();
+        return quarter_turns % 2 ? glm::ivec2(cut.y, cut.x) : cut;
+    }
+};
+
+/// All of a picture of that size, as it is.
+inline Framing whole_picture(glm::ivec2 size) {
+    return {{{0, 0}, size}, 0};
+}
+
+/// The picture's pixels, moved and none changed. Needs a rectangle within the picture that is not empty.
+Grid<float> framed(const Grid<float>& picture, const Framing& framing);
+
+}  // namespace dapple
