@@ -19,11 +19,6 @@
 
 namespace dapple {
 
-/// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
-inline constexpr double kLongestSideMm = 100'000;
-/// Of a page, a region, or what a margin leaves: finer than any pen.
-inline constexpr double kShortestSideMm = 0.01;
-
 struct NumberRange {
     double least = 0;
     double most = std::numeric_limits<double>::max();

@@ -1,0 +1,220 @@
+// Projects and other settings in files: nothing is lost, and whatever is wrong is told in a sentence.
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/settings/drawing_fields.h"
+#include "app/settings/project.h"
+#include "app/viewer/model/viewer_fields.h"
+#include "tests/file_text.h"
+#include "tests/temporary_folder.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const fs::path kPaper16 = fs::path(DAPPLE_SOURCE) / "assets/tiles/paper16.tile";
+
+/// No field is as it usually is: what is forgotten in a file comes back wrong.
+ViewerSettings nothing_usual() {
+    ViewerSettings all;
+    all.drawing = {
+        .automatic_tone = false,
+        .automatic_exposure = false,
+        .tone = {.exposure = -1.3f,
+                 .black_point = 0.1f,
+                 .white_point = 0.9f,
+                 .contrast = 0.2f,
+                 .brightness = -0.3f,
+                 .gamma = 1.7f,
+                 .blur = 3.3f,
+                 .detail = 0.6f,
+                 .invert = true},
+        .tile = "14217,2895/16",
+        .ranking = RankingMethod::farthest,
+        .placer = PlacerKind::figure8,
+        .placing = {.scale = 1234.5, .count = {}, .threads = 0},
+        .relax = 7,
+        .dot_size = {.sizing = DotSizing::by_tone, .radius_mm = 0.3, .smallest_mm = 0.11, .largest_mm = 0.77},
+        .width_mm = 321.5,
+        .ink = parse_colour("#1d3557"),
+        .paper = parse_colour("#f1faee"),
+        .background = true,
+        .show_tiles = true};
+    all.density = {DensitySource::grey, 0.3};
+    all.picture_opacity = 0.4f;
+    all.zoom_mode = ZoomMode::constant_density;
+    all.colouring = DotColouring::rank;
+    all.deepest_level = 3;
+    all.comparison = {.on = true,
+                      .placer = PlacerKind::figure8,
+                      .tile = "paper20",
+                      .ranking = RankingMethod::energy,
+                      .by = CompareBy::count,
+                      .divider = 0.3f};
+    all.loupe = {true, 2};
+    all.saving = {DotOrder::priority, 600};
+    return all;
+}
+
+Describe all_of(ViewerSettings& settings) {
+    return [&settings](Fields& fields) { describe(fields, settings); };
+}
+
+/// What reading a file of that text says; empty if nothing.
+std::string complaint_about(const std::string& text) {
+    const TemporaryFolder folder;
+    put_text(folder / "p.dapple", text);
+    ViewerSettings settings;
+    try {
+        read_project(folder / "p.dapple", all_of(settings));
+        return "";
+    } catch (const std::runtime_error& error) {
+        std::string sentence = error.what();
+        const std::string where = folder.path().string() + "/";
+        for (auto at = sentence.find(where); at != sentence.npos; at = sentence.find(where))
+            sentence.erase(at, where.size());
+        return sentence;
+    }
+}
+
+/// "/drawing/tone/gamma" and so on, of all values that are no objects.
+void check_all_differ(const Json& one, const Json& other) {
+    const Json flat = one.flatten(), flat_other = other.flatten();
+    REQUIRE(flat.size() > 30);
+    for (const auto& [name, value] : flat.items()) {
+        CAPTURE(name);
+        if (name != "/dapple" && name != "/picture")
+            CHECK(value != flat_other.value(name, Json("not there")));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a project brings back every setting") {
+    const TemporaryFolder folder;
+    ViewerSettings saved = nothing_usual(), usual, read;
+    save_project(folder / "p.dapple", {}, all_of(saved));
+    save_project(folder / "usual.dapple", {}, all_of(usual));
+    // Or else it could be forgotten without being missed.
+    check_all_differ(Json::parse(text_of(folder / "p.dapple")),
+                     Json::parse(text_of(folder / "usual.dapple")));
+    read_project(folder / "p.dapple", all_of(read));
+    CHECK(read == saved);
+
+    ViewerSettings back = nothing_usual();
+    read_project(folder / "usual.dapple", all_of(back));
+    CHECK(back == usual);
+}
+
+TEST_CASE("what only differs from the usual settings is enough to bring them back") {
+    ViewerSettings saved = nothing_usual(), usual, read;
+    const SettingsPlace place{"here.svg", FileNames::relative};
+    const std::string all = changed_settings(place, all_of(saved), all_of(usual));
+    read_settings(all, place, all_of(read));
+    CHECK(read == saved);
+    CHECK(changed_settings(place, all_of(usual), all_of(usual)) == R"({"dapple":1})");
+    ViewerSettings by_scale;
+    by_scale.drawing.placing.count.reset();
+    by_scale.drawing.tone.gamma = 1.1f;
+    CHECK(changed_settings(place, all_of(by_scale), all_of(usual)) ==
+          R"({"dapple":1,"drawing":{"tone":{"gamma":1.1},"count":null}})");
+}
+
+TEST_CASE("a project keeps what this version does not know") {
+    const TemporaryFolder folder;
+    put_text(folder / "p.dapple",
+             R"({"by": "hand", "dapple": 1, "drawing": {"pens": [{"ink": "red"}], "count": 77}})");
+    ViewerSettings settings;
+    const Project project = read_project(folder / "p.dapple", all_of(settings));
+    CHECK(settings.drawing.placing.count == 77);
+    settings.drawing.placing.count = 78;
+    save_project(folder / "q.dapple", project, all_of(settings));
+    const Json saved = Json::parse(text_of(folder / "q.dapple"));
+    CHECK(saved["by"] == "hand");
+    CHECK(saved["drawing"]["pens"] == Json{{{"ink", "red"}}});
+    CHECK(saved["drawing"]["count"] == 78);
+}
+
+TEST_CASE("a project finds picture and tile when both have moved with it, and when it has moved alone") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "a/pictures");
+    put_text(folder / "a/pictures/cat.png", "a picture");
+    fs::copy_file(kPaper16, folder / "a/mine.tile");
+    ViewerSettings settings;
+    settings.drawing.tile = (folder / "a/mine.tile").string();
+    save_project(folder / "a/p.dapple", {folder / "a/pictures/cat.png"}, all_of(settings));
+
+    fs::create_directory(folder / "alone");
+    fs::copy_file(folder / "a/p.dapple", folder / "alone/p.dapple");
+    ViewerSettings read;
+    CHECK(read_project(folder / "alone/p.dapple", all_of(read)).picture == folder / "a/pictures/cat.png");
+    CHECK(read.drawing.tile == (folder / "a/mine.tile").string());
+
+    fs::rename(folder / "a", folder / "b");
+    CHECK(read_project(folder / "b/p.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
+    CHECK(read.drawing.tile == (folder / "b/mine.tile").string());
+
+    CHECK_THROWS_WITH(read_project(folder / "alone/p.dapple", all_of(read)),
+                      doctest::Contains("p.dapple: picture cannot be found, neither "));
+    put_text(folder / "b/by_hand.dapple", R"({"dapple": 1, "picture": "pictures/cat.png"})");
+    CHECK(read_project(folder / "b/by_hand.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
+}
+
+TEST_CASE("a project that is wrong says in a sentence which field, and what it may be") {
+    CHECK(complaint_about(R"({"dapple": 1})") == "");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tone": {"contrast": 7}}})") ==
+          "p.dapple: drawing.tone.contrast is 7; give a number from -1 to 1");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"count": 1.5}})") ==
+          "p.dapple: drawing.count is 1.5; give a whole number from 1 to 1000000000, or null");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"ink": "blue"}})") ==
+          "p.dapple: drawing.ink is \"blue\"; give a colour such as \"#1a2b3c\"");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"placer": ["exact"]}})") ==
+          "p.dapple: drawing.placer is a list; give one of exact, figure8");
+    CHECK(complaint_about(R"({"dapple": 1, "view": 3})") == "p.dapple: view is 3; give an object, in braces");
+    CHECK(
+        complaint_about(R"({"dapple": 1, "drawing": {"tone": {"black_point": 0.5, "white_point": 0.5}}})") ==
+        "p.dapple: drawing.tone.black_point has to be below white_point");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tile": "gone.tile"}})") ==
+          "p.dapple: drawing.tile cannot be found, gone.tile is not there; put that file back, or name "
+          "another");
+    CHECK(complaint_about(R"({"dapple": 9})") ==
+          "p.dapple: written by a newer Dapple, in version 9 of the format; this one reads version 1");
+    CHECK(complaint_about("[1, 2]") == "p.dapple: not settings of Dapple's, which say \"dapple\": 1");
+    CHECK(complaint_about("{\"dapple\": 1,\n \"drawing\" {}}") ==
+          "p.dapple: line 2 is not JSON: a quote, comma, bracket or value is missing, or one is too many");
+}
+
+TEST_CASE("a hostile project ends in a sentence") {
+    const std::string deep(100'000, '[');
+    const std::vector<std::string> texts{"",
+                                         deep,
+                                         "{\"dapple\":1,\"x\":" + deep + std::string(100'000, ']') + "}",
+                                         R"({"dapple": 1, "drawing": {"width_mm": 1e999}})",
+                                         R"({"dapple": 1, "drawing": {"width_mm": NaN}})",
+                                         R"({"dapple": 1, "drawing": {"width_mm": null}})",
+                                         R"({"dapple": 1, "drawing": {"relax": 4294967296}})",
+                                         R"({"dapple": 1, "drawing": {"count": -1}})",
+                                         R"({"dapple": 1, "drawing": {"tone": {"invert": 1}}})",
+                                         R"({"dapple": 1, "picture": "a\u0000b"})",
+                                         R"({"dapple": 1, "picture": {"absolute": "/"}})",
+                                         R"({"dapple": "1"})",
+                                         "{\"dapple\": 1, \"picture\": \"\xff\"}",
+                                         std::string(2'000'000, ' ')};
+    for (const std::string& text : texts) {
+        const std::string sentence = complaint_about(text);
+        CAPTURE(text.substr(0, 60));
+        CAPTURE(sentence);
+        CHECK(sentence.starts_with("p.dapple: "));
+        CHECK(sentence.find("json") == sentence.npos);
+        CHECK(sentence.size() < 200);
+    }
+}
+
+}  // namespace dapple
