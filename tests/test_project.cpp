@@ -2,16 +2,20 @@
 
 #include <doctest/doctest.h>
 
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/commands/render.h"
 #include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
+#include "app/viewer/model/session.h"
 #include "app/viewer/model/viewer_fields.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
+#include "tests/wait_until.h"
 
 namespace dapple {
 namespace {
@@ -95,7 +99,95 @@ void check_all_differ(const Json& one, const Json& other) {
     }
 }
 
+/// A window's session, driven as the window does.
+struct ProjectSession {
+    Session session{DrawingSettings{}, [] {}};
+
+    ProjectSession() { session.open_sample(); }
+    template <class Done>
+    void until(Done done) {
+        const Zoom zoom{.camera = fitted({800, 600}, {1, 1})};
+        REQUIRE(wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        }));
+    }
+    std::string exported(const fs::path& file) {
+        session.save(file);
+        until([&] { return session.saved_path() == file; });
+        return text_of(file);
+    }
+};
+
+std::string rendered(const std::string& arguments, const fs::path& output) {
+    CLI::App program;
+    const RenderCommand command(program);
+    program.parse("render " + arguments + " -o " + output.string());
+    return text_of(output);
+}
+
 }  // namespace
+
+TEST_CASE("the command draws a project byte for byte as the window exports it") {
+    const TemporaryFolder folder;
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/still_life.png", folder / "cat.png");
+    const std::string project = (folder / "p.dapple").string();
+    ProjectSession window;
+    window.session.open(folder / "cat.png");
+    window.until([&] { return window.session.pictures() > 0 && !window.session.picture().file.empty(); });
+    DrawingSettings& drawing = window.session.settings.drawing;
+    drawing.automatic_tone = false;
+    drawing.tone.contrast = 0.3f;
+    drawing.tone.detail = 0.4f;
+    drawing.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.9};
+    drawing.background = drawing.show_tiles = true;
+    drawing.relax = 2;
+    drawing.paper = parse_colour("#f1faee");
+    window.session.settings.saving = {DotOrder::priority, 50};
+    window.session.save_project(project);
+    for (const char* name : {"a.svg", "a.png", "a.csv"}) {
+        CAPTURE(name);
+        const std::string exported = window.exported(folder / name);
+        CHECK(exported.size() > 10'000);
+        CHECK(rendered(project, folder / ("command_" + std::string(name))) == exported);
+    }
+    // Options given beside it say otherwise.
+    drawing.dot_size = {};
+    drawing.placing.count = 500;
+    drawing.tone.contrast = -0.2f;
+    drawing.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
+    CHECK(rendered("--dots 500 --contrast -0.2 --dot-radius 0.5 " + project, folder / "b.svg") ==
+          window.exported(folder / "c.svg"));
+}
+
+TEST_CASE("opening a project brings picture and settings, and undo takes the settings back") {
+    const TemporaryFolder folder;
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "icon.png");
+    ViewerSettings saved = nothing_usual();
+    save_project(folder / "p.dapple", {folder / "icon.png"}, all_of(saved));
+    ProjectSession window;
+    Session& session = window.session;
+    window.until([&] { return session.pictures() == 1; });
+    session.remember(false);
+    const ViewerSettings before = session.settings;
+
+    session.take_dropped(folder / "none.dapple");
+    CHECK(session.banner.message == (folder / "none.dapple").string() + ": no such file");
+    CHECK(session.settings == before);
+
+    session.take_dropped(folder / "p.dapple");
+    CHECK(session.settings == saved);
+    CHECK(session.project_path() == folder / "p.dapple");
+    session.settings.density.source = DensitySource::photograph;
+    window.until([&] { return session.picture().file == folder / "icon.png"; });
+    session.remember(false);
+    session.undo();
+    CHECK(session.settings == before);
+    // Another picture is no longer that project.
+    session.open(folder / "icon.png");
+    CHECK(session.project_path().empty());
+}
 
 TEST_CASE("a project brings back every setting") {
     const TemporaryFolder folder;

@@ -20,6 +20,8 @@
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
+#include "app/settings/drawing_fields.h"
+#include "app/settings/project.h"
 #include "app/shown_text.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
@@ -29,6 +31,32 @@
 
 namespace dapple {
 namespace {
+
+// A picture, or a project that names one and says how it is drawn.
+void take_image(RenderOptions& options, const std::filesystem::path& file) {
+    if (!ends_as_project(file)) {
+        options.image = file;
+        return;
+    }
+    SavingChoice saving;
+    bool photograph = true;
+    options.project = file;
+    options.image = read_project(file, [&](Fields& fields) {
+                        describe_drawing(fields, options.drawing, saving);
+                        fields.group("density", [&](Fields& density) {
+                            density.choice("source", photograph,
+                                           {NamedValue{"photograph", true}, NamedValue{"grey", false},
+                                            NamedValue{"ramp", false}});
+                        });
+                    }).picture;
+    if (!photograph)
+        throw std::runtime_error(
+            printable(file.native()) +
+            ": shows a plain density, which the window alone draws; choose the photograph "
+            "there, under View, and save it again");
+    options.dpi = saving.dpi;
+    options.order = saving.order;
+}
 
 class Stopwatch {
  public:
@@ -47,11 +75,12 @@ std::string name_of_image(const RenderOptions& options) {
 }
 
 void check_files(const RenderOptions& options) {
-    const FileInUse picture{options.image, "the picture"}, tile{options.drawing.tile, "the tile"};
-    check_apart(options.output, {picture, tile});
+    const FileInUse picture{options.image, "the picture"}, tile{options.drawing.tile, "the tile"},
+        project{options.project, "the project"};
+    check_apart(options.output, {picture, tile, project});
     check_can_save(options.output);
     if (!options.stats) return;
-    check_apart(*options.stats, {picture, tile, {options.output, "the drawing"}});
+    check_apart(*options.stats, {picture, tile, project, {options.output, "the drawing"}});
     check_can_save(*options.stats);
 }
 
@@ -244,7 +273,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
                "a table has no colours; let the drawing's name end in .svg or .png");
     if (format == DrawingFormat::svg && !options.drawing.background)
         refuse(command, {"--paper"}, "shows in an SVG with --background only; give that too");
-    if (options.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
+    const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
+    if (given && options.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(
             "--order",
             "priority: the first dots of a relaxed drawing are not one with fewer; give --relax 0");
@@ -348,7 +378,16 @@ RenderCommand::RenderCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand("render",
                                                      "Stipple a picture into a file: SVG for plotters and "
                                                      "drawing programs, PNG as pixels, CSV as a table");
-    command->add_option("image", options_.image, "The picture; without one, the built-in sample")
+    // First, so that it is taken before the other options, which say otherwise.
+    const auto read_image = [this](const std::string& file) {
+        take_image(options_, file);
+        automatic_tone_ = options_.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "image", read_image,
+            "The picture, or a project (.dapple) that the window saved, whose "
+            "settings the other options change; without one, the built-in sample")
         ->type_name("IMAGE");
     command->add_option("-o,--output", options_.output, "The drawing; its name ends in .svg, .png or .csv")
         ->type_name("OUT")
@@ -381,9 +420,10 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
+        "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
-        check_options(*command, options_.drawing);
+        check_options(*command, options_.drawing, automatic_tone_);
         check_that_fit(*command, options_);
         render(options_);
     });

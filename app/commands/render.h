@@ -16,8 +16,9 @@ class App;
 namespace dapple {
 
 struct RenderOptions {
-    std::optional<std::filesystem::path> image;  // none: the built-in sample
-    std::filesystem::path output;                // .svg, .png or .csv
+    std::optional<std::filesystem::path> image;    // none: the built-in sample
+    std::optional<std::filesystem::path> project;  // that it was named by
+    std::filesystem::path output;                  // .svg, .png or .csv
     DrawingSettings drawing;
     double dpi = 300;                         // of a PNG
     Sheet sheet;                              // the whole drawing, or a part of it
@@ -41,6 +42,7 @@ class RenderCommand {
 
  private:
     RenderOptions options_;
+    bool automatic_tone_ = true;  // before the options say another
 };
 
 }  // namespace dapple

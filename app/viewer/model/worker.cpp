@@ -83,9 +83,9 @@ Worker::~Worker() {
     saving_stop_.request_stop();
 }
 
-void Worker::open(std::string name, Open open) {
+void Worker::open(std::string name, Open open, std::filesystem::path file) {
     std::scoped_lock lock(mutex_);
-    tasks_.push_back(OpenTask{std::move(name), std::move(open)});
+    tasks_.push_back(OpenTask{std::move(name), std::move(open), std::move(file)});
     changed_.notify_all();
 }
 
@@ -235,6 +235,7 @@ void Worker::run_task(OpenTask& task) {
         const bool environment = looks_like_environment(picture.light);
         workbench_.set_picture(std::move(picture.light), picture.exposure);
         arrived_ = OpenedPicture{
+            .file = task.file,
             .name = task.name,
             .description = picture.description,
             .longer_side = longer,

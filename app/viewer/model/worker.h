@@ -25,6 +25,7 @@ namespace dapple {
 
 /// A picture that was opened; its light stays with the worker.
 struct OpenedPicture {
+    std::filesystem::path file = {};                                // none: not from one
     std::string name;                                               // for the title: "cat.png"
     std::string description;                                        // "512 x 512 pixels, ..."
     int longer_side = 1;                                            // pixels
@@ -74,7 +75,7 @@ class Worker {
     using Prepare = std::function<Write(Workbench&, std::stop_token)>;
 
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
-    void open(std::string name, Open open);
+    void open(std::string name, Open open, std::filesystem::path file = {});
 
     /// Places as ordered. An order that has not begun is replaced; one that has run for long, or that was
     /// shown already, is stopped; a short one may finish so that something moves under a slider that never
@@ -106,6 +107,7 @@ class Worker {
     struct OpenTask {
         std::string name;
         Open open;
+        std::filesystem::path file;
     };
     struct SaveTask {
         std::filesystem::path path;

@@ -23,7 +23,9 @@ class Shell {
  private:
     void frame(Document& document);
     void act(Action action, Document& document, const Frame& frame);
-    void ask_where_to_save(const Document& document);
+    /// What the dialog that is open asks for.
+    enum class Asked { picture, tile, drawing, project };
+    void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
     void draw_dialogs(Document& document);
     void report_outside(const Document& document);
 
@@ -31,7 +33,7 @@ class Shell {
     WidgetPlaces widgets_;
     Window window_;
     FileDialog dialog_;
-    bool asks_for_tile_ = false;  // of use while the dialog is open and does not save
+    Asked asked_ = Asked::picture;
     bool panels_shown_ = true, help_shown_ = false;
     bool ready_ = false;
     double last_seconds_ = 0;  // of the last frame
