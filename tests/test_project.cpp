@@ -103,7 +103,11 @@ void check_all_differ(const Json& one, const Json& other) {
 struct ProjectSession {
     Session session{DrawingSettings{}, [] {}};
 
-    ProjectSession() { session.open_sample(); }
+    ProjectSession() {
+        session.settings.drawing.tile = "paper16";
+        session.settings.drawing.relax = 0;
+        session.open_sample();
+    }
     template <class Done>
     void until(Done done) {
         const Zoom zoom{.camera = fitted({800, 600}, {1, 1})};
@@ -131,7 +135,7 @@ std::string rendered(const std::string& arguments, const fs::path& output) {
 
 TEST_CASE("the command draws a project byte for byte as the window exports it") {
     const TemporaryFolder folder;
-    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/still_life.png", folder / "cat.png");
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "cat.png");
     const std::string project = (folder / "p.dapple").string();
     ProjectSession window;
     window.session.open(folder / "cat.png");
@@ -140,7 +144,8 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
     drawing.automatic_tone = false;
     drawing.tone.contrast = 0.3f;
     drawing.tone.detail = 0.4f;
-    drawing.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.9};
+    drawing.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.4, .largest_mm = 1.2};
+    drawing.tile = "paper20";
     drawing.background = drawing.show_tiles = true;
     drawing.relax = 2;
     drawing.paper = parse_colour("#f1faee");

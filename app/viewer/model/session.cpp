@@ -70,7 +70,7 @@ void Session::load_project(const fs::path& file) {
     else
         open_sample();
     project_ = std::move(project);
-    project_path_ = file;
+    project_path_ = fs::absolute(file).lexically_normal();
 }
 
 void Session::open_project(const fs::path& file) {
@@ -88,7 +88,7 @@ void Session::save_project(const fs::path& file) {
     if (!picture_.file.empty()) project.picture = picture_.file;
     try {
         dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
-        project_path_ = file;
+        project_path_ = fs::absolute(file).lexically_normal();
         banner = {BannerKind::notice, "Saved " + file.string()};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
