@@ -5,11 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 #include <string>
 #include <vector>
 
 #include "app/commands/render.h"
 #include "app/settings/drawing_fields.h"
+#include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/viewer_fields.h"
@@ -164,6 +166,45 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
     drawing.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
     CHECK(rendered("--dots 500 --contrast -0.2 --dot-radius 0.5 " + project, folder / "b.svg") ==
           window.exported(folder / "c.svg"));
+}
+
+TEST_CASE("a drawing has its settings inside it, which the window and the command take from it") {
+    const TemporaryFolder folder;
+    const std::string icon = (fs::path(DAPPLE_SOURCE) / "assets/icon_64.png").string();
+    fs::copy_file(kPaper16, folder / "a&b<c>.tile");
+    const std::string options = " --dots 300 --relax 0 --tone true --gamma 1.3 --ink '#1d3557' --tile '" +
+                                (folder / "a&b<c>.tile").string() + "'";
+    for (const char* name : {"a.svg", "a.png"}) {
+        const std::string first = (folder / name).string(),
+                          again = (folder / ("again" + std::string(name))).string();
+        CAPTURE(first);
+        const std::string drawn = rendered(icon + options, first);
+        CHECK(rendered("--settings-from " + first + " " + icon, again) == drawn);
+
+        ProjectSession window;
+        window.session.settings.picture_opacity = 0.5f;
+        window.session.take_dropped(first);
+        const DrawingSettings& drawing = window.session.settings.drawing;
+        CHECK(window.session.banner.kind == BannerKind::notice);
+        CHECK(drawing.placing.count == 300);
+        CHECK(drawing.tone.gamma == 1.3f);
+        CHECK(drawing.tile == (folder / "a&b<c>.tile").string());
+        CHECK(window.session.settings.picture_opacity == 0.5f);
+    }
+    // Other readers take both as before.
+    pugi::xml_document xml;
+    REQUIRE(xml.load_file((folder / "a.svg").c_str(), pugi::parse_full));
+    const Json said = Json::parse(xml.child("svg").child("metadata").child("dapple:settings").text().get());
+    CHECK(said["drawing"]["tile"]["file"] == "a&b<c>.tile");
+    CHECK(said["drawing"].size() == 6);
+    // A PNG without settings is a picture; an SVG without is none.
+    CHECK(!settings_inside(icon));
+    put_text(folder / "other.svg", "<svg></svg>");
+    CHECK_THROWS_WITH(settings_from(folder / "other.svg"),
+                      doctest::Contains("other.svg: there are no settings"));
+    const std::string damaged = "\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXtdapple";
+    put_text(folder / "damaged.png", damaged + std::string(20, '\0'));
+    CHECK(!settings_inside(folder / "damaged.png"));
 }
 
 TEST_CASE("opening a project brings picture and settings, and undo takes the settings back") {

@@ -21,6 +21,7 @@
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
 #include "app/settings/drawing_fields.h"
+#include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
 #include "app/shown_text.h"
 #include "core/drawing/pipeline.h"
@@ -80,7 +81,9 @@ void check_files(const RenderOptions& options) {
     check_apart(options.output, {picture, tile, project});
     check_can_save(options.output);
     if (!options.stats) return;
-    check_apart(*options.stats, {picture, tile, project, {options.output, "the drawing"}});
+    check_apart(
+        *options.stats,
+        {picture, tile, project, {options.settings_from, "the settings"}, {options.output, "the drawing"}});
     check_can_save(*options.stats);
 }
 
@@ -354,7 +357,8 @@ void render(const RenderOptions& options) {
                   .picture = picture_box,
                   .tile_size = pipeline.tile().tile().size(),
                   .dpi = options.dpi,
-                  .order = DotOrder::recursion},
+                  .order = DotOrder::recursion,
+                  .settings = embedded_settings(options.output, settings, {options.order, options.dpi})},
                  {.stop = {}, .progress = [&](double share) { line->show(share, what); }});
     times.write = watch.lap();
     line.reset();
@@ -389,6 +393,20 @@ RenderCommand::RenderCommand(CLI::App& program) {
             "The picture, or a project (.dapple) that the window saved, whose "
             "settings the other options change; without one, the built-in sample")
         ->type_name("IMAGE");
+    const auto read_settings = [this](const std::string& file) {
+        const SavedSettings read = settings_from(file);
+        options_.drawing = read.drawing;
+        options_.dpi = read.saving.dpi;
+        options_.order = read.saving.order;
+        options_.settings_from = file;
+        automatic_tone_ = read.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "--settings-from", read_settings,
+            "Draw as a project or as a drawing (.svg, .png) that Dapple made, with "
+            "what the other options change")
+        ->type_name("FILE");
     command->add_option("-o,--output", options_.output, "The drawing; its name ends in .svg, .png or .csv")
         ->type_name("OUT")
         ->required();
@@ -421,6 +439,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
         "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
+        "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing, automatic_tone_);

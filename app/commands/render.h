@@ -16,9 +16,10 @@ class App;
 namespace dapple {
 
 struct RenderOptions {
-    std::optional<std::filesystem::path> image;    // none: the built-in sample
-    std::optional<std::filesystem::path> project;  // that it was named by
-    std::filesystem::path output;                  // .svg, .png or .csv
+    std::optional<std::filesystem::path> image;          // none: the built-in sample
+    std::optional<std::filesystem::path> project;        // that it was named by
+    std::optional<std::filesystem::path> settings_from;  // whose settings it is drawn with
+    std::filesystem::path output;                        // .svg, .png or .csv
     DrawingSettings drawing;
     double dpi = 300;                         // of a PNG
     Sheet sheet;                              // the whole drawing, or a part of it

@@ -28,7 +28,8 @@ void write_pixels(std::ostream& out, const DrawingSettings& settings, const Draw
     const RasterRequest request{
         .dot_radius_mm = radius, .dpi = drawing.dpi, .threads = settings.placing.threads};
     const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
-    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb};
+    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb,
+                           drawing.settings};
     write_png(out, header, [&](const PixelSink& pixels) {
         rasterise(drawing.dots, drawing.page, request, [&](int first_row, const Grid<float>& coverage) {
             progress(static_cast<double>(first_row) / size.height);
@@ -82,7 +83,8 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
                                .ink = settings.ink,
                                .background = {},
                                .tiles = drawing.tiles,
-                               .picture = drawing.picture};
+                               .picture = drawing.picture,
+                               .settings = drawing.settings};
                 if (settings.background) style.background = settings.paper;
                 write_svg(out, dots, drawing.page, style, progress);
                 break;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <string>
 
 #include "app/drawing_settings.h"
 #include "core/image/rectangle.h"
@@ -39,6 +40,7 @@ struct DrawingToSave {
     std::size_t tile_size = 16;                     // N
     double dpi = 300;                               // of a PNG
     std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
+    std::string settings = {};           // see embedded_settings(); empty: none go into the file
 };
 
 /// For someone who waits.

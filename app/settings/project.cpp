@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestBytes = 1'000'000;
 
-std::string text_of_project(const fs::path& file) {
+}  // namespace
+
+std::string text_of_settings(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     const bool regular = fs::is_regular_file(status);
@@ -29,15 +31,13 @@ std::string text_of_project(const fs::path& file) {
     return text_of_file(file);
 }
 
-}  // namespace
-
 bool ends_as_project(const fs::path& file) {
     return ending_of(file) == kProjectEnding;
 }
 
 Project read_project(const fs::path& file, const Describe& describe) {
     Project project;
-    project.kept = text_of_project(file);
+    project.kept = text_of_settings(file);
     read_settings(project.kept, {file}, [&](Fields& fields) {
         fields.file("picture", project.picture);
         describe(fields);

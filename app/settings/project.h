@@ -23,6 +23,9 @@ inline constexpr const char* kProjectEnding = ".dapple";
 /// Whether the name of a file ends so, in small letters or capitals.
 bool ends_as_project(const std::filesystem::path& file);
 
+/// The text of a file of settings. Throws std::runtime_error if it cannot be read or is far too large.
+std::string text_of_settings(const std::filesystem::path& file);
+
 struct Project {
     std::optional<std::filesystem::path> picture = {};  // none: the built-in sample
     std::string kept = {};  // as it was read: what is not known here is saved again

@@ -93,7 +93,15 @@ std::string changed_settings(const SettingsPlace& place, const Describe& describ
     Json same = document_of("", place, usual);
     same.erase(kVersionField);
     take_out_same(changed, same);
-    return changed.dump();
+    // In JSON these stand in strings only, where they may be written so.
+    std::string text;
+    for (const char c : changed.dump(-1, ' ', true)) {
+        if (c == '<' || c == '>' || c == '&')
+            text += fmt::format("\\u{:04x}", c);
+        else
+            text += c;
+    }
+    return text;
 }
 
 }  // namespace dapple

@@ -19,7 +19,7 @@ void read_settings(const std::string& text, const SettingsPlace& place, const De
 /// by read_settings(), perhaps written by a Dapple that knows more, or empty.
 std::string settings_text(const std::string& kept, const SettingsPlace& place, const Describe& describe);
 
-/// Only the fields that differ from those of `usual`, on one line.
+/// Only the fields that differ from those of `usual`, on one line, in ASCII without <, > and &.
 std::string changed_settings(const SettingsPlace& place, const Describe& describe, const Describe& usual);
 
 }  // namespace dapple

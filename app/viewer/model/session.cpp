@@ -3,9 +3,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/settings/embedded_settings.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/viewer_fields.h"
 
@@ -82,6 +84,19 @@ void Session::open_project(const fs::path& file) {
     }
 }
 
+void Session::take_settings(const fs::path& file) {
+    try {
+        SavedSettings read = settings_from(file);
+        if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
+        settings.drawing = read.drawing;
+        settings.saving = read.saving;
+        banner = {BannerKind::notice,
+                  "The settings of " + file.string() + " are taken; undo brings yours back"};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
 void Session::save_project(const fs::path& file) {
     Project project = project_;
     project.picture.reset();
@@ -100,6 +115,8 @@ void Session::take_dropped(const fs::path& file) {
         open_tile(file);
     else if (ends_as_project(file))
         open_project(file);
+    else if (ending_of(file) == ".svg" || settings_inside(file))
+        take_settings(file);
     else
         open(file);
 }
@@ -131,7 +148,8 @@ void Session::save(const fs::path& path) {
                                  .tiles = drawing.outlines,
                                  .tile_size = tile_size,
                                  .dpi = dpi,
-                                 .order = order_wanted},
+                                 .order = order_wanted,
+                                 .settings = embedded_settings(path, drawn, saving)},
                                 watch);
         };
     };

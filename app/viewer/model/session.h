@@ -39,7 +39,12 @@ class Session {
     /// The picture shown and all settings into a file; the banner says how that went.
     void save_project(const std::filesystem::path& file);
 
-    /// A tile or a project, if the file's name ends as theirs do, or else a picture.
+    /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
+    /// went.
+    void take_settings(const std::filesystem::path& file);
+
+    /// A tile or a project, if the file's name ends as theirs do; the settings of an SVG or PNG that Dapple
+    /// made; or else a picture.
     void take_dropped(const std::filesystem::path& file);
     /// The tiles to choose from.
     std::span<const std::string> tiles() const { return tiles_.names(); }

@@ -30,10 +30,12 @@ namespace fs = std::filesystem;
 
 constexpr float kStatusHeight = 30;  // at 96 dpi
 
-// Of files that hold pictures, and of projects; others are opened as well if they do.
-const std::vector<std::string> kPictures{
-    kProjectEnding, ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr",  ".hdr", ".webp", ".gif", ".bmp",
-    ".tga",         ".psd", ".ppm", ".pgm",  ".pnm", ".jp2",  ".heic", ".dpx", ".fits", ".ico", ".pic"};
+// Of files that hold pictures, of projects, and of drawings that hold settings; others are opened as well if
+// they do.
+const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg",  ".jpeg", ".tif",
+                                         ".tiff",        ".exr", ".hdr",  ".webp", ".gif",  ".bmp",
+                                         ".tga",         ".psd", ".ppm",  ".pgm",  ".pnm",  ".jp2",
+                                         ".heic",        ".dpx", ".fits", ".ico",  ".pic"};
 
 void toggle(bool& value) {
     value = !value;
