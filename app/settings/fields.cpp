@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestShown = 40;
 
-std::string in_words(const Json& value) {
+std::string value_in_words(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "a list";
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -32,7 +32,7 @@ std::string in_words(const Json& value) {
     return printable(text);
 }
 
-std::string in_words(const char* kind, FieldRange range) {
+std::string range_in_words(const char* kind, FieldRange range) {
     if (range.most == std::numeric_limits<double>::max())
         return fmt::format("{} from {:.12g} up", kind, range.least);
     return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
@@ -47,12 +47,12 @@ bool is_utf8(const std::string& text) {
     }
 }
 
-bool is_there(const fs::path& file) {
+bool file_is_there(const fs::path& file) {
     std::error_code ignored;
     return !file.empty() && fs::exists(file, ignored);
 }
 
-fs::path folder_of(const fs::path& file) {
+fs::path folder_holding(const fs::path& file) {
     return fs::absolute(file).lexically_normal().parent_path();
 }
 
@@ -82,13 +82,13 @@ void Fields::refuse(const char* name, const std::string& why) const {
 }
 
 void Fields::refuse_value(const char* name, const Json& value, const std::string& wanted) const {
-    refuse(name, fmt::format("is {}; give {}", in_words(value), wanted));
+    refuse(name, fmt::format("is {}; give {}", value_in_words(value), wanted));
 }
 
 double Fields::number_in(const char* name, const Json& value, FieldRange range) const {
     const double number = value.is_number() ? value.get<double>() : NAN;
     if (!(number >= range.least && number <= range.most))
-        refuse_value(name, value, in_words("a number", range));
+        refuse_value(name, value, range_in_words("a number", range));
     return number;
 }
 
@@ -126,7 +126,7 @@ void Fields::whole(const char* name, std::optional<std::uint64_t>& value, std::u
         const FieldRange range{static_cast<double>(least), static_cast<double>(most)};
         const double number = found->is_number() ? found->get<double>() : NAN;
         if (!(number >= range.least && number <= range.most && number == std::floor(number)))
-            refuse_value(name, *found, in_words("a whole number", range) + ", or null");
+            refuse_value(name, *found, range_in_words("a whole number", range) + ", or null");
         value = static_cast<std::uint64_t>(number);
     }
 }
@@ -149,7 +149,7 @@ void Fields::whole(const char* name, int& value, FieldRange range) {
     } else if (const Json* const found = read(name)) {
         const double number = found->is_number() ? found->get<double>() : NAN;
         if (!(number >= range.least && number <= range.most && number == std::floor(number)))
-            refuse_value(name, *found, in_words("a whole number", range));
+            refuse_value(name, *found, range_in_words("a whole number", range));
         value = static_cast<int>(number);
     }
 }
@@ -174,7 +174,7 @@ Json Fields::file_of(const char* name, const fs::path& file) const {
                fmt::format("is {}, whose name is not UTF-8, as all names in it have to be; rename that file",
                            printable(file.native())));
     }
-    Json value{{"file", whole.lexically_proximate(folder_of(place_.file)).generic_string()}};
+    Json value{{"file", whole.lexically_proximate(folder_holding(place_.file)).generic_string()}};
     if (place_.names == FileNames::relative_and_absolute) value["absolute"] = whole.generic_string();
     return value;
 }
@@ -187,10 +187,10 @@ fs::path Fields::file_in(const char* name, const Json& value) const {
     const std::string given = value.is_string() ? value.get<std::string>() : text_at("file");
     if (given.empty() || given.find('\0') != std::string::npos)
         refuse_value(name, value, "the name of a file");
-    const fs::path beside = (folder_of(place_.file) / given).lexically_normal();
-    if (is_there(beside)) return beside;
+    const fs::path beside = (folder_holding(place_.file) / given).lexically_normal();
+    if (file_is_there(beside)) return beside;
     const fs::path absolute = value.is_object() ? text_at("absolute") : "";
-    if (is_there(absolute)) return absolute;
+    if (file_is_there(absolute)) return absolute;
     const std::string where =
         absolute.empty() || absolute == beside
             ? fmt::format("{} is not there", beside.string())
