@@ -11,6 +11,8 @@
 #include "core/drawing/request.h"
 #include "core/image/colour.h"
 #include "core/image/detail.h"
+#include "core/output/gcode.h"
+#include "core/placing/dot_order.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {
@@ -19,6 +21,11 @@ inline constexpr std::uint64_t kDefaultDots = 40'000;
 
 /// The built-in tile whose pictures look best.
 inline constexpr const char* kDefaultTile = "aperiodic4096";
+
+/// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
+inline constexpr double kLongestSideMm = 100'000;
+/// Of a page, a region, or what a margin leaves: finer than any pen.
+inline constexpr double kShortestSideMm = 0.01;
 
 struct DrawingSettings {
     bool automatic_tone = true, automatic_exposure = true;  // see DrawingRequest
@@ -36,6 +43,15 @@ struct DrawingSettings {
     bool show_tiles = false;  // the boundaries of the tiles, coloured by level
 
     bool operator==(const DrawingSettings&) const = default;
+};
+
+/// How the drawing is saved, beside how it looks.
+struct SavingChoice {
+    std::optional<DotOrder> order = {};  // none: the usual one; pixels have none
+    double dpi = 300;                    // of pixels
+    Machine machine = Machine::pen;      // that reads G-code
+
+    bool operator==(const SavingChoice&) const = default;
 };
 
 /// The tile drawn with: settings.tile, but the paper's own where the paper's placer, which knows no tiles

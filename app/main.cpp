@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "app/commands/analyse.h"
@@ -57,14 +58,17 @@ int main(int argc, char** argv) {
         "Examples:\n"
         "  dapple cat.jpg                               look at it, move the sliders\n"
         "  dapple cat.jpg --tile mine.tile              drawn with a tile of your own\n"
+        "  dapple cat.dapple                            a project: picture and settings as they were saved\n"
         "  dapple render cat.jpg -o cat.svg             the same as a file\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000");
     program.require_subcommand(0, 1);
 
     int status = 0;
     dapple::ViewerOptions viewer;
-    program.add_option("image", viewer.image, "The picture to look at")->type_name("IMAGE");
-    const CLI::Option* const tile_of_window = dapple::add_tile(program, viewer.settings.tile);
+    program.add_option("image", viewer.image, "The picture to look at, or a project (.dapple)")
+        ->type_name("IMAGE");
+    std::string window_tile = dapple::kDefaultTile;
+    const CLI::Option* const tile_of_window = dapple::add_tile(program, window_tile);
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     const dapple::RenderCommand render(program);
@@ -92,6 +96,7 @@ int main(int argc, char** argv) {
             return;
         }
         if (!program.get_subcommands().empty()) return;
+        if (tile_of_window->count() > 0) viewer.tile = window_tile;
         status = dapple::run_viewer(viewer);
     });
     return run(program, argc, argv, status);

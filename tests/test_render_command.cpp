@@ -218,7 +218,8 @@ TEST_CASE("colours, background and tiles are drawn as asked") {
                 .status == 0);
     const Svg svg = read_svg(scene("c.svg"));
     const pugi::xml_node root = svg.document.child("svg");
-    CHECK(root.first_child().attribute("fill").value() == std::string("#ffeedd"));
+    CHECK(root.child("rect").attribute("fill").value() == std::string("#ffeedd"));
+    CHECK(root.child("rect").next_sibling() == root.child("g"));
     CHECK(root.child("g").attribute("inkscape:label").value() == std::string("1 #cc0000"));
     const pugi::xml_node tiles = root.child("g").next_sibling("g");
     CHECK(tiles.attribute("inkscape:label").value() == std::string("2 Tiles"));

@@ -17,6 +17,7 @@
 #include "app/files/picture.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/settings/embedded_settings.h"
 #include "core/drawing/pipeline.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
@@ -50,15 +51,16 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         Drawn drawn;
         REQUIRE(pipeline.draw(plan, drawn));
         for (const std::string ending : {".svg", ".csv", ".png", ".nc", ".json"}) {
+            REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " +
+                               asked.options)
+                        .status == 0);
             CHECK(save_drawing(
                 scene("window" + ending), settings,
                 {.dots = stream_of(drawn.stippling.dots, drawn.stippling.scale),
                  .page = plan.page,
                  .dot_radius_mm = plan.radius(drawn.stippling.scale) * plan.page.mm_per_page_unit,
-                 .tile_size = pipeline.tile().tile().size()}));
-            REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " +
-                               asked.options)
-                        .status == 0);
+                 .tile_size = pipeline.tile().tile().size(),
+                 .settings = settings_inside(scene("command" + ending)).value_or("")}));
             CHECK(text_of(scene("window" + ending)) == text_of(scene("command" + ending)));
         }
     }

@@ -85,13 +85,13 @@ TEST_CASE("each room of core knows only the rooms below it") {
 
 TEST_CASE("in the window arrows lead from the shell over panels and canvas to the model, and never back") {
     const Arrows arrows{
-        {"app/viewer", {"app", "app/files", "app/viewer/model", "app/viewer/shell"}},
+        {"app/viewer", {"app", "app/files", "app/settings", "app/viewer/model", "app/viewer/shell"}},
         {"app/viewer/shell",
-         {"app", "app/files", "app/viewer/canvas", "app/viewer/model", "app/viewer/panels",
+         {"app", "app/files", "app/settings", "app/viewer/canvas", "app/viewer/model", "app/viewer/panels",
           "app/viewer/widgets"}},
-        {"app/viewer/panels", {"app", "app/files", "app/viewer/model", "app/viewer/widgets"}},
+        {"app/viewer/panels", {"app", "app/files", "app/settings", "app/viewer/model", "app/viewer/widgets"}},
         {"app/viewer/canvas", {"app/viewer/model", "app/viewer/widgets"}},
-        {"app/viewer/model", {"app", "app/files"}},
+        {"app/viewer/model", {"app", "app/files", "app/settings"}},
         {"app/viewer/widgets", {"app"}},
     };
     std::vector<Include> includes = includes_below("app/viewer");
@@ -126,8 +126,10 @@ TEST_CASE("commands, files and decoders don't know the window, and core knows no
         const bool below_the_window = !include.from.starts_with("app/viewer") && include.from != "app";
         if (below_the_window && include.to.starts_with("app/viewer")) wrong.push_back(include.where);
         const bool files = include.from == "app/files" || include.from == "app/decoding";
-        if (files && (include.to == "app/commands" || include.to == "app/analysis"))
+        const bool settings = include.from == "app/settings";
+        if ((files || settings) && (include.to == "app/commands" || include.to == "app/analysis"))
             wrong.push_back(include.where);
+        if (files && include.to == "app/settings") wrong.push_back(include.where);
     }
     for (const Include& include : includes_below("core"))
         if (include.to.starts_with("app")) wrong.push_back(include.where);

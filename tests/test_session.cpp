@@ -324,7 +324,7 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
         RenderOptions options;
         options.output = by_command;
         options.drawing = drawing;
-        options.dpi = 50;
+        options.saving.dpi = 50;
         render(options);
         CHECK(text_of(by_window).size() > 1000);
         CHECK((text_of(by_window) == text_of(by_command)));

@@ -88,6 +88,29 @@ TEST_CASE("dragging the scale slider with the mouse changes the number of dots, 
     CHECK(viewer.wait_for_end() == 0);
 }
 
+TEST_CASE("a project opens in the window and is saved again from there, with what the window does not know") {
+    const TemporaryFolder folder;
+    put_text(folder / "small.dapple",
+             R"({"dapple": 1, "drawing": {"count": 500, "relax": 0}, "mine": "kept"})");
+    Display display;
+    RunningViewer viewer(folder.path(), {"small.dapple"});
+    CHECK(viewer.dots() == 500);
+    run({"xdotool", "search", "--name", "^small.dapple - Dapple$"});
+    viewer.click("scale");
+    REQUIRE(viewer.shows([&] { return viewer.has("Scale"); }));
+    viewer.key("ctrl+shift+s");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
+    CHECK(
+        viewer.shows([&] { return text_of(folder / "small.dapple").find("\"view\"") != std::string::npos; }));
+    const json saved = json::parse(text_of(folder / "small.dapple"));
+    CHECK(saved["mine"] == "kept");
+    CHECK(saved["drawing"]["count"].is_null());
+    CHECK(saved["picture"].is_null());
+    viewer.key("ctrl+q");
+    CHECK(viewer.wait_for_end() == 0);
+}
+
 TEST_CASE("the wheel zooms, F fits again, and neither places a dot anew") {
     Display display;
     RunningViewer viewer;

@@ -366,7 +366,7 @@ void refuse(const CLI::App& command, std::initializer_list<const char*> options,
         if (command.count(option) > 0) throw CLI::ValidationError(option, why);
 }
 
-void check_options(const CLI::App& command, DrawingSettings& settings) {
+void check_options(const CLI::App& command, DrawingSettings& settings, bool was_automatic) {
     const auto given = [&](const char* name) {
         const CLI::Option* const option = command.get_option_no_throw(name);
         return option && option->count() > 0;
@@ -379,7 +379,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
         settings.automatic_tone = false;
     }
     // True light is left as it is.
-    if (!settings.automatic_tone && !given("--detail")) settings.tone.detail = 0;
+    if (was_automatic && !settings.automatic_tone && !given("--detail")) settings.tone.detail = 0;
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     for (const char* name : {"--dots", "--scale"}) {
         if (!by_tone || !given(name)) continue;
@@ -387,7 +387,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings) {
             name,
             "cannot be given together with two radii: how many dots there are follows from their sizes");
     }
-    if (settings.placer == PlacerKind::figure8 && settings.relax.value_or(0) > 0)
+    if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
                                    "the figure8 placer's dots are shown as they are; leave it away");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {

@@ -19,11 +19,6 @@
 
 namespace dapple {
 
-/// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
-inline constexpr double kLongestSideMm = 100'000;
-/// Of a page, a region, or what a margin leaves: finer than any pen.
-inline constexpr double kShortestSideMm = 0.01;
-
 struct NumberRange {
     double least = 0;
     double most = std::numeric_limits<double>::max();
@@ -100,7 +95,8 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
                              std::optional<Rectangle<double>>& region);
 
 /// What no single option can see: a tone that is set is not automatic. Throws CLI::ValidationError if options
-/// of the command contradict each other. To be called after parsing.
-void check_options(const CLI::App& command, DrawingSettings& settings);
+/// of the command contradict each other. To be called after parsing; `was_automatic` says whether the tone
+/// was before.
+void check_options(const CLI::App& command, DrawingSettings& settings, bool was_automatic = true);
 
 }  // namespace dapple

@@ -24,6 +24,9 @@
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
+#include "app/settings/drawing_fields.h"
+#include "app/settings/embedded_settings.h"
+#include "app/settings/project.h"
 #include "app/shown_text.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
@@ -33,6 +36,31 @@
 
 namespace dapple {
 namespace {
+
+// A picture, or a project that names one and says how it is drawn.
+void take_image(RenderOptions& options, const std::filesystem::path& file) {
+    if (!ends_as_project(file)) {
+        options.image = file;
+        return;
+    }
+    SavingChoice saving;
+    bool photograph = true;
+    options.project = file;
+    options.image = read_project(file, [&](Fields& fields) {
+                        describe_drawing(fields, options.drawing, saving);
+                        fields.group("density", [&](Fields& density) {
+                            density.choice("source", photograph,
+                                           {NamedValue{"photograph", true}, NamedValue{"grey", false},
+                                            NamedValue{"ramp", false}});
+                        });
+                    }).picture;
+    if (!photograph)
+        throw std::runtime_error(
+            printable(file.native()) +
+            ": shows a plain density, which the window alone draws; choose the photograph "
+            "there, under View, and save it again");
+    options.saving = saving;
+}
 
 class Stopwatch {
  public:
@@ -66,7 +94,8 @@ std::string name_of_image(const RenderOptions& options) {
 
 void check_files(const RenderOptions& options) {
     FileInUse picture{options.image, "the picture"}, drawing{options.output, "the drawing"};
-    const FileInUse tile{options.drawing.tile, "the tile"};
+    const FileInUse tile{options.drawing.tile, "the tile"}, project{options.project, "the project"},
+        settings{options.settings_from, "the settings"};
     if (reads_standard_input(options)) picture.path.reset();
     if (is_standard_stream(options.output)) {
         drawing.path.reset();
@@ -76,18 +105,18 @@ void check_files(const RenderOptions& options) {
                 "a program");
         }
     } else {
-        check_apart(options.output, {picture, tile});
+        check_apart(options.output, {picture, tile, project});
         check_can_save(options.output);
     }
     if (!options.stats) return;
-    check_apart(*options.stats, {picture, tile, drawing});
+    check_apart(*options.stats, {picture, tile, project, settings, drawing});
     check_can_save(*options.stats);
 }
 
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     DrawingRequest request = request_of(options.drawing);
-    request.placing.thresholds = is_table(format_of(options)) || options.order == DotOrder::priority;
+    request.placing.thresholds = is_table(format_of(options)) || options.saving.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
     if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(
@@ -331,7 +360,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
     if (format != DrawingFormat::gcode)
         refuse(command, {"--gcode", "--feed", "--dwell"}, "is of G-code; " + let_it_end_in(".gcode or .nc"));
-    if (options.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
+    const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
+    if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(
             "--order",
             "priority: the first dots of a relaxed drawing are not one with fewer; give --relax 0");
@@ -345,25 +375,30 @@ Picture picture_of(const RenderOptions& options) {
 }
 
 // A machine by its name, or a template of one's own.
-GcodeTemplate gcode_template_in(const std::string& text) {
-    for (const Machine machine : {Machine::pen, Machine::servo, Machine::laser})
-        if (text == name_of(machine)) return parse_gcode_template(gcode_template_of(machine));
+void take_machine(RenderOptions& options, const std::string& text) {
+    options.gcode_template.reset();
+    for (const Machine machine : {Machine::pen, Machine::servo, Machine::laser}) {
+        if (text != name_of(machine)) continue;
+        options.saving.machine = machine;
+        return;
+    }
     if (!std::filesystem::exists(text)) {
         throw std::runtime_error(
             fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
     }
     try {
-        return parse_gcode_template(text_of_file(text));
+        options.gcode_template = parse_gcode_template(text_of_file(text));
     } catch (const std::runtime_error& error) {
         const std::string why = error.what();
         throw std::runtime_error(why.starts_with(text) ? why : fmt::format("{}: {}", text, why));
     }
 }
 
-void add_gcode_options(CLI::App& command, GcodeStyle& gcode) {
+void add_gcode_options(CLI::App& command, RenderOptions& options) {
+    GcodeStyle& gcode = options.gcode;
     command
         .add_option_function<std::string>(
-            "--gcode", [&gcode](const std::string& text) { gcode.lines = gcode_template_in(text); },
+            "--gcode", [&options](const std::string& text) { take_machine(options, text); },
             "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
             "M3; laser: a burst by M3; or a template of your own, see below")
         ->type_name("pen|servo|laser|FILE")
@@ -413,7 +448,7 @@ void render(const RenderOptions& options) {
     PageLayout layout = layout_for({width, height}, options);
     Excerpt excerpt = excerpt_of(layout, options);
     // Better now than after the placing.
-    if (has_pixels(format)) static_cast<void>(raster_size(excerpt.size, options.dpi));
+    if (has_pixels(format)) static_cast<void>(raster_size(excerpt.size, options.saving.dpi));
     if (format == DrawingFormat::pdf) check_fits_pdf(excerpt.size, 0);
     DrawingPlan plan = plan_for(pipeline, options);
     if (keeps_dots_inside(settings.page)) {
@@ -441,7 +476,7 @@ void render(const RenderOptions& options) {
     const double longer = std::max(plan.pixels.x, plan.pixels.y);
     const Rectangle<double> picture_box{{left, top},
                                         {left + plan.pixels.x / longer, top + plan.pixels.y / longer}};
-    const DotOrder order = options.order.value_or(usual_order(format, dots.count));
+    const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count));
     Rendered rendered{.width = width,
                       .height = height,
                       .mean_density = plan.density->mean(),
@@ -463,6 +498,9 @@ void render(const RenderOptions& options) {
     }
     times.place = watch.lap();
 
+    GcodeStyle gcode = options.gcode;
+    gcode.lines =
+        options.gcode_template.value_or(parse_gcode_template(gcode_template_of(options.saving.machine)));
     line->restart(0);
     const std::string what = fmt::format("writing {} dots", grouped(dots.count));
     save_drawing(options.output, settings,
@@ -472,10 +510,11 @@ void render(const RenderOptions& options) {
                   .tiles = tiles,
                   .picture = picture_box,
                   .tile_size = pipeline.tile().tile().size(),
-                  .dpi = options.dpi,
+                  .dpi = options.saving.dpi,
                   .order = DotOrder::recursion,
-                  .gcode = options.gcode,
-                  .format = format},
+                  .gcode = gcode,
+                  .format = format,
+                  .settings = embedded_settings(options.output, settings, options.saving)},
                  {.stop = {}, .progress = [&](double share) { line->show(share, what); }});
     times.write = watch.lap();
     line.reset();
@@ -500,10 +539,30 @@ RenderCommand::RenderCommand(CLI::App& program) {
                                                      "Stipple a picture into a file: SVG, G-code, HPGL and "
                                                      "DXF for plotters and lasers, PDF, PNG and TIFF for "
                                                      "print, CSV and JSON as tables");
+    // First, so that it is taken before the other options, which say otherwise.
+    const auto read_image = [this](const std::string& file) {
+        take_image(options_, file);
+        automatic_tone_ = options_.drawing.automatic_tone;
+    };
     command
-        ->add_option("image", options_.image,
-                     "The picture, - for the standard input; without one, the built-in sample")
+        ->add_option_function<std::string>(
+            "image", read_image,
+            "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
+            "settings the other options change; without one, the built-in sample")
         ->type_name("IMAGE");
+    const auto read_settings = [this](const std::string& file) {
+        const SavedSettings read = settings_from(file);
+        options_.saving = read.saving;
+        options_.drawing = read.drawing;
+        options_.settings_from = file;
+        automatic_tone_ = read.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "--settings-from", read_settings,
+            "Draw as a project or as a drawing (.svg, .png) that Dapple made, with "
+            "what the other options change")
+        ->type_name("FILE");
     command
         ->add_option("-o,--output", options_.output,
                      "The drawing; its name ends in " + drawing_endings() + ". - for the standard output")
@@ -521,7 +580,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
     add_page_options(*command, options_.drawing);
-    add_number(*command, "--dpi", options_.dpi, {.least = 1, .most = 100'000}, "N",
+    add_number(*command, "--dpi", options_.saving.dpi, {.least = 1, .most = 100'000}, "N",
                "PNG, TIFF: pixels to the inch")
         ->group("Page");
     command
@@ -530,8 +589,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
         ->group("Page");
-    add_arrangement_options(*command, options_.order, options_.sheet, options_.region);
-    add_gcode_options(*command, options_.gcode);
+    add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
+    add_gcode_options(*command, options_);
     command->footer(
         std::string(kGcodeHelp) +
         "\nExamples:\n"
@@ -545,9 +604,11 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
         "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
         "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
+        "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
+        "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
-        check_options(*command, options_.drawing);
+        check_options(*command, options_.drawing, automatic_tone_);
         check_that_fit(*command, options_);
         render(options_);
     });

@@ -18,15 +18,17 @@ class App;
 namespace dapple {
 
 struct RenderOptions {
-    std::optional<std::filesystem::path> image;  // none: the built-in sample; "-": the standard input
-    std::filesystem::path output;                // ends as drawing_format() has it; "-": the standard output
-    std::optional<DrawingFormat> format;         // none: what the output's name says, or SVG
+    std::optional<std::filesystem::path> image;          // none: the built-in sample; "-": the standard input
+    std::optional<std::filesystem::path> project;        // that it was named by
+    std::optional<std::filesystem::path> settings_from;  // whose settings it is drawn with
+    std::filesystem::path output;         // ends as drawing_format() has it; "-": the standard output
+    std::optional<DrawingFormat> format;  // none: what the output's name says, or SVG
     DrawingSettings drawing;
-    double dpi = 300;                         // of pixels
-    Sheet sheet;                              // the whole drawing, or a part of it
-    std::optional<Rectangle<double>> region;  // a part instead of a sheet
-    std::optional<DotOrder> order;            // none: usual_order() of the file
-    GcodeStyle gcode;                         // of G-code
+    SavingChoice saving;
+    Sheet sheet;                                  // the whole drawing, or a part of it
+    std::optional<Rectangle<double>> region;      // a part instead of a sheet
+    GcodeStyle gcode;                             // but for its lines, which the machine or the template says
+    std::optional<GcodeTemplate> gcode_template;  // instead of the saving choice's machine
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
 };
@@ -44,6 +46,7 @@ class RenderCommand {
 
  private:
     RenderOptions options_;
+    bool automatic_tone_ = true;  // before the options say another
 };
 
 }  // namespace dapple

@@ -77,6 +77,14 @@ void write_png(std::ostream& out, const PngHeader& header,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
+        if (!header.settings.empty()) {
+            png_text settings{};
+            settings.compression = PNG_TEXT_COMPRESSION_NONE;
+            settings.key = const_cast<png_charp>(kPngSettingsKeyword);  // only read
+            settings.text = const_cast<png_charp>(header.settings.c_str());
+            settings.text_length = header.settings.size();
+            png_set_text(png, info, &settings, 1);
+        }
         // Pages are even paper and even ink for the most part: the filters, made for photographs, only cost
         // time.
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);

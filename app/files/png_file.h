@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <ostream>
+#include <string>
 
 #include "core/image/grid.h"
 
@@ -11,11 +12,15 @@ namespace dapple {
 
 enum class PngColours { rgb, grey };
 
+/// What the settings that a drawing was made with are called in it.
+inline constexpr const char* kPngSettingsKeyword = "dapple";
+
 struct PngHeader {
     int width = 0, height = 0;
     double dpi = 300;
     PngColours colours =
-        PngColours::rgb;  // grey takes red, green and blue to be equal, and is a third of the work
+        PngColours::rgb;        // grey takes red, green and blue to be equal, and is a third of the work
+    std::string settings = {};  // a text in ASCII for whoever opens the drawing again; empty: none
 };
 
 /// A stretch of rows, from the top down.

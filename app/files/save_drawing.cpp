@@ -36,7 +36,8 @@ void write_pixels(std::ostream& out, WriteImage write_image, const DrawingSettin
     const RasterRequest request{
         .dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi, .threads = settings.placing.threads};
     const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
-    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb};
+    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb,
+                           drawing.settings};
     write_image(out, header, [&](const PixelSink& pixels) {
         rasterise(drawing.dots, drawing.page, request, [&](int first_row, const Grid<float>& coverage) {
             progress(static_cast<double>(first_row) / size.height);
@@ -59,7 +60,8 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                               .ink = settings.ink,
                               .background = background,
                               .tiles = drawing.tiles,
-                              .picture = drawing.picture},
+                              .picture = drawing.picture,
+                              .settings = drawing.settings},
                              progress);
         case DrawingFormat::pdf:
             return write_pdf(

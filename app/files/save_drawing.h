@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <string>
 
 #include "app/drawing_settings.h"
 #include "app/files/drawing_format.h"
@@ -38,6 +39,7 @@ struct DrawingToSave {
     std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
     GcodeStyle gcode = {};               // its radius is the one above
     std::optional<DrawingFormat> format = {};  // none: what the name's ending says
+    std::string settings = {};                 // see embedded_settings(); empty: none go into the file
 };
 
 /// For someone who waits.

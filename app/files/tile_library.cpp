@@ -88,6 +88,11 @@ bool ends_as_tile(const std::filesystem::path& file) {
     return ending_of(file) == kTileEnding;
 }
 
+bool is_tile_file_name(const std::string& name) {
+    return !looks_like_integers(name) &&
+           std::ranges::find(built_in_tile_names(), name) == built_in_tile_names().end();
+}
+
 std::string short_tile_name(const std::string& name) {
     return looks_like_integers(name) ? name : printable(std::filesystem::path(name).filename().native());
 }

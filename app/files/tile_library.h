@@ -31,6 +31,9 @@ inline constexpr const char* kTileEnding = ".tile";
 /// Whether it does, in small letters or capitals.
 bool ends_as_tile(const std::filesystem::path& file);
 
+/// Whether it is neither a built-in tile's nor integers: then it is that of a file.
+bool is_tile_file_name(const std::string& name);
+
 /// A tile's name as a list shows it: of a file, the name without its folders.
 std::string short_tile_name(const std::string& name);
 

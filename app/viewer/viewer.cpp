@@ -10,9 +10,9 @@
 namespace dapple {
 
 int run_viewer(const ViewerOptions& options) {
-    load_tile(options.settings.tile);
+    if (options.tile) load_tile(*options.tile);
     Shell shell(options.log_status);
-    return shell.run(std::make_unique<DrawingDocument>(options.image, options.settings));
+    return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile));
 }
 
 int run_viewer(const LightViewerOptions& options) {

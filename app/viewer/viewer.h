@@ -3,15 +3,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/lights_settings.h"
 
 namespace dapple {
 
 struct ViewerOptions {
-    std::optional<std::filesystem::path> image;  // none: the built-in sample picture
-    DrawingSettings settings;
+    std::optional<std::filesystem::path> image;  // or a project; none: the built-in sample picture
+    std::optional<std::string> tile;             // none: the project's, or the usual one
     /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes: see
     /// status_log.h. For tests and scripts that drive the window from outside.
     bool log_status = false;
@@ -25,8 +25,8 @@ struct LightViewerOptions {
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
 /// first dots or samples are on screen. A picture or map dropped on the window takes the place of the one
-/// shown, a tile file that of the tile. Throws std::runtime_error if there is no display, no such tile,
-/// picture or map.
+/// shown, a tile file that of the tile; a project brings its settings too. Throws std::runtime_error if there
+/// is no display, no such tile, picture, project or map.
 int run_viewer(const ViewerOptions& options);
 int run_viewer(const LightViewerOptions& options);
 

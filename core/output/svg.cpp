@@ -116,6 +116,10 @@ void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, c
     text << ' ';
     text.fixed(page.height_mm * kPxPerMm, 4);
     text << "\">\n";
+    if (!style.settings.empty()) {
+        text << "<metadata><" << kSvgSettingsElement << R"( xmlns:dapple="urn:x-dapple:settings">)"
+             << style.settings << "</" << kSvgSettingsElement << "></metadata>\n";
+    }
     if (style.background) {
         text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
     }

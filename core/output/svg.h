@@ -9,6 +9,7 @@
 #include <optional>
 #include <ostream>
 #include <span>
+#include <string_view>
 
 #include "core/image/colour.h"
 #include "core/image/rectangle.h"
@@ -19,6 +20,9 @@
 
 namespace dapple {
 
+/// What holds the settings that a drawing was made with, in <metadata>.
+inline constexpr const char* kSvgSettingsElement = "dapple:settings";
+
 struct SvgStyle {
     double dot_radius_mm = 0.2;  // where dots have none of their own; 0.001 px at least: readers drop circles
                                  // of radius 0
@@ -27,6 +31,8 @@ struct SvgStyle {
     std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
     std::optional<Rectangle<double>> picture =
         {};  // page units: outlines end at its edges; none: at the page's
+    std::string_view settings =
+        {};  // text without <, > and & for whoever opens the drawing again; empty: no <metadata>
 };
 
 /// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where

@@ -37,12 +37,14 @@ std::string words_of_exception() {
     }
 }
 
-void PlacingBench::open(const std::string& name, const std::function<Picture()>& read) {
+void PlacingBench::open(const std::string& name, const std::function<Picture()>& read,
+                        const std::filesystem::path& file) {
     Picture picture = read();
     const int longer = std::max(picture.light.width, picture.light.height);
     const bool environment = looks_like_environment(picture.light);
     workbench_.set_picture(std::move(picture.light), picture.exposure);
     arrived_ = OpenedPicture{
+        .file = file,
         .name = name,
         .description = picture.description,
         .longer_side = longer,

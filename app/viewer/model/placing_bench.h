@@ -21,6 +21,7 @@ namespace dapple {
 
 /// A picture that was opened; its light stays with the bench.
 struct OpenedPicture {
+    std::filesystem::path file = {};                                // none: not from one
     std::string name;                                               // for the title: "cat.png"
     std::string description;                                        // "512 x 512 pixels, ..."
     int longer_side = 1;                                            // pixels
@@ -58,7 +59,8 @@ class PlacingBench {
     bool has_picture() const { return workbench_.has_picture(); }
 
     /// Shows what `read` returns from now on. If it throws, the old picture stays.
-    void open(const std::string& name, const std::function<Picture()>& read);
+    void open(const std::string& name, const std::function<Picture()>& read,
+              const std::filesystem::path& file);
 
     /// Nothing if stopped. What goes wrong is in DotsPlaced::error.
     std::optional<Result> place(const DotsRequest& request, const Task& task);

@@ -3,11 +3,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/settings/embedded_settings.h"
 #include "app/shown_text.h"
 #include "core/output/sheet.h"
+#include "app/viewer/model/viewer_fields.h"
 
 namespace dapple {
 namespace {
@@ -36,12 +39,16 @@ DotsRequest Session::page_request() const {
 }
 
 void Session::open_sample() {
+    picture_path_.clear();
     pane_.worker().open("Still life", [] { return sample_picture(); });
 }
 
 void Session::open(const fs::path& path) {
-    pane_.worker().open(printable(path.filename().native()), [path] { return read_picture(path); });
+    pane_.worker().open(
+        printable(path.filename().native()), [path] { return read_picture(path); }, path);
     picture_path_ = path;
+    project_ = {};
+    project_path_.clear();
     if (!banner.offer.empty()) banner = {};  // it was about the picture before
 }
 
@@ -54,9 +61,63 @@ void Session::open_tile(const fs::path& file) {
     }
 }
 
+void Session::load_project(const fs::path& file) {
+    ViewerSettings read;
+    Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
+    if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
+    read.every_frame = settings.every_frame;
+    settings = read;
+    if (!placed_once()) history_ = History(settings);  // there is nothing to go back to
+    if (project.picture)
+        open(*project.picture);
+    else
+        open_sample();
+    project_ = std::move(project);
+    project_path_ = fs::absolute(file).lexically_normal();
+}
+
+void Session::open_project(const fs::path& file) {
+    try {
+        load_project(file);
+        banner = {};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::take_settings(const fs::path& file) {
+    try {
+        SavedSettings read = settings_from(file);
+        if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
+        settings.drawing = read.drawing;
+        settings.saving = read.saving;
+        banner = {BannerKind::notice,
+                  "The settings of " + file.string() + " are taken; undo brings yours back"};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::save_project(const fs::path& file) {
+    Project project = project_;
+    project.picture.reset();
+    if (!picture_.file.empty()) project.picture = picture_.file;
+    try {
+        dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
+        project_path_ = fs::absolute(file).lexically_normal();
+        banner = {BannerKind::notice, "Saved " + file.string()};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
 void Session::take_dropped(const fs::path& file) {
     if (ends_as_tile(file))
         open_tile(file);
+    else if (ends_as_project(file))
+        open_project(file);
+    else if (ending_of(file) == ".svg" || settings_inside(file))
+        take_settings(file);
     else
         open(file);
 }
@@ -96,7 +157,8 @@ void Session::save(const fs::path& path) {
                                  .tile_size = tile_size,
                                  .dpi = dpi,
                                  .order = order_wanted,
-                                 .gcode = gcode},
+                                 .gcode = gcode,
+                                 .settings = embedded_settings(path, drawn, saving)},
                                 watch);
         };
     };

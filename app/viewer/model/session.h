@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "app/settings/project.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
@@ -30,7 +31,20 @@ class Session {
 
     /// Draws with a tile file from now on. If it is not one the banner says why, and nothing changes.
     void open_tile(const std::filesystem::path& file);
-    /// A tile, if the file's name ends as theirs do, or else a picture.
+    /// The picture and all settings of a project. Throws std::runtime_error if they cannot be read, and
+    /// nothing changes.
+    void load_project(const std::filesystem::path& file);
+    /// The same, but the banner says what is wrong.
+    void open_project(const std::filesystem::path& file);
+    /// The picture shown and all settings into a file; the banner says how that went.
+    void save_project(const std::filesystem::path& file);
+
+    /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
+    /// went.
+    void take_settings(const std::filesystem::path& file);
+
+    /// A tile or a project, if the file's name ends as theirs do; the settings of an SVG or PNG that Dapple
+    /// made; or else a picture.
     void take_dropped(const std::filesystem::path& file);
     /// The tiles to choose from.
     std::span<const std::string> tiles() const { return tiles_.names(); }
@@ -68,6 +82,9 @@ class Session {
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
 
+    /// The project that was opened or saved last, and not left for another picture; empty: none.
+    const std::filesystem::path& project_path() const { return project_path_; }
+
     DrawnInfo drawn(const Pane& pane) const;
 
  private:
@@ -95,6 +112,8 @@ class Session {
     OpenedPicture picture_;
     int pictures_ = 0;
     std::filesystem::path picture_path_, saved_path_;
+    Project project_;
+    std::filesystem::path project_path_;
 };
 
 }  // namespace dapple

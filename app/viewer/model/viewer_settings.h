@@ -1,14 +1,10 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
-#include <optional>
-
 #include "app/drawing_settings.h"
 #include "app/viewer/model/comparison.h"
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
-#include "core/output/gcode.h"
-#include "core/placing/dot_order.h"
 
 namespace dapple {
 
@@ -23,15 +19,6 @@ struct LoupeChoice {
     int step = 0;  // levels deeper than its own choice
 
     bool operator==(const LoupeChoice&) const = default;
-};
-
-/// How the drawing is saved, beside how it looks.
-struct SavingChoice {
-    std::optional<DotOrder> order = {};  // none: the usual one; pixels have none
-    double dpi = 300;                    // of pixels
-    Machine machine = Machine::pen;      // that reads G-code
-
-    bool operator==(const SavingChoice&) const = default;
 };
 
 struct ViewerSettings {

@@ -13,8 +13,8 @@ constexpr std::chrono::milliseconds kLong(250);
 
 }  // namespace
 
-void Worker::open(std::string name, Open open) {
-    tasks_.push_back(OpenTask{std::move(name), std::move(open)});
+void Worker::open(std::string name, Open open, std::filesystem::path file) {
+    tasks_.push_back(OpenTask{std::move(name), std::move(open), std::move(file)});
     go_on();
 }
 
@@ -147,7 +147,8 @@ void Worker::begin(Task task) {
         if (const auto* request = std::get_if<DotsRequest>(&*under_way_)) return bench_.place(*request, todo);
         if (const auto* save = std::get_if<SaveTask>(&*under_way_))
             return bench_.prepare(save->prepare, todo);
-        if (const auto* open = std::get_if<OpenTask>(&*under_way_)) bench_.open(open->name, open->open);
+        if (const auto* open = std::get_if<OpenTask>(&*under_way_))
+            bench_.open(open->name, open->open, open->file);
         if (std::holds_alternative<ClearTask>(*under_way_)) bench_.clear();
         return std::nullopt;
     });

@@ -43,7 +43,7 @@ class Worker {
     using Open = std::function<Picture()>;
 
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
-    void open(std::string name, Open open);
+    void open(std::string name, Open open, std::filesystem::path file = {});
 
     /// Places as requested. A request that has not begun is replaced; one that has run for long, or that was
     /// shown already, is stopped; a short one may finish so that something moves under a slider that never
@@ -76,6 +76,7 @@ class Worker {
     struct OpenTask {
         std::string name;
         Open open;
+        std::filesystem::path file;
     };
     struct SaveTask {
         std::filesystem::path path;

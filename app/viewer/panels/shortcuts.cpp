@@ -8,10 +8,11 @@ namespace dapple {
 namespace {
 
 constexpr Shortcut kShortcuts[] = {
-    {Action::open, "Ctrl+O", "Open a picture"},
+    {Action::open, "Ctrl+O", "Open a picture or a project"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
+    {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings"},
     {Action::undo, "Ctrl+Z", "Undo"},
     {Action::redo, "Ctrl+Y", "Redo"},
     {Action::fit, "F", "Fit the page into the window"},
@@ -91,7 +92,7 @@ std::vector<Action> pressed_actions() {
     if (command) {
         when(key_pressed(Key::o), Action::open);
         when(key_pressed(Key::t), Action::open_tile);
-        when(key_pressed(Key::s), Action::save);
+        when(key_pressed(Key::s), io.KeyShift ? Action::save_project : Action::save);
         when(key_pressed(Key::e), Action::save_as);
         when(key_pressed(Key::z), io.KeyShift ? Action::redo : Action::undo);
         when(key_pressed(Key::y), Action::redo);

@@ -11,6 +11,7 @@ enum class Action {
     open_tile,
     save,
     save_as,
+    save_project,
     undo,
     redo,
     fit,

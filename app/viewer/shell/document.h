@@ -45,6 +45,9 @@ class Document {
     virtual const std::string& tile() const = 0;
     /// None: there is nothing to save yet.
     virtual std::optional<SaveQuestion> where_to_save() const = 0;
+    /// The same for a project: all settings. None: it has no projects.
+    virtual std::optional<SaveQuestion> where_to_save_project() const { return std::nullopt; }
+    virtual void save_project(const std::filesystem::path&) {}
     /// For a format of where_to_save().
     virtual void draw_saving_options(std::size_t format) = 0;
 

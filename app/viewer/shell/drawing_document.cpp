@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/viewer/canvas/page_frame.h"
+#include "app/shown_text.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
@@ -30,26 +31,38 @@ namespace fs = std::filesystem;
 
 constexpr float kStatusHeight = 30;  // at 96 dpi
 
-// Of files that hold pictures; others are opened as well if they do.
-const std::vector<std::string> kPictures{".png",  ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr",
-                                         ".webp", ".gif", ".bmp",  ".tga", ".psd",  ".ppm", ".pgm",
-                                         ".pnm",  ".jp2", ".heic", ".dpx", ".fits", ".ico", ".pic"};
+// Of files that hold pictures, of projects, and of drawings that hold settings; others are opened as well if
+// they do.
+const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg",  ".jpeg", ".tif",
+                                         ".tiff",        ".exr", ".hdr",  ".webp", ".gif",  ".bmp",
+                                         ".tga",         ".psd", ".ppm",  ".pgm",  ".pnm",  ".jp2",
+                                         ".heic",        ".dpx", ".fits", ".ico",  ".pic"};
 
 void toggle(bool& value) {
     value = !value;
 }
 
+DrawingSettings drawn_with_tile(const std::optional<std::string>& tile) {
+    DrawingSettings drawing;
+    if (tile) drawing.tile = *tile;
+    return drawing;
+}
+
 }  // namespace
 
-DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const DrawingSettings& settings)
-    : session_(settings, &Window::wake, most_dots_in(available_memory())),
+DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile)
+    : session_(drawn_with_tile(tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake) {
-    if (image)
-        session_.open(*image);
-    else
+    if (!image) {
         session_.open_sample();
+    } else if (!ends_as_project(*image)) {
+        session_.open(*image);
+    } else {
+        session_.load_project(*image);
+        if (tile) session_.settings.drawing.tile = *tile;
+    }
 }
 
 std::span<const Shortcut> DrawingDocument::shortcuts() const {
@@ -72,6 +85,17 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
                         .start = saved.empty() ? fs::current_path() / name : saved,
                         .own_file = saved,
                         .option_rows = kExportRows};
+}
+
+std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
+    const fs::path &own = session_.project_path(), &picture = session_.picture().file;
+    const fs::path name = fs::path(session_.picture().name).stem().concat(kProjectEnding);
+    const fs::path beside = picture.empty() ? fs::current_path() : fs::absolute(picture).parent_path();
+    return SaveQuestion{.title = "Save the project",
+                        .formats = {{"Project", kProjectEnding}},
+                        .start = own.empty() ? beside / name : own,
+                        .own_file = own,
+                        .button = "Save"};
 }
 
 void DrawingDocument::draw_saving_options(std::size_t format) {
@@ -217,10 +241,11 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
 }
 
 void DrawingDocument::show_changes(Window& window) {
-    if (std::exchange(pictures_titled_, session_.pictures()) != session_.pictures()) {
-        canvas_.fit();
-        window.set_title(session_.picture().name + " - Dapple");
-    }
+    if (std::exchange(pictures_fitted_, session_.pictures()) != session_.pictures()) canvas_.fit();
+    const fs::path& project = session_.project_path();
+    const std::string name =
+        project.empty() ? session_.picture().name : printable(project.filename().native());
+    if (pictures_fitted_ > 0 && std::exchange(title_, name) != name) window.set_title(name + " - Dapple");
     show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
     show_changes(Side::right, session_.right());
 }

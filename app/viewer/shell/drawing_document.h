@@ -22,17 +22,22 @@ namespace dapple {
 
 class DrawingDocument : public Document {
  public:
-    /// Needs the window to be there. Without an image it draws the built-in sample.
-    DrawingDocument(const std::optional<std::filesystem::path>& image, const DrawingSettings& settings);
+    /// Needs the window to be there. The image may be a project; without one it draws the built-in sample. A
+    /// tile that is given is drawn with, whatever a project says. Throws std::runtime_error if the project
+    /// cannot be read.
+    DrawingDocument(const std::optional<std::filesystem::path>& image,
+                    const std::optional<std::string>& tile);
 
     std::span<const Shortcut> shortcuts() const override;
-    void open(const std::filesystem::path& file) override { session_.open(file); }
+    void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }
     std::optional<SaveQuestion> where_to_save() const override;
+    std::optional<SaveQuestion> where_to_save_project() const override;
+    void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
     void draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
@@ -82,7 +87,8 @@ class DrawingDocument : public Document {
         std::uint64_t version = 0;
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
-    int pictures_titled_ = 0;
+    int pictures_fitted_ = 0;
+    std::string title_;
     std::unique_ptr<Document> successor_;
 };
 

@@ -202,7 +202,7 @@ std::optional<fs::path> FileDialog::draw_buttons() {
     if (ImGui::Button("Cancel", {button, 0}) || escape_pressed()) open_ = false;
     note_place("Cancel");
     ImGui::SameLine();
-    const bool accepted = ImGui::Button(saves_ ? "Export" : "Open", {button, 0});
+    const bool accepted = ImGui::Button(saves_ ? question_.button : "Open", {button, 0});
     note_place("Accept");
     return accepted ? accept(typed_) : std::nullopt;
 }
@@ -258,7 +258,7 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
     if (typed_ != before) replaces_.clear();
     if (entered && !asked) chosen = accept(typed_);
     if (auto entry = draw_entries()) chosen = entry;
-    if (saves_) {
+    if (saves_ && question_.formats.size() > 1) {
         draw_formats();
         const float top = ImGui::GetCursorPosY();
         if (options) options(format_);

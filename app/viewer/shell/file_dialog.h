@@ -42,6 +42,7 @@ struct SaveQuestion {
     std::filesystem::path start{};      // its folder is opened, its name filled in
     std::filesystem::path own_file{};   // replaced without asking; none: empty
     int option_rows = 0;                // room for draw()'s options, in rows
+    const char* button = "Export";
 };
 
 class FileDialog {

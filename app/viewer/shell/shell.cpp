@@ -82,17 +82,19 @@ void Shell::frame(Document& document) {
 void Shell::act(Action action, Document& document, const Frame& frame) {
     switch (action) {
         case Action::open:
-            asks_for_tile_ = false;
+            asked_ = Asked::picture;
             return dialog_.ask_what_to_open(document.what_to_open());
         case Action::open_tile:
-            asks_for_tile_ = true;
+            asked_ = Asked::tile;
             return dialog_.ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())});
         case Action::save:
             if (const auto question = document.where_to_save(); question && !question->own_file.empty())
                 return document.save(question->own_file);
-            return ask_where_to_save(document);
+            return ask_where_to_save(document.where_to_save(), Asked::drawing);
         case Action::save_as:
-            return ask_where_to_save(document);
+            return ask_where_to_save(document.where_to_save(), Asked::drawing);
+        case Action::save_project:
+            return ask_where_to_save(document.where_to_save_project(), Asked::project);
         case Action::toggle_panels:
             return toggle(panels_shown_);
         case Action::full_screen:
@@ -112,8 +114,10 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
     }
 }
 
-void Shell::ask_where_to_save(const Document& document) {
-    if (auto question = document.where_to_save()) dialog_.ask_where_to_save(std::move(*question));
+void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked) {
+    if (!question) return;
+    asked_ = asked;
+    dialog_.ask_where_to_save(std::move(*question));
 }
 
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
@@ -123,12 +127,16 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
     if (draw_preferences_panel(preferences_shown_, appearance_)) window_.set_appearance(appearance_);
     const auto path = dialog_.draw([&](std::size_t format) { document.draw_saving_options(format); });
     if (!path) return;
-    if (dialog_.saves())
-        document.save(*path);
-    else if (asks_for_tile_)
-        document.open_tile(*path);
-    else
-        document.open(*path);
+    switch (asked_) {
+        case Asked::picture:
+            return document.open(*path);
+        case Asked::tile:
+            return document.open_tile(*path);
+        case Asked::drawing:
+            return document.save(*path);
+        case Asked::project:
+            return document.save_project(*path);
+    }
 }
 
 void Shell::report_outside(const Document& document) {

@@ -24,7 +24,9 @@ class Shell {
  private:
     void frame(Document& document);
     void act(Action action, Document& document, const Frame& frame);
-    void ask_where_to_save(const Document& document);
+    /// What the dialog that is open asks for.
+    enum class Asked { picture, tile, drawing, project };
+    void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
     void draw_dialogs(Document& document, const std::function<void(Action)>& act);
     void report_outside(const Document& document);
 
@@ -32,7 +34,7 @@ class Shell {
     WidgetPlaces widgets_;
     Window window_;
     FileDialog dialog_;
-    bool asks_for_tile_ = false;  // of use while the dialog is open and does not save
+    Asked asked_ = Asked::picture;
     bool panels_shown_ = true, help_shown_ = false, preferences_shown_ = false, about_shown_ = false;
     CommandPalette palette_;
     Appearance appearance_;

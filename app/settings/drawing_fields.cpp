@@ -1,0 +1,113 @@
+#include "app/settings/drawing_fields.h"
+
+#include "core/image/exposure.h"
+#include "core/relaxing/relax.h"
+
+namespace dapple {
+namespace {
+
+constexpr double kLargestRadiusMm = 1000;
+constexpr double kSmallestRadiusMm = 1e-6;
+
+}  // namespace
+
+// Each begins with all members by name: with one more or less it doesn't compile.
+
+static void describe(Fields& fields, Tone& tone) {
+    auto& [exposure, black_point, white_point, contrast, brightness, gamma, blur, detail, invert] = tone;
+    fields.number("exposure", exposure, {-kMostStops, kMostStops});
+    fields.number("black_point", black_point, {0, 1});
+    fields.number("white_point", white_point, {0, 1});
+    fields.number("contrast", contrast, {-1, 1});
+    fields.number("brightness", brightness, {-1, 1});
+    fields.number("gamma", gamma, {0.1, 10});
+    fields.number("blur", blur, {0, 100});
+    fields.number("detail", detail, {0, 1});
+    fields.flag("invert", invert);
+    if (!(black_point < white_point)) fields.refuse("black_point", "has to be below white_point");
+}
+
+static void describe(Fields& fields, DotSize& size) {
+    auto& [sizing, radius_mm, smallest_mm, largest_mm] = size;
+    fields.choice("sizing", sizing,
+                  {NamedValue{"automatic", DotSizing::automatic}, NamedValue{"fixed", DotSizing::fixed},
+                   NamedValue{"by_tone", DotSizing::by_tone}});
+    fields.number("radius_mm", radius_mm, {kSmallestRadiusMm, kLargestRadiusMm});
+    fields.number("smallest_mm", smallest_mm, {kSmallestRadiusMm, kLargestRadiusMm});
+    fields.number("largest_mm", largest_mm, {kSmallestRadiusMm, kLargestRadiusMm});
+    if (smallest_mm > largest_mm) fields.refuse("smallest_mm", "has to be at most largest_mm");
+}
+
+static void describe(Fields& fields, Margins& margins) {
+    auto& [top, right, bottom, left] = margins;
+    fields.number("top", top, {0, kLongestSideMm});
+    fields.number("right", right, {0, kLongestSideMm});
+    fields.number("bottom", bottom, {0, kLongestSideMm});
+    fields.number("left", left, {0, kLongestSideMm});
+}
+
+static void describe(Fields& fields, std::optional<Crop>& crop) {
+    bool on = crop.has_value();
+    Crop part = crop.value_or(Crop{{{0, 0}, {100, 100}}, Crop::Unit::percent});
+    auto& [box, unit] = part;
+    fields.flag("on", on);
+    fields.number("left", box.low.x, {});
+    fields.number("top", box.low.y, {});
+    fields.number("right", box.high.x, {});
+    fields.number("bottom", box.high.y, {});
+    fields.choice("unit", unit,
+                  {NamedValue{"pixels", Crop::Unit::pixels}, NamedValue{"percent", Crop::Unit::percent}});
+    if (!(box.low.x < box.high.x)) fields.refuse("left", "has to be below right");
+    if (!(box.low.y < box.high.y)) fields.refuse("top", "has to be below bottom");
+    crop.reset();
+    if (on) crop = part;
+}
+
+static void describe(Fields& fields, PageSetup& page) {
+    auto& [paper, orientation, width_mm, height_mm, margins, fit, crop, quarter_turns] = page;
+    fields.choice("paper", paper, paper_titles());
+    fields.choice("orientation", orientation,
+                  {PageOrientation::automatic, PageOrientation::portrait, PageOrientation::landscape});
+    fields.number("width_mm", width_mm, {kShortestSideMm, kLongestSideMm});
+    fields.number("height_mm", height_mm, {kShortestSideMm, kLongestSideMm});
+    fields.group("margins_mm", margins);
+    fields.choice("fit", fit, {PageFit::inside, PageFit::fill});
+    fields.group("crop", crop);
+    fields.whole("quarter_turns", quarter_turns, {0, 3});
+    if (paper == Paper::custom && !height_mm) fields.refuse("height_mm", "has to be said for a custom page");
+}
+
+void describe(Fields& fields, DrawingSettings& drawing) {
+    auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
+           ink, paper, background, show_tiles] = drawing;
+    fields.flag("automatic_tone", automatic_tone);
+    fields.flag("automatic_exposure", automatic_exposure);
+    fields.group("tone", tone);
+    fields.tile("tile", tile);
+    fields.choice("ranking", ranking, {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy});
+    fields.choice("placer", placer, {PlacerKind::exact, PlacerKind::figure8});
+    // Of the placing, what people choose; the number of threads belongs to the computer.
+    fields.whole("count", placing.count, 1, kMostDots);
+    fields.number("scale", placing.scale, {});
+    fields.whole("relax", relax, {0, kMostRelaxingSteps});
+    fields.group("dot_size", dot_size);
+    fields.group("page", page);
+    fields.colour("ink", ink);
+    fields.colour("paper", paper);
+    fields.flag("background", background);
+    fields.flag("show_tiles", show_tiles);
+}
+
+void describe(Fields& fields, SavingChoice& saving) {
+    auto& [order, dpi, machine] = saving;
+    fields.choice("order", order, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
+    fields.number("dpi", dpi, {1, 100'000});
+    fields.choice("machine", machine, {Machine::pen, Machine::servo, Machine::laser});
+}
+
+void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {
+    fields.group("drawing", drawing);
+    fields.group("saving", saving);
+}
+
+}  // namespace dapple

@@ -1,0 +1,262 @@
+#include "app/settings/fields.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "app/files/tile_library.h"
+#include "app/shown_text.h"
+#include "core/image/colour.h"
+#include "core/text/numbers.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestShown = 40;
+
+std::string value_in_words(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "a list";
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > kLongestShown) text = text.substr(0, kLongestShown) + "...";
+    return printable(text);
+}
+
+std::string range_in_words(const char* kind, FieldRange range) {
+    if (range.most == std::numeric_limits<double>::max())
+        return fmt::format("{} from {:.12g} up", kind, range.least);
+    return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
+}
+
+bool is_utf8(const std::string& text) {
+    try {
+        static_cast<void>(Json(text).dump());
+        return true;
+    } catch (const Json::exception&) {
+        return false;
+    }
+}
+
+bool file_is_there(const fs::path& file) {
+    std::error_code ignored;
+    return !file.empty() && fs::exists(file, ignored);
+}
+
+fs::path folder_holding(const fs::path& file) {
+    return fs::absolute(file).lexically_normal().parent_path();
+}
+
+}  // namespace
+
+Fields::Fields(Json& object, Way way, SettingsPlace place)
+    : object_(object), way_(way), place_(std::move(place)) {
+    assert(object_.is_object());
+}
+
+const Json* Fields::read(const char* name) const {
+    if (way_ == Way::write) return nullptr;
+    const auto found = object_.find(name);
+    return found == object_.end() ? nullptr : &*found;
+}
+
+Json& Fields::written(const char* name) {
+    return object_[name];
+}
+
+bool Fields::has(const char* name) const {
+    return object_.contains(name);
+}
+
+void Fields::refuse(const char* name, const std::string& why) const {
+    throw std::runtime_error(fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name, why));
+}
+
+void Fields::refuse_value(const char* name, const Json& value, const std::string& wanted) const {
+    refuse(name, fmt::format("is {}; give {}", value_in_words(value), wanted));
+}
+
+double Fields::number_in(const char* name, const Json& value, FieldRange range) const {
+    const double number = value.is_number() ? value.get<double>() : NAN;
+    if (!(number >= range.least && number <= range.most))
+        refuse_value(name, value, range_in_words("a number", range));
+    return number;
+}
+
+void Fields::flag(const char* name, bool& value) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        if (!found->is_boolean()) refuse_value(name, *found, "true or false");
+        value = found->get<bool>();
+    }
+}
+
+void Fields::number(const char* name, double& value, FieldRange range) {
+    if (way_ == Way::write)
+        written(name) = value;
+    else if (const Json* const found = read(name))
+        value = number_in(name, *found, range);
+}
+
+void Fields::number(const char* name, float& value, FieldRange range) {
+    // The shortest digits that mean this float: 0.1, and not the 0.10000000149 that it is.
+    if (way_ == Way::write)
+        written(name) = number_of<double>(fmt::format("{}", value)).value_or(value);
+    else if (const Json* const found = read(name))
+        value = static_cast<float>(number_in(name, *found, range));
+}
+
+void Fields::number(const char* name, std::optional<double>& value, FieldRange range) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (found && found->is_null())
+        value.reset();
+    else if (found)
+        value = number_in(name, *found, range);
+}
+
+void Fields::whole(const char* name, std::optional<std::uint64_t>& value, std::uint64_t least,
+                   std::uint64_t most) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+    } else if (const Json* const found = read(name)) {
+        value.reset();
+        if (found->is_null()) return;
+        const FieldRange range{static_cast<double>(least), static_cast<double>(most)};
+        const double number = found->is_number() ? found->get<double>() : NAN;
+        if (!(number >= range.least && number <= range.most && number == std::floor(number)))
+            refuse_value(name, *found, range_in_words("a whole number", range) + ", or null");
+        value = static_cast<std::uint64_t>(number);
+    }
+}
+
+void Fields::whole(const char* name, std::optional<int>& value, FieldRange range) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (found && found->is_null())
+        value.reset();
+    else if (found)
+        whole(name, value.emplace(), range);
+}
+
+void Fields::whole(const char* name, int& value, FieldRange range) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        const double number = found->is_number() ? found->get<double>() : NAN;
+        if (!(number >= range.least && number <= range.most && number == std::floor(number)))
+            refuse_value(name, *found, range_in_words("a whole number", range));
+        value = static_cast<int>(number);
+    }
+}
+
+void Fields::colour(const char* name, glm::vec3& value) {
+    if (way_ == Way::write) {
+        written(name) = hex_of(value);
+    } else if (const Json* const found = read(name)) {
+        try {
+            if (found->is_string()) value = parse_colour(found->get<std::string>());
+        } catch (const std::runtime_error&) {
+            refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+        }
+        if (!found->is_string()) refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+    }
+}
+
+Json Fields::file_of(const char* name, const fs::path& file) const {
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    if (!is_utf8(whole.string())) {
+        refuse(name,
+               fmt::format("is {}, whose name is not UTF-8, as all names in it have to be; rename that file",
+                           printable(file.native())));
+    }
+    Json value{{"file", whole.lexically_proximate(folder_holding(place_.file)).generic_string()}};
+    if (place_.names == FileNames::relative_and_absolute) value["absolute"] = whole.generic_string();
+    return value;
+}
+
+fs::path Fields::file_in(const char* name, const Json& value) const {
+    const auto text_at = [&](const char* part) {
+        const auto found = value.find(part);
+        return found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    const std::string given = value.is_string() ? value.get<std::string>() : text_at("file");
+    if (given.empty() || given.find('\0') != std::string::npos)
+        refuse_value(name, value, "the name of a file");
+    const fs::path beside = (folder_holding(place_.file) / given).lexically_normal();
+    if (file_is_there(beside)) return beside;
+    const fs::path absolute = value.is_object() ? text_at("absolute") : "";
+    if (file_is_there(absolute)) return absolute;
+    const std::string where =
+        absolute.empty() || absolute == beside
+            ? fmt::format("{} is not there", beside.string())
+            : fmt::format("neither {} nor {} is there", beside.string(), absolute.string());
+    refuse(name, fmt::format("cannot be found, {}; put that file back, or name another", printable(where)));
+}
+
+void Fields::tile(const char* name, std::string& value) {
+    if (way_ == Way::write) {
+        written(name) = is_tile_file_name(value) ? file_of(name, value) : Json(value);
+    } else if (const Json* const found = read(name)) {
+        const bool is_name = found->is_string() && !is_tile_file_name(found->get<std::string>());
+        value = is_name ? found->get<std::string>() : file_in(name, *found).string();
+    }
+}
+
+void Fields::file(const char* name, std::optional<fs::path>& value) {
+    if (way_ == Way::write) {
+        written(name) = value ? file_of(name, *value) : Json();
+    } else if (const Json* const found = read(name)) {
+        value.reset();
+        if (!found->is_null()) value = file_in(name, *found);
+    }
+}
+
+void Fields::word(const char* name, std::optional<std::size_t>& chosen,
+                  std::span<const std::string_view> names, Empty empty) {
+    if (way_ == Way::write) {
+        assert(chosen || empty == Empty::allowed);
+        written(name) = chosen ? Json(names[*chosen]) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    chosen.reset();
+    if (found->is_null() && empty == Empty::allowed) return;
+    const std::string text = found->is_string() ? found->get<std::string>() : "";
+    const auto at = std::ranges::find(names, text);
+    if (at == names.end()) {
+        refuse_value(
+            name, *found,
+            fmt::format("one of {}{}", fmt::join(names, ", "), empty == Empty::allowed ? ", or null" : ""));
+    }
+    chosen = static_cast<std::size_t>(at - names.begin());
+}
+
+void Fields::group(const char* name, const std::function<void(Fields&)>& describe_it) {
+    if (way_ == Way::read && !has(name)) return;
+    Json& inner = object_[name];
+    if (way_ == Way::write && !inner.is_object()) inner = Json::object();
+    if (!inner.is_object()) refuse_value(name, inner, "an object, in braces");
+    Fields fields(inner, way_, place_);
+    fields.prefix_ = prefix_ + name + ".";
+    describe_it(fields);
+}
+
+}  // namespace dapple

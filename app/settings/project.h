@@ -1,0 +1,41 @@
+#pragma once
+// A project: a picture and all that decides how it is drawn and shown, in a file NAME.dapple.
+//
+//     {
+//       "dapple": 1,
+//       "picture": {"file": "cat.jpg", "absolute": "/home/ada/cat.jpg"},
+//       "drawing": {"count": 40000, "tone": {...}, ...},
+//       "saving": {"dpi": 300, ...},
+//       "view": {...}
+//     }
+//
+// The picture, and a tile that is a file, are looked for from the project's folder and then where they were.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/settings/settings_text.h"
+
+namespace dapple {
+
+inline constexpr const char* kProjectEnding = ".dapple";
+/// Whether the name of a file ends so, in small letters or capitals.
+bool ends_as_project(const std::filesystem::path& file);
+
+/// The text of a file of settings. Throws std::runtime_error if it cannot be read or is far too large.
+std::string text_of_settings(const std::filesystem::path& file);
+
+struct Project {
+    std::optional<std::filesystem::path> picture = {};  // none: the built-in sample
+    std::string kept = {};  // as it was read: what is not known here is saved again
+};
+
+/// Throws std::runtime_error with one sentence that names the file and what is wrong in it. `describe` says
+/// what is read beside the picture.
+Project read_project(const std::filesystem::path& file, const Describe& describe);
+
+/// Throws as save_atomically(), and if the picture's name cannot be written.
+void save_project(const std::filesystem::path& file, Project project, const Describe& describe);
+
+}  // namespace dapple

@@ -1,0 +1,11 @@
+#pragma once
+// As readers.h has it, of projects and other settings.
+
+#include <string>
+
+namespace dapple {
+
+/// What can be read is written again and has to read the same.
+void read_any_settings(const std::string& text);
+
+}  // namespace dapple

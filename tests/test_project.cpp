@@ -1,0 +1,365 @@
+// Projects and other settings in files: nothing is lost, and whatever is wrong is told in a sentence.
+
+#include <doctest/doctest.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands/render.h"
+#include "app/settings/drawing_fields.h"
+#include "app/settings/embedded_settings.h"
+#include "app/settings/project.h"
+#include "app/viewer/model/session.h"
+#include "app/viewer/model/viewer_fields.h"
+#include "tests/file_text.h"
+#include "tests/temporary_folder.h"
+#include "tests/wait_until.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const fs::path kPaper16 = fs::path(DAPPLE_SOURCE) / "assets/tiles/paper16.tile";
+
+/// No field is as it usually is: what is forgotten in a file comes back wrong.
+ViewerSettings nothing_usual() {
+    ViewerSettings all;
+    all.drawing = {
+        .automatic_tone = false,
+        .automatic_exposure = false,
+        .tone = {.exposure = -1.3f,
+                 .black_point = 0.1f,
+                 .white_point = 0.9f,
+                 .contrast = 0.2f,
+                 .brightness = -0.3f,
+                 .gamma = 1.7f,
+                 .blur = 3.3f,
+                 .detail = 0.6f,
+                 .invert = true},
+        .tile = "14217,2895/16",
+        .ranking = RankingMethod::farthest,
+        .placer = PlacerKind::figure8,
+        .placing = {.scale = 1234.5, .count = {}, .threads = 0},
+        .relax = 7,
+        .dot_size = {.sizing = DotSizing::by_tone, .radius_mm = 0.3, .smallest_mm = 0.11, .largest_mm = 0.77},
+        .page = {.paper = Paper::custom,
+                 .orientation = PageOrientation::landscape,
+                 .width_mm = 321.5,
+                 .height_mm = 123.25,
+                 .margins = {11, 12.5, 13, 14},
+                 .fit = PageFit::fill,
+                 .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::percent},
+                 .quarter_turns = 3},
+        .ink = parse_colour("#1d3557"),
+        .paper = parse_colour("#f1faee"),
+        .background = true,
+        .show_tiles = true};
+    all.density = {DensitySource::grey, 0.3};
+    all.picture_opacity = 0.4f;
+    all.zoom_mode = ZoomMode::constant_density;
+    all.colouring = DotColouring::rank;
+    all.deepest_level = 3;
+    all.comparison = {.on = true,
+                      .placer = PlacerKind::figure8,
+                      .tile = "paper20",
+                      .ranking = RankingMethod::energy,
+                      .by = CompareBy::count,
+                      .divider = 0.3f};
+    all.loupe = {true, 2};
+    all.saving = {DotOrder::priority, 600, Machine::servo};
+    return all;
+}
+
+Describe all_of(ViewerSettings& settings) {
+    return [&settings](Fields& fields) { describe(fields, settings); };
+}
+
+/// What reading a file of that text says; empty if nothing.
+std::string complaint_about(const std::string& text) {
+    const TemporaryFolder folder;
+    put_text(folder / "p.dapple", text);
+    ViewerSettings settings;
+    try {
+        read_project(folder / "p.dapple", all_of(settings));
+        return "";
+    } catch (const std::runtime_error& error) {
+        std::string sentence = error.what();
+        const std::string where = folder.path().string() + "/";
+        for (auto at = sentence.find(where); at != sentence.npos; at = sentence.find(where))
+            sentence.erase(at, where.size());
+        return sentence;
+    }
+}
+
+/// "/drawing/tone/gamma" and so on, of all values that are no objects.
+void check_all_differ(const Json& one, const Json& other) {
+    const Json flat = one.flatten(), flat_other = other.flatten();
+    REQUIRE(flat.size() > 30);
+    for (const auto& [name, value] : flat.items()) {
+        CAPTURE(name);
+        if (name != "/dapple" && name != "/picture")
+            CHECK(value != flat_other.value(name, Json("not there")));
+    }
+}
+
+/// A window's session, driven as the window does.
+struct ProjectSession {
+    Session session{DrawingSettings{}, [] {}};
+
+    ProjectSession() {
+        session.settings.drawing.tile = "paper16";
+        session.settings.drawing.relax = 0;
+        session.open_sample();
+    }
+    template <class Done>
+    void until(Done done) {
+        const Zoom zoom{.camera = fitted({800, 600}, {1, 1})};
+        REQUIRE(wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        }));
+    }
+    std::string exported(const fs::path& file) {
+        session.save(file);
+        until([&] { return session.saved_path() == file; });
+        return text_of(file);
+    }
+};
+
+std::string rendered(const std::string& arguments, const fs::path& output) {
+    CLI::App program;
+    const RenderCommand command(program);
+    program.parse("render " + arguments + " -o " + output.string());
+    return text_of(output);
+}
+
+}  // namespace
+
+TEST_CASE("the command draws a project byte for byte as the window exports it") {
+    const TemporaryFolder folder;
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "cat.png");
+    const std::string project = (folder / "p.dapple").string();
+    ProjectSession window;
+    window.session.open(folder / "cat.png");
+    window.until([&] { return window.session.pictures() > 0 && !window.session.picture().file.empty(); });
+    DrawingSettings& drawing = window.session.settings.drawing;
+    drawing.automatic_tone = false;
+    drawing.tone.contrast = 0.3f;
+    drawing.tone.detail = 0.4f;
+    drawing.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.4, .largest_mm = 1.2};
+    drawing.tile = "paper20";
+    drawing.background = drawing.show_tiles = true;
+    drawing.relax = 2;
+    drawing.paper = parse_colour("#f1faee");
+    window.session.settings.saving = {DotOrder::priority, 50};
+    window.session.save_project(project);
+    for (const char* name : {"a.svg", "a.png", "a.csv"}) {
+        CAPTURE(name);
+        const std::string exported = window.exported(folder / name);
+        CHECK(exported.size() > 10'000);
+        CHECK(rendered(project, folder / ("command_" + std::string(name))) == exported);
+    }
+    // Options given beside it say otherwise.
+    drawing.dot_size = {};
+    drawing.placing.count = 500;
+    drawing.tone.contrast = -0.2f;
+    drawing.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
+    CHECK(rendered("--dots 500 --contrast -0.2 --dot-radius 0.5 " + project, folder / "b.svg") ==
+          window.exported(folder / "c.svg"));
+}
+
+TEST_CASE("a drawing has its settings inside it, which the window and the command take from it") {
+    const TemporaryFolder folder;
+    const std::string icon = (fs::path(DAPPLE_SOURCE) / "assets/icon_64.png").string();
+    fs::copy_file(kPaper16, folder / "a&b<c>.tile");
+    const std::string options = " --dots 300 --relax 0 --tone true --gamma 1.3 --ink '#1d3557' --tile '" +
+                                (folder / "a&b<c>.tile").string() + "'";
+    for (const char* name : {"a.svg", "a.png"}) {
+        const std::string first = (folder / name).string(),
+                          again = (folder / ("again" + std::string(name))).string();
+        CAPTURE(first);
+        const std::string drawn = rendered(icon + options, first);
+        CHECK(rendered("--settings-from " + first + " " + icon, again) == drawn);
+
+        ProjectSession window;
+        window.session.settings.picture_opacity = 0.5f;
+        window.session.take_dropped(first);
+        const DrawingSettings& drawing = window.session.settings.drawing;
+        CHECK(window.session.banner.kind == BannerKind::notice);
+        CHECK(drawing.placing.count == 300);
+        CHECK(drawing.tone.gamma == 1.3f);
+        CHECK(drawing.tile == (folder / "a&b<c>.tile").string());
+        CHECK(window.session.settings.picture_opacity == 0.5f);
+    }
+    // Other readers take both as before.
+    pugi::xml_document xml;
+    REQUIRE(xml.load_file((folder / "a.svg").c_str(), pugi::parse_full));
+    const Json said = Json::parse(xml.child("svg").child("metadata").child("dapple:settings").text().get());
+    CHECK(said["drawing"]["tile"]["file"] == "a&b<c>.tile");
+    CHECK(said["drawing"].size() == 6);
+    // A PNG without settings is a picture; an SVG without is none.
+    CHECK(!settings_inside(icon));
+    put_text(folder / "other.svg", "<svg></svg>");
+    CHECK_THROWS_WITH(settings_from(folder / "other.svg"),
+                      doctest::Contains("other.svg: there are no settings"));
+    const std::string damaged = "\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXtdapple";
+    put_text(folder / "damaged.png", damaged + std::string(20, '\0'));
+    CHECK(!settings_inside(folder / "damaged.png"));
+}
+
+TEST_CASE("opening a project brings picture and settings, and undo takes the settings back") {
+    const TemporaryFolder folder;
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "icon.png");
+    ViewerSettings saved = nothing_usual();
+    save_project(folder / "p.dapple", {folder / "icon.png"}, all_of(saved));
+    ProjectSession window;
+    Session& session = window.session;
+    window.until([&] { return session.pictures() == 1; });
+    session.remember(false);
+    const ViewerSettings before = session.settings;
+
+    session.take_dropped(folder / "none.dapple");
+    CHECK(session.banner.message == (folder / "none.dapple").string() + ": no such file");
+    CHECK(session.settings == before);
+
+    session.take_dropped(folder / "p.dapple");
+    CHECK(session.settings == saved);
+    CHECK(session.project_path() == folder / "p.dapple");
+    session.settings.density.source = DensitySource::photograph;
+    window.until([&] { return session.picture().file == folder / "icon.png"; });
+    session.remember(false);
+    session.undo();
+    CHECK(session.settings == before);
+    // Another picture is no longer that project.
+    session.open(folder / "icon.png");
+    CHECK(session.project_path().empty());
+}
+
+TEST_CASE("a project brings back every setting") {
+    const TemporaryFolder folder;
+    ViewerSettings saved = nothing_usual(), usual, read;
+    save_project(folder / "p.dapple", {}, all_of(saved));
+    save_project(folder / "usual.dapple", {}, all_of(usual));
+    // Or else it could be forgotten without being missed.
+    check_all_differ(Json::parse(text_of(folder / "p.dapple")),
+                     Json::parse(text_of(folder / "usual.dapple")));
+    read_project(folder / "p.dapple", all_of(read));
+    CHECK(read == saved);
+
+    ViewerSettings back = nothing_usual();
+    read_project(folder / "usual.dapple", all_of(back));
+    CHECK(back == usual);
+}
+
+TEST_CASE("what only differs from the usual settings is enough to bring them back") {
+    ViewerSettings saved = nothing_usual(), usual, read;
+    const SettingsPlace place{"here.svg", FileNames::relative};
+    const std::string all = changed_settings(place, all_of(saved), all_of(usual));
+    read_settings(all, place, all_of(read));
+    CHECK(read == saved);
+    CHECK(changed_settings(place, all_of(usual), all_of(usual)) == R"({"dapple":1})");
+    ViewerSettings by_scale;
+    by_scale.drawing.placing.count.reset();
+    by_scale.drawing.tone.gamma = 1.1f;
+    CHECK(changed_settings(place, all_of(by_scale), all_of(usual)) ==
+          R"({"dapple":1,"drawing":{"tone":{"gamma":1.1},"count":null}})");
+}
+
+TEST_CASE("a project keeps what this version does not know") {
+    const TemporaryFolder folder;
+    put_text(folder / "p.dapple",
+             R"({"by": "hand", "dapple": 1, "drawing": {"pens": [{"ink": "red"}], "count": 77}})");
+    ViewerSettings settings;
+    const Project project = read_project(folder / "p.dapple", all_of(settings));
+    CHECK(settings.drawing.placing.count == 77);
+    settings.drawing.placing.count = 78;
+    save_project(folder / "q.dapple", project, all_of(settings));
+    const Json saved = Json::parse(text_of(folder / "q.dapple"));
+    CHECK(saved["by"] == "hand");
+    CHECK(saved["drawing"]["pens"] == Json{{{"ink", "red"}}});
+    CHECK(saved["drawing"]["count"] == 78);
+}
+
+TEST_CASE("a project finds picture and tile when both have moved with it, and when it has moved alone") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "a/pictures");
+    put_text(folder / "a/pictures/cat.png", "a picture");
+    fs::copy_file(kPaper16, folder / "a/mine.tile");
+    ViewerSettings settings;
+    settings.drawing.tile = (folder / "a/mine.tile").string();
+    save_project(folder / "a/p.dapple", {folder / "a/pictures/cat.png"}, all_of(settings));
+
+    fs::create_directory(folder / "alone");
+    fs::copy_file(folder / "a/p.dapple", folder / "alone/p.dapple");
+    ViewerSettings read;
+    CHECK(read_project(folder / "alone/p.dapple", all_of(read)).picture == folder / "a/pictures/cat.png");
+    CHECK(read.drawing.tile == (folder / "a/mine.tile").string());
+
+    fs::rename(folder / "a", folder / "b");
+    CHECK(read_project(folder / "b/p.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
+    CHECK(read.drawing.tile == (folder / "b/mine.tile").string());
+
+    CHECK_THROWS_WITH(read_project(folder / "alone/p.dapple", all_of(read)),
+                      doctest::Contains("p.dapple: picture cannot be found, neither "));
+    put_text(folder / "b/by_hand.dapple", R"({"dapple": 1, "picture": "pictures/cat.png"})");
+    CHECK(read_project(folder / "b/by_hand.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
+}
+
+TEST_CASE("a project that is wrong says in a sentence which field, and what it may be") {
+    CHECK(complaint_about(R"({"dapple": 1})") == "");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tone": {"contrast": 7}}})") ==
+          "p.dapple: drawing.tone.contrast is 7; give a number from -1 to 1");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"count": 1.5}})") ==
+          "p.dapple: drawing.count is 1.5; give a whole number from 1 to 1000000000, or null");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"ink": "blue"}})") ==
+          "p.dapple: drawing.ink is \"blue\"; give a colour such as \"#1a2b3c\"");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"placer": ["exact"]}})") ==
+          "p.dapple: drawing.placer is a list; give one of exact, figure8");
+    CHECK(complaint_about(R"({"dapple": 1, "view": 3})") == "p.dapple: view is 3; give an object, in braces");
+    CHECK(
+        complaint_about(R"({"dapple": 1, "drawing": {"tone": {"black_point": 0.5, "white_point": 0.5}}})") ==
+        "p.dapple: drawing.tone.black_point has to be below white_point");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tile": "gone.tile"}})") ==
+          "p.dapple: drawing.tile cannot be found, gone.tile is not there; put that file back, or name "
+          "another");
+    CHECK(complaint_about(R"({"dapple": 9})") ==
+          "p.dapple: written by a newer Dapple, in version 9 of the format; this one reads version 1");
+    CHECK(complaint_about("[1, 2]") == "p.dapple: not settings of Dapple's, which say \"dapple\": 1");
+    CHECK(complaint_about("{\"dapple\": 1,\n \"drawing\" {}}") ==
+          "p.dapple: line 2 is not JSON: a quote, comma, bracket or value is missing, or one is too many");
+}
+
+TEST_CASE("a hostile project ends in a sentence") {
+    const std::string deep(100'000, '[');
+    const std::vector<std::string> texts{"",
+                                         deep,
+                                         "{\"dapple\":1,\"x\":" + deep + std::string(100'000, ']') + "}",
+                                         R"({"dapple": 1, "drawing": {"page": {"width_mm": 1e999}}})",
+                                         R"({"dapple": 1, "drawing": {"page": {"width_mm": NaN}}})",
+                                         R"({"dapple": 1, "drawing": {"page": {"width_mm": null}}})",
+                                         R"({"dapple": 1, "drawing": {"relax": 4294967296}})",
+                                         R"({"dapple": 1, "drawing": {"count": -1}})",
+                                         R"({"dapple": 1, "drawing": {"tone": {"invert": 1}}})",
+                                         R"({"dapple": 1, "picture": "a\u0000b"})",
+                                         R"({"dapple": 1, "picture": {"absolute": "/"}})",
+                                         R"({"dapple": "1"})",
+                                         "{\"dapple\": 1, \"picture\": \"\xff\"}",
+                                         std::string(2'000'000, ' ')};
+    for (const std::string& text : texts) {
+        const std::string sentence = complaint_about(text);
+        CAPTURE(text.substr(0, 60));
+        CAPTURE(sentence);
+        CHECK(sentence.starts_with("p.dapple: "));
+        CHECK(sentence.find("json") == sentence.npos);
+        CHECK(sentence.size() < 200);
+    }
+}
+
+}  // namespace dapple
