@@ -518,6 +518,8 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK(settings.saving.order == DotOrder::recursion);
     ui.click("short moves");
     CHECK(settings.saving.order == DotOrder::space);
+    ui.click("shortest");
+    CHECK(settings.saving.order == DotOrder::shortest);
     ui.click("by priority");
     CHECK(settings.saving.order == DotOrder::priority);
     ui.click("Paper in SVG");

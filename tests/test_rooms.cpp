@@ -68,6 +68,7 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/tile", {"core/text"}},
         {"core/placing", {"core/image", "core/tile"}},
         {"core/relaxing", {"core/image", "core/placing"}},
+        {"core/routing", {"core/placing"}},
         {"core/drawing", {"core/image", "core/placing", "core/relaxing"}},
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},

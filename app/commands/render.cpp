@@ -141,6 +141,7 @@ struct Rendered {
     PageSize page;                            // the sheet, the region or all of it
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
+    std::optional<double> curve_way_m = {};   // of the pen, before it was shortened
     bool mostly_black = false;                // light ink would draw the picture better
     std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
     Times times = {};
@@ -152,8 +153,10 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
     const std::string size = error ? "" : fmt::format(", {:.1f} MB", bytes * 1e-6);
     const Preflight& found = *drawn.preflight;
-    fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them; the nearest are {:.2g} mm apart\n",
-               grouped(drawn.dots), size, found.pen_up_m, found.nearest_mm);
+    const std::string saved =
+        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
+    fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
+               grouped(drawn.dots), size, found.pen_up_m, saved, found.nearest_mm);
     if (100 * found.nearer_than_saxi > drawn.dots) {
         fmt::print(
             stderr,
@@ -180,6 +183,8 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
     if (drawn.preflight) {
         const Preflight& found = *drawn.preflight;
         preflight = {{"pen_up_m", found.pen_up_m},
+                     {"pen_up_before_m", drawn.curve_way_m ? nlohmann::ordered_json(*drawn.curve_way_m)
+                                                           : nlohmann::ordered_json()},
                      {"nearest_mm", found.nearest_mm},  // null if there are not two
                      {"nearer_than_0.5_mm", found.nearer_than_saxi},
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
@@ -309,7 +314,15 @@ void render(const RenderOptions& options) {
     Dots sorted;
     const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
-        sorted = sorted_dots(dots, order);
+        // The curve's own way, to tell what the shorter one saves.
+        sorted = sorted_dots(dots, order == DotOrder::shortest ? DotOrder::space : order);
+        if (order == DotOrder::shortest) {
+            rendered.curve_way_m = way_length(sorted.x, sorted.y) * excerpt.size.mm_per_page_unit / 1000;
+            line->restart(0);
+            shorten_way(sorted, {.stop = {}, .progress = [&](double share) {
+                                     line->show(share, "shortening the pen's way");
+                                 }});
+        }
         drawn_dots = stream_of(sorted, dots.scale);
     }
     times.place = watch.lap();

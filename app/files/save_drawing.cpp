@@ -48,10 +48,11 @@ DrawingFormat drawing_format(const std::filesystem::path& path) {
 }
 
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
-    return format == DrawingFormat::svg && dots <= kMostSortedDots ? DotOrder::space : DotOrder::recursion;
+    if (format != DrawingFormat::svg || dots > kMostSortedDots) return DotOrder::recursion;
+    return dots <= kMostRoutedDots ? DotOrder::shortest : DotOrder::space;
 }
 
-Dots sorted_dots(const DotStream& stream, DotOrder order) {
+Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch) {
     Dots all;
     stream.for_each_piece([&](const Dots& piece) {
         all.reserve(stream.count, !piece.critical.empty());
@@ -59,6 +60,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order) {
         return true;
     });
     sort_dots(all, order);
+    if (order == DotOrder::shortest) shorten_way(all, watch);
     return all;
 }
 
@@ -67,13 +69,21 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const DrawingFormat format = drawing_format(path);
     const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count));
     Dots sorted;
-    if (order != DotOrder::recursion) sorted = sorted_dots(drawing.dots, order);
+    // Of the bar, half is the pen's way.
+    const double routing = order == DotOrder::shortest ? 0.5 : 0;
+    if (order != DotOrder::recursion) {
+        const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {
+                                         if (watch.progress) watch.progress(routing * share);
+                                     }};
+        sorted = sorted_dots(drawing.dots, order, way_watch);
+        if (watch.stop.stop_requested()) return false;
+    }
     const DotStream dots =
         order != DotOrder::recursion ? stream_of(sorted, drawing.dots.scale) : drawing.dots;
     const double radius = drawing.dot_radius_mm;
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
-        if (watch.progress) watch.progress(share);
+        if (watch.progress) watch.progress(routing + (1 - routing) * share);
     };
     const auto write = [&](std::ostream& out) {
         switch (format) {

@@ -13,6 +13,7 @@
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
+#include "core/routing/short_way.h"
 
 namespace dapple {
 
@@ -24,11 +25,16 @@ DrawingFormat drawing_format(const std::filesystem::path& path);
 /// More dots than this are not held in memory to be sorted unless someone asks for an order.
 inline constexpr std::uint64_t kMostSortedDots = 5'000'000;
 
-/// The order that suits such a file: SVG is plotted, so space, up to kMostSortedDots; else as placed.
+/// Up to so many dots, the shortest way takes about a second.
+inline constexpr std::uint64_t kMostRoutedDots = 50'000;
+
+/// The order that suits such a file: SVG is plotted, so shortest, up to kMostRoutedDots, and space, up to
+/// kMostSortedDots; else as placed.
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
 
-/// All dots of a stream, sorted; `recursion` leaves them as they come.
-Dots sorted_dots(const DotStream& stream, DotOrder order);
+/// All dots of a stream, sorted; `recursion` leaves them as they come. The shortest order takes a
+/// while.
+Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
 
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table

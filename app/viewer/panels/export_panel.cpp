@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,17 +16,17 @@ namespace {
 constexpr const char* kOrders =
     "The order of the dots in the file, in which a plotter draws them.\n"
     "as placed: tile by tile.\n"
-    "short moves: each near the one before.\n"
+    "short moves: each near the one before, found at once.\n"
+    "shortest: by the shortest way for the pen that is soon found; a million dots take a minute or so.\n"
     "by priority: the first n dots are the drawing with n dots if they are not relaxed, so that a plot may "
     "stop at any time.";
 
 bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const DotOrder order = choice.value_or(usual);
-    // As DotOrder has them, but for the last two.
-    constexpr std::array kShown{DotOrder::recursion, DotOrder::space, DotOrder::priority};
-    int chosen = order == DotOrder::recursion ? 0 : order == DotOrder::space ? 1 : 2;
-    const bool changed =
-        segmented_row("Dot order", chosen, std::array{"as placed", "short moves", "by priority"}, kOrders);
+    constexpr std::array kShown{DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority};
+    int chosen = static_cast<int>(std::ranges::find(kShown, order) - kShown.begin());
+    const bool changed = segmented_row(
+        "Dot order", chosen, std::array{"as placed", "short moves", "shortest", "by priority"}, kOrders);
     if (changed) choice = kShown[static_cast<std::size_t>(chosen)];
     return changed;
 }
