@@ -510,8 +510,10 @@ TEST_CASE("a notice stays while the mouse is on it, and a new one starts anew ho
 TEST_CASE("an export's resolution and order are set where it is asked for, for the formats that have them") {
     ViewerSettings settings;
     DrawingFormat format = DrawingFormat::svg;
-    HeadlessUi ui(
-        [&] { draw_export_panel(settings, format, {.dots = 400'000, .bytes = 23.8e6, .trouble = {}}); });
+    HeadlessUi ui([&] {
+        draw_export_panel(settings, format,
+                          {.dots = 400'000, .bytes = 23.8e6, .trouble = {}, .area_mm2 = 40'000});
+    });
     CHECK_FALSE(ui.has("Dots per inch"));
     CHECK_FALSE(ui.has("Tile layer"));
     ui.click("as placed");
@@ -522,6 +524,8 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK(settings.saving.order == DotOrder::shortest);
     ui.click("by priority");
     CHECK(settings.saving.order == DotOrder::priority);
+    CHECK(ui.has("Machine"));
+    CHECK(ui.has("Plotting time"));
     ui.click("Paper in SVG");
     CHECK(settings.drawing.background);
     settings.drawing.show_tiles = true;

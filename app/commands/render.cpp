@@ -144,10 +144,12 @@ struct Rendered {
     std::optional<double> curve_way_m = {};   // of the pen, before it was shortened
     bool mostly_black = false;                // light ink would draw the picture better
     std::optional<Preflight> preflight = {};  // of an SVG whose dots were in memory
+    std::optional<Machine> machine = {};      // that would draw it
+    std::optional<PlottingTime> plotting = {};
     Times times = {};
 };
 
-// What someone who is about to plot it should know, in a line or two.
+// What someone who is about to plot it should know, in a few lines.
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     std::error_code error;
     const auto bytes = static_cast<double>(std::filesystem::file_size(options.output, error));
@@ -157,7 +159,25 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
         drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
     fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
                grouped(drawn.dots), size, found.pen_up_m, saved, found.nearest_mm);
-    if (100 * found.nearer_than_saxi > drawn.dots) {
+    if (drawn.plotting && drawn.dots > 0) {
+        fmt::print(stderr, "{} on {}: {}\n", time_in_words(drawn.plotting->total_s()),
+                   words_for(*drawn.machine), what_takes_longest(*drawn.plotting));
+    }
+    const bool svg = drawing_format(options.output) == DrawingFormat::svg;
+    if (svg && found.overlapping > 0) {
+        fmt::print(
+            stderr,
+            "{:.0f} % of the dots overlap others, and a plotter that draws outlines traces {:.1f} m of "
+            "rings; --dot-radius with half the pen's width makes points of them\n",
+            std::ceil(100.0 * static_cast<double>(found.overlapping) / static_cast<double>(drawn.dots)),
+            found.rings_m);
+    }
+    if (svg && options.drawing.show_tiles) {
+        fmt::print(stderr,
+                   "the layer \"2 Tiles\" has lines that a plotter draws too; plot layer 1 only, or leave "
+                   "--tiles away\n");
+    }
+    if (svg && 100 * found.nearer_than_saxi > drawn.dots) {
         fmt::print(
             stderr,
             "{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
@@ -188,7 +208,17 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
                      {"nearest_mm", found.nearest_mm},  // null if there are not two
                      {"nearer_than_0.5_mm", found.nearer_than_saxi},
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
-                     {"over_the_edge", found.over_edge}};
+                     {"over_the_edge", found.over_edge},
+                     {"overlapping", found.overlapping},
+                     {"rings_m", found.rings_m}};
+    }
+    nlohmann::ordered_json plotting;
+    if (drawn.plotting) {
+        plotting = {{"machine", name_of(*drawn.machine)},
+                    {"moving_s", drawn.plotting->moving_s},
+                    {"lifting_s", drawn.plotting->lifting_s},
+                    {"dots_s", drawn.plotting->dots_s},
+                    {"total_s", drawn.plotting->total_s()}};
     }
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},
@@ -223,6 +253,7 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
         {"margin_mm", options.margin_mm},
         {"order", name_of(drawn.order)},
         {"preflight", preflight},
+        {"plotting", plotting},
         {"file_bytes", error ? 0 : bytes},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
@@ -243,7 +274,9 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--tiles"}, "only an SVG has layers; let the drawing's name end in .svg");
     if (format != DrawingFormat::png)
         refuse(command, {"--dpi"}, "only a PNG has pixels; let the drawing's name end in .png");
-    if (format == DrawingFormat::png) refuse(command, {"--order"}, "the pixels of a PNG have no order");
+    if (format == DrawingFormat::png)
+        refuse(command, {"--order", "--machine"},
+               "the pixels of a PNG have no order in which they are drawn");
     if (format == DrawingFormat::csv)
         refuse(command, {"--ink", "--paper", "--background"},
                "a table has no colours; let the drawing's name end in .svg or .png");
@@ -312,7 +345,7 @@ void render(const RenderOptions& options) {
                       .order = order,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};
     Dots sorted;
-    const bool is_plot = format == DrawingFormat::svg && dots.count <= kMostSortedDots;
+    const bool is_plot = format != DrawingFormat::png && dots.count <= kMostSortedDots;
     if (is_plot || (order != DotOrder::recursion && format != DrawingFormat::png)) {
         // The curve's own way, to tell what the shorter one saves.
         sorted = sorted_dots(dots, order == DotOrder::shortest ? DotOrder::space : order);
@@ -350,7 +383,12 @@ void render(const RenderOptions& options) {
             "light parts instead\n");
     }
     if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm);
-    if (is_plot && on_terminal()) print_summary(options, rendered);
+    rendered.machine = options.machine;
+    if (!rendered.machine && format == DrawingFormat::svg) rendered.machine = Machine::axidraw_v3;
+    if (is_plot && rendered.machine)
+        rendered.plotting =
+            plotting_time(sorted, excerpt.size.mm_per_page_unit, speeds_of(*rendered.machine));
+    if (is_plot) print_summary(options, rendered);
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
     if (dots.duplicates > 0 && (options.region || options.sheet != Sheet{})) rendered.duplicates.reset();
@@ -383,6 +421,11 @@ RenderCommand::RenderCommand(CLI::App& program) {
                    "SVG: paint the paper under the dots, as a PNG always has it")
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
+        ->group("Page");
+    add_choice(*command, "--machine", options_.machine,
+               {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::grbl_pen, Machine::grbl_laser},
+               "Tell how long this machine will plot, with its program's own settings; an SVG's time is told "
+               "for axidraw-v3 without it")
         ->group("Page");
     add_arrangement_options(*command, options_.order, options_.sheet, options_.region);
     command->footer(

@@ -6,6 +6,7 @@
 
 #include "app/drawing_settings.h"
 #include "app/files/picture.h"
+#include "core/output/plotting_time.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 
@@ -23,6 +24,7 @@ struct RenderOptions {
     Sheet sheet;                              // the whole drawing, or a part of it
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     std::optional<DotOrder> order;            // none: usual_order() of the file
+    std::optional<Machine> machine;           // whose time is told; none: an AxiDraw's for an SVG
     double margin_mm = 0;                     // of bare paper, on each side within the width
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON

@@ -17,12 +17,15 @@ struct Preflight {
     double nearest_mm = 0;               // smallest distance between two dots; infinite if there are not two
     std::uint64_t nearer_than_saxi = 0;  // dots with another one nearer than kSaxiJoins
     std::uint64_t nearer_than_axidraw = 0;
-    std::uint64_t over_edge = 0;  // dots of that radius that reach over the page's edge
+    std::uint64_t overlapping = 0;  // dots that reach into others; among dots of unequal radii into near ones
+    double rings_m = 0;             // all dots' outlines, in metres: what a plotter traces of circles
+    std::uint64_t over_edge = 0;    // dots of that radius that reach over the page's edge
 
     bool operator==(const Preflight&) const = default;
 };
 
-/// Dots as seen from the page's corner, in the order of plotting. A million take a fraction of a second.
+/// Dots, of that radius or of their own, as seen from the page's corner, in the order of plotting. A million
+/// take a fraction of a second.
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm);
 
 }  // namespace dapple

@@ -16,6 +16,7 @@ class DotTree {
     DotTree(std::span<const float> x, std::span<const float> y) : x_(x), y_(y), sorted_(x.size()) {
         std::iota(sorted_.begin(), sorted_.end(), 0u);
         across_.resize(x.size());
+        border_.resize(x.size());
         if (!x.empty()) split(0, x.size());
     }
 
@@ -44,6 +45,7 @@ class DotTree {
         const auto begin = sorted_.begin();
         std::nth_element(begin + long(first), begin + long(middle), begin + long(last),
                          [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+        border_[middle] = key[sorted_[middle]];
         split(first, middle);
         split(middle, last);
     }
@@ -55,7 +57,7 @@ class DotTree {
         }
         const std::size_t middle = (first + last) / 2;
         const std::span<const float> key = across_[middle] ? x_ : y_;
-        const float beyond = key[self_] - key[sorted_[middle]];
+        const float beyond = key[self_] - border_[middle];
         const bool lower = beyond < 0;
         lower ? search(first, middle) : search(middle, last);
         if (beyond * beyond < distance_.back()) lower ? search(middle, last) : search(first, middle);
@@ -76,7 +78,8 @@ class DotTree {
 
     std::span<const float> x_, y_;
     std::vector<std::uint32_t> sorted_;
-    std::vector<char> across_;  // of the node with that middle: split from left to right
+    std::vector<char> across_;   // of the node with that middle: split from left to right
+    std::vector<float> border_;  // of the node with that middle: between its halves
     std::uint32_t self_ = 0;
     std::uint32_t* found_ = nullptr;
     std::size_t count_ = 0;

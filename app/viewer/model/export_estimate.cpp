@@ -155,7 +155,10 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     const Stippling& stippling = drawing.stippling;
     const glm::dvec2 size = drawing.page_size;
     const double mm_per_unit = settings.drawing.width_mm / size.x;
-    facts_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
+    facts_ = {.dots = stippling.dots.size(),
+              .bytes = {},
+              .trouble = {},
+              .area_mm2 = size.x * size.y * mm_per_unit * mm_per_unit};
     try {
         facts_.bytes = estimated_bytes(format, settings.drawing,
                                        {.dots = stippling.dots,

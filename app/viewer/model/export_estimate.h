@@ -33,6 +33,7 @@ struct ExportInfo {
     std::uint64_t dots = 0;
     std::optional<double> bytes;  // about; none if it cannot be written
     std::string trouble;          // why not
+    double area_mm2 = 0;          // of the page
 };
 
 /// Estimates anew only when something changed.

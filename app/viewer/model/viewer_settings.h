@@ -7,6 +7,7 @@
 #include "app/viewer/model/comparison.h"
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
+#include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
 
 namespace dapple {
@@ -26,8 +27,9 @@ struct LoupeChoice {
 
 /// How the drawing is saved, beside how it looks.
 struct SavingChoice {
-    std::optional<DotOrder> order = {};  // in an SVG or a table; none: the usual one
-    double dpi = 300;                    // of a PNG
+    std::optional<DotOrder> order = {};     // in an SVG or a table; none: the usual one
+    double dpi = 300;                       // of a PNG
+    Machine machine = Machine::axidraw_v3;  // whose time is told
 
     bool operator==(const SavingChoice&) const = default;
 };

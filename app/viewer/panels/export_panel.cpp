@@ -31,6 +31,20 @@ bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     return changed;
 }
 
+bool draw_machine(Machine& machine, const ExportInfo& info) {
+    // As Machine has them.
+    int chosen = static_cast<int>(machine);
+    const bool changed = choice_row(
+        "Machine", chosen, std::array{"AxiDraw V3", "AxiDraw SE/A3", "GRBL pen plotter", "GRBL laser"});
+    if (changed) machine = static_cast<Machine>(chosen);
+    if (info.dots == 0) return changed;
+    const PlottingTime time =
+        expected_plotting_time(static_cast<double>(info.dots), info.area_mm2, speeds_of(machine));
+    hint(fmt::format("Plots for {}: {}.", time_in_words(time.total_s()), what_takes_longest(time)).c_str());
+    note_place("Plotting time");
+    return changed;
+}
+
 // Two digits, or a whole number below a hundred thousand bytes.
 std::string bytes_in_words(double bytes) {
     const char* unit = "kB";
@@ -66,6 +80,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                .tip = "Pixels to the inch of the page, whose width is under Dots."});
     else
         changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
+    if (format == DrawingFormat::svg) changed |= draw_machine(settings.saving.machine, info);
     if (format == DrawingFormat::svg) changed |= switch_row("Paper in SVG", settings.drawing.background);
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
