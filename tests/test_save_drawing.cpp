@@ -67,8 +67,8 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
 
 TEST_CASE("a few dots are saved for plotters in an order of short moves, unless another is asked for") {
     const Dots dots = many_dots();
-    CHECK(usual_order(DrawingFormat::svg, dots.size()) == DotOrder::shortest);
-    CHECK(usual_order(DrawingFormat::svg, kMostRoutedDots + 1) == DotOrder::space);
+    CHECK(usual_order(DrawingFormat::svg, kMostRoutedDots) == DotOrder::shortest);
+    CHECK(usual_order(DrawingFormat::svg, dots.size()) == DotOrder::space);
     CHECK(usual_order(DrawingFormat::svg, kMostSortedDots + 1) == DotOrder::recursion);
     CHECK(usual_order(DrawingFormat::csv, 10) == DotOrder::recursion);
     TemporaryFolder folder;
@@ -77,7 +77,7 @@ TEST_CASE("a few dots are saved for plotters in an order of short moves, unless 
                            {.dots = stream_of(dots, 100), .page = kPage, .order = order}));
         return text_of(folder / "a.svg");
     };
-    CHECK(saved({}) == saved(DotOrder::shortest));
+    CHECK(saved({}) == saved(DotOrder::space));
     CHECK(saved({}) != saved(DotOrder::recursion));
     // The first dot along a Hilbert curve is the one in the corner, the last the one across.
     const Dots sorted = sorted_dots(stream_of(dots, 100), DotOrder::space);
