@@ -12,6 +12,7 @@
 #include "core/image/colour.h"
 #include "core/image/detail.h"
 #include "core/output/gcode.h"
+#include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
 #include "core/tile/ranking.h"
 
@@ -47,9 +48,10 @@ struct DrawingSettings {
 
 /// How the drawing is saved, beside how it looks.
 struct SavingChoice {
-    std::optional<DotOrder> order = {};  // none: the usual one; pixels have none
-    double dpi = 300;                    // of pixels
-    Machine machine = Machine::pen;      // that reads G-code
+    std::optional<DotOrder> order = {};   // none: the usual one; pixels have none
+    double dpi = 300;                     // of pixels
+    GcodeTool tool = GcodeTool::pen;      // that G-code is for
+    std::optional<Machine> machine = {};  // whose time is told; none: usual_machine()
 
     bool operator==(const SavingChoice&) const = default;
 };

@@ -554,16 +554,22 @@ TEST_CASE("a notice stays while the mouse is on it, and a new one starts anew ho
 TEST_CASE("an export's resolution and order are set where it is asked for, for the formats that have them") {
     ViewerSettings settings;
     DrawingFormat format = DrawingFormat::svg;
-    HeadlessUi ui(
-        [&] { draw_export_panel(settings, format, {.dots = 400'000, .bytes = 23.8e6, .trouble = {}}); });
+    HeadlessUi ui([&] {
+        draw_export_panel(settings, format,
+                          {.dots = 400'000, .bytes = 23.8e6, .trouble = {}, .area_mm2 = 40'000});
+    });
     CHECK_FALSE(ui.has("Dots per inch"));
     CHECK_FALSE(ui.has("Tile layer"));
     ui.click("as placed");
     CHECK(settings.saving.order == DotOrder::recursion);
     ui.click("short moves");
     CHECK(settings.saving.order == DotOrder::space);
+    ui.click("shortest");
+    CHECK(settings.saving.order == DotOrder::shortest);
     ui.click("by priority");
     CHECK(settings.saving.order == DotOrder::priority);
+    CHECK(ui.has("Machine"));
+    CHECK(ui.has("Plotting time"));
     ui.click("Paper in SVG");
     CHECK(settings.drawing.background);
     settings.drawing.show_tiles = true;
@@ -573,7 +579,7 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     ui.frame();
     CHECK_FALSE(ui.has("Paper in SVG"));
     ui.click("laser");
-    CHECK(settings.saving.machine == Machine::laser);
+    CHECK(settings.saving.tool == GcodeTool::laser);
     format = DrawingFormat::png;
     ui.frame();
     CHECK_FALSE(ui.has("Dot order"));

@@ -54,6 +54,17 @@ TEST_CASE("dots with a part in the margins are counted, each with its own radius
     CHECK(preflight(dots, kPage, 0.4, within).outside_margins == 2);
 }
 
+TEST_CASE("dots that reach into others are counted by their radii, and their outlines are 2 pi r each") {
+    Dots dots = dots_at_mm({{10, 10}, {11, 10}, {20, 20}, {22.5f, 20}, {40, 40}});
+    const Preflight equal = preflight(dots, kPage, 0.6);
+    CHECK(equal.overlapping == 2);
+    CHECK(equal.rings_m == doctest::Approx(5 * 2 * 3.14159265 * 0.6 / 1000));
+    for (const float mm : {0.4f, 0.4f, 2.0f, 0.6f, 3.0f}) dots.radius.push_back(mm / 100);
+    const Preflight unequal = preflight(dots, kPage, 3);
+    CHECK(unequal.overlapping == 2);
+    CHECK(unequal.rings_m == doctest::Approx(6.4 * 2 * 3.14159265 / 1000));
+}
+
 TEST_CASE("the distances of many dots are those found by comparing all pairs") {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place;

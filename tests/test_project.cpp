@@ -72,7 +72,7 @@ ViewerSettings nothing_usual() {
                       .by = CompareBy::count,
                       .divider = 0.3f};
     all.loupe = {true, 2};
-    all.saving = {DotOrder::priority, 600, Machine::servo};
+    all.saving = {DotOrder::priority, 600, GcodeTool::servo, Machine::grbl_pen};
     return all;
 }
 

@@ -81,6 +81,7 @@ TEST_CASE("dots that are sorted in memory are those that are written as they are
     CHECK(placed.size() > 100);
     CHECK(sorted_lines(" --order priority") == placed);
     CHECK(sorted_lines(" --order space") == placed);
+    CHECK(sorted_lines(" --order shortest") == placed);
     CHECK(sorted_lines(" --order recursion") == placed);
 }
 
@@ -98,6 +99,25 @@ TEST_CASE("on a terminal a bar shows how much is written, and then what a plotte
     CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
                            " dots reach over the page's edge; --margin ") != std::string::npos);
     CHECK(read_svg(scene("cat.svg")).circles().size() == 3000);
+}
+
+TEST_CASE("what a plotter will make of a drawing is told without a terminal too, for the machine named") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 2000 -o ";
+    const Outcome laser =
+        run_dapple(from + scene("a.svg") + " --tiles --machine grbl-laser --stats " + scene("s.json"));
+    REQUIRE(laser.status == 0);
+    CHECK(laser.err.find(" on a laser with GRBL's own settings: mostly ") != std::string::npos);
+    CHECK(laser.err.find("the layer \"2 Tiles\" has lines") != std::string::npos);
+    const nlohmann::json stats = read_json(scene("s.json"));
+    CHECK(stats["plotting"]["dots_s"] == doctest::Approx(200));
+    CHECK(stats["plotting"]["lifting_s"] == 0);
+    CHECK(stats["preflight"]["pen_up_before_m"] > stats["preflight"]["pen_up_m"]);
+    const Outcome table = run_dapple(from + scene("a.csv"));
+    CHECK(table.err.starts_with("2,000 dots, "));
+    CHECK(table.err.find("overlap") == std::string::npos);
+    const Outcome pixels = run_dapple(from + scene("a.png") + " --machine grbl-pen");
+    CHECK(pixels.status == 2);
 }
 
 TEST_CASE("an SVG is in an order of short pen moves, and its travel, distances and edges are told") {
@@ -136,7 +156,8 @@ TEST_CASE("an SVG is in an order of short pen moves, and its travel, distances a
         return std::pair(stats["order"].get<std::string>(), travel);
     };
     const auto [usual, short_way] = told("");
-    CHECK(usual == "space");
-    CHECK(told(" --order space").second == short_way);
+    CHECK(usual == "shortest");
+    CHECK(told(" --order shortest").second == short_way);
+    CHECK(told(" --order space").second > 1.05 * short_way);
     CHECK(told(" --order recursion").second > 2 * short_way);
 }

@@ -69,6 +69,7 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
 
 TEST_CASE("a few dots are saved for plotters in an order of short moves, unless another is asked for") {
     const Dots dots = many_dots();
+    CHECK(usual_order(DrawingFormat::svg, kMostRoutedDots) == DotOrder::shortest);
     CHECK(usual_order(DrawingFormat::svg, dots.size()) == DotOrder::space);
     CHECK(usual_order(DrawingFormat::svg, kMostSortedDots + 1) == DotOrder::recursion);
     CHECK(usual_order(DrawingFormat::gcode, dots.size()) == DotOrder::space);

@@ -215,8 +215,11 @@ struct Rendered {
     Rectangle<double> picture;                // on the whole page, in millimetres
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
+    std::optional<double> curve_way_m = {};   // of the pen, before it was shortened
     bool mostly_black = false;                // light ink would draw the picture better
     std::optional<Preflight> preflight = {};  // of what is plotted, if its dots were in memory
+    Machine machine = {};                     // that would draw it
+    std::optional<PlottingTime> plotting = {};
     Times times = {};
 };
 
@@ -228,14 +231,34 @@ std::optional<std::uint64_t> bytes_in(const std::filesystem::path& output) {
     return bytes;
 }
 
-// What someone who is about to plot it should know, in a line or two.
+// What someone who is about to plot it should know, in a few lines.
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::optional<std::uint64_t> bytes = bytes_in(options.output);
     const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
     const Preflight& found = *drawn.preflight;
-    fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them; the nearest are {:.2g} mm apart\n",
-               grouped(drawn.dots), size, found.pen_up_m, found.nearest_mm);
-    if (100 * found.nearer_than_saxi > drawn.dots) {
+    const std::string saved =
+        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
+    fmt::print(stderr, "{} dots{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
+               grouped(drawn.dots), size, found.pen_up_m, saved, found.nearest_mm);
+    if (drawn.plotting && drawn.dots > 0) {
+        fmt::print(stderr, "{} on {}: {}\n", time_in_words(drawn.plotting->total_s()),
+                   words_for(drawn.machine), what_takes_longest(*drawn.plotting));
+    }
+    const bool svg = format_of(options) == DrawingFormat::svg;
+    if (svg && found.overlapping > 0) {
+        fmt::print(
+            stderr,
+            "{:.0f} % of the dots overlap others, and a plotter that draws outlines traces {:.1f} m of "
+            "rings; --dot-radius with half the pen's width makes points of them\n",
+            std::ceil(100.0 * static_cast<double>(found.overlapping) / static_cast<double>(drawn.dots)),
+            found.rings_m);
+    }
+    if (svg && options.drawing.show_tiles) {
+        fmt::print(stderr,
+                   "the layer \"2 Tiles\" has lines that a plotter draws too; plot layer 1 only, or leave "
+                   "--tiles away\n");
+    }
+    if (svg && 100 * found.nearer_than_saxi > drawn.dots) {
         fmt::print(
             stderr,
             "{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
@@ -261,11 +284,23 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
     if (drawn.preflight) {
         const Preflight& found = *drawn.preflight;
         preflight = {{"pen_up_m", found.pen_up_m},
+                     {"pen_up_before_m", drawn.curve_way_m ? nlohmann::ordered_json(*drawn.curve_way_m)
+                                                           : nlohmann::ordered_json()},
                      {"nearest_mm", found.nearest_mm},  // null if there are not two
                      {"nearer_than_0.5_mm", found.nearer_than_saxi},
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
                      {"over_the_edge", found.over_edge},
-                     {"outside_the_margins", found.outside_margins}};
+                     {"outside_the_margins", found.outside_margins},
+                     {"overlapping", found.overlapping},
+                     {"rings_m", found.rings_m}};
+    }
+    nlohmann::ordered_json plotting;
+    if (drawn.plotting) {
+        plotting = {{"machine", name_of(drawn.machine)},
+                    {"moving_s", drawn.plotting->moving_s},
+                    {"lifting_s", drawn.plotting->lifting_s},
+                    {"dots_s", drawn.plotting->dots_s},
+                    {"total_s", drawn.plotting->total_s()}};
     }
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},
@@ -304,6 +339,7 @@ void write_stats(std::ostream& out, const RenderOptions& options, const Rendered
          {drawn.picture.low.x, drawn.picture.low.y, drawn.picture.size().x, drawn.picture.size().y}},
         {"order", name_of(drawn.order)},
         {"preflight", preflight},
+        {"plotting", plotting},
         {"file_bytes", bytes_in(options.output).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
@@ -351,6 +387,9 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (!has_pixels(format))
         refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
     if (has_pixels(format)) refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    if (!is_plotted(format))
+        refuse(command, {"--machine"},
+               "is for what is plotted; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
     if (!has_colours(format)) {
         const std::string what = is_table(format) ? "a table has" : "a file for machines has";
         refuse(command, {"--ink", "--paper", "--background"},
@@ -374,12 +413,12 @@ Picture picture_of(const RenderOptions& options) {
                                          : read_picture(*options.image, options.limit);
 }
 
-// A machine by its name, or a template of one's own.
-void take_machine(RenderOptions& options, const std::string& text) {
+// A tool by its name, or a template of one's own.
+void take_tool(RenderOptions& options, const std::string& text) {
     options.gcode_template.reset();
-    for (const Machine machine : {Machine::pen, Machine::servo, Machine::laser}) {
-        if (text != name_of(machine)) continue;
-        options.saving.machine = machine;
+    for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
+        if (text != name_of(tool)) continue;
+        options.saving.tool = tool;
         return;
     }
     if (!std::filesystem::exists(text)) {
@@ -398,7 +437,7 @@ void add_gcode_options(CLI::App& command, RenderOptions& options) {
     GcodeStyle& gcode = options.gcode;
     command
         .add_option_function<std::string>(
-            "--gcode", [&options](const std::string& text) { take_machine(options, text); },
+            "--gcode", [&options](const std::string& text) { take_tool(options, text); },
             "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
             "M3; laser: a burst by M3; or a template of your own, see below")
         ->type_name("pen|servo|laser|FILE")
@@ -491,16 +530,24 @@ void render(const RenderOptions& options) {
                       .order = order,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};
     Dots sorted;
-    const bool is_plot = is_plotted(format) && dots.count <= kMostSortedDots;
-    if (is_plot || (order != DotOrder::recursion && !has_pixels(format))) {
-        sorted = sorted_dots(dots, order);
+    const bool in_memory = !has_pixels(format) && dots.count <= kMostSortedDots;
+    if (in_memory || (order != DotOrder::recursion && !has_pixels(format))) {
+        // The curve's own way, to tell what the shorter one saves.
+        sorted = sorted_dots(dots, order == DotOrder::shortest ? DotOrder::space : order);
+        if (order == DotOrder::shortest) {
+            rendered.curve_way_m = way_length(sorted.x, sorted.y) * excerpt.size.mm_per_page_unit / 1000;
+            line->restart(0);
+            shorten_way(sorted, {.stop = {}, .progress = [&](double share) {
+                                     line->show(share, "shortening the pen's way");
+                                 }});
+        }
         drawn_dots = stream_of(sorted, dots.scale);
     }
     times.place = watch.lap();
 
     GcodeStyle gcode = options.gcode;
     gcode.lines =
-        options.gcode_template.value_or(parse_gcode_template(gcode_template_of(options.saving.machine)));
+        options.gcode_template.value_or(parse_gcode_template(gcode_template_of(options.saving.tool)));
     line->restart(0);
     const std::string what = fmt::format("writing {} dots", grouped(dots.count));
     save_drawing(options.output, settings,
@@ -526,8 +573,13 @@ void render(const RenderOptions& options) {
             "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws the "
             "light parts instead\n");
     }
-    if (is_plot) rendered.preflight = preflight(sorted, excerpt.size, radius_mm, margins_on(excerpt, layout));
-    if (is_plot && on_terminal()) print_summary(options, rendered);
+    if (in_memory)
+        rendered.preflight = preflight(sorted, excerpt.size, radius_mm, margins_on(excerpt, layout));
+    if (in_memory && is_plotted(format)) {
+        rendered.machine = options.saving.machine.value_or(usual_machine(format, options.saving.tool));
+        rendered.plotting = plotting_time(sorted, excerpt.size.mm_per_page_unit, speeds_of(rendered.machine));
+    }
+    if (in_memory) print_summary(options, rendered);
     if (!options.stats) return;
     // Where on the page the duplicates lie is not known.
     if (dots.duplicates > 0 && (options.region || options.sheet != Sheet{})) rendered.duplicates.reset();
@@ -588,6 +640,12 @@ RenderCommand::RenderCommand(CLI::App& program) {
                    "SVG, PDF: paint the paper under the dots, as a PNG always has it")
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
+        ->group("Page");
+    add_choice(
+        *command, "--machine", options_.saving.machine,
+        {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::grbl_pen, Machine::grbl_laser},
+        "Tell how long this machine will plot, with its program's own settings; without it, an AxiDraw "
+        "V3, and a GRBL machine for G-code")
         ->group("Page");
     add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
     add_gcode_options(*command, options_);

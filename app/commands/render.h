@@ -8,6 +8,7 @@
 #include "app/files/drawing_format.h"
 #include "app/files/picture.h"
 #include "core/output/gcode.h"
+#include "core/output/plotting_time.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 

@@ -91,10 +91,16 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
 }  // namespace
 
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
-    return is_plotted(format) && dots <= kMostSortedDots ? DotOrder::space : DotOrder::recursion;
+    if (!is_plotted(format) || dots > kMostSortedDots) return DotOrder::recursion;
+    return dots <= kMostRoutedDots ? DotOrder::shortest : DotOrder::space;
 }
 
-Dots sorted_dots(const DotStream& stream, DotOrder order) {
+Machine usual_machine(DrawingFormat format, GcodeTool tool) {
+    if (format != DrawingFormat::gcode) return Machine::axidraw_v3;
+    return tool == GcodeTool::laser ? Machine::grbl_laser : Machine::grbl_pen;
+}
+
+Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch) {
     Dots all;
     stream.for_each_piece([&](const Dots& piece) {
         all.reserve(stream.count, !piece.critical.empty());
@@ -102,6 +108,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order) {
         return true;
     });
     sort_dots(all, order);
+    if (order == DotOrder::shortest) shorten_way(all, watch);
     return all;
 }
 
@@ -112,14 +119,20 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count));
     Dots sorted;
     DrawingToSave ordered = drawing;
+    // Of the bar, half is the pen's way.
+    const double routing = order == DotOrder::shortest ? 0.5 : 0;
     if (order != DotOrder::recursion) {
-        sorted = sorted_dots(drawing.dots, order);
+        const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {
+                                         if (watch.progress) watch.progress(routing * share);
+                                     }};
+        sorted = sorted_dots(drawing.dots, order, way_watch);
+        if (watch.stop.stop_requested()) return false;
         ordered.dots = stream_of(sorted, drawing.dots.scale);
     }
     const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
-        if (watch.progress) watch.progress(share);
+        if (watch.progress) watch.progress(routing + (1 - routing) * share);
     };
     const auto write = [&](std::ostream& out) {
         write_drawing(out, format, settings, ordered, title, progress);

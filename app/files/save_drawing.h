@@ -16,17 +16,26 @@
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
+#include "core/routing/short_way.h"
 
 namespace dapple {
 
 /// More dots than this are not held in memory to be sorted unless someone asks for an order.
 inline constexpr std::uint64_t kMostSortedDots = 5'000'000;
 
-/// The order that suits such a file: space for one that is plotted, up to kMostSortedDots; else as placed.
+/// Up to so many dots, the shortest way takes about a second.
+inline constexpr std::uint64_t kMostRoutedDots = 50'000;
+
+/// The order that suits such a file: shortest for one that is plotted, up to kMostRoutedDots, and space, up
+/// to kMostSortedDots; else as placed.
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
 
-/// All dots of a stream, sorted; `recursion` leaves them as they come.
-Dots sorted_dots(const DotStream& stream, DotOrder order);
+/// The machine that such a file is most often for.
+Machine usual_machine(DrawingFormat format, GcodeTool tool);
+
+/// All dots of a stream, sorted; `recursion` leaves them as they come. The shortest order takes a
+/// while.
+Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
 
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table

@@ -99,10 +99,13 @@ void describe(Fields& fields, DrawingSettings& drawing) {
 }
 
 void describe(Fields& fields, SavingChoice& saving) {
-    auto& [order, dpi, machine] = saving;
-    fields.choice("order", order, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
+    auto& [order, dpi, tool, machine] = saving;
+    fields.choice("order", order,
+                  {DotOrder::recursion, DotOrder::priority, DotOrder::space, DotOrder::shortest});
     fields.number("dpi", dpi, {1, 100'000});
-    fields.choice("machine", machine, {Machine::pen, Machine::servo, Machine::laser});
+    fields.choice("gcode_tool", tool, {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser});
+    fields.choice("machine", machine,
+                  {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::grbl_pen, Machine::grbl_laser});
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

@@ -145,25 +145,25 @@ void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, co
 
 }  // namespace
 
-std::string_view name_of(Machine machine) {
-    switch (machine) {
-        case Machine::pen:
+std::string_view name_of(GcodeTool tool) {
+    switch (tool) {
+        case GcodeTool::pen:
             return "pen";
-        case Machine::servo:
+        case GcodeTool::servo:
             return "servo";
-        case Machine::laser:
+        case GcodeTool::laser:
             return "laser";
     }
     return "";
 }
 
-std::string_view gcode_template_of(Machine machine) {
-    switch (machine) {
-        case Machine::pen:
+std::string_view gcode_template_of(GcodeTool tool) {
+    switch (tool) {
+        case GcodeTool::pen:
             return kPenTemplate;
-        case Machine::servo:
+        case GcodeTool::servo:
             return kServoTemplate;
-        case Machine::laser:
+        case GcodeTool::laser:
             return kLaserTemplate;
     }
     return "";

@@ -24,17 +24,17 @@
 
 namespace dapple {
 
-enum class Machine {
+enum class GcodeTool {
     pen,    // moved up and down by the Z axis
     servo,  // a pen on a servo that M3 turns, as on plotters that run Grbl
     laser,  // a burst of M3 for each dot
 };
 
 /// "pen", "servo", "laser".
-std::string_view name_of(Machine machine);
+std::string_view name_of(GcodeTool tool);
 
 /// The template of a kind of machine, as text.
-std::string_view gcode_template_of(Machine machine);
+std::string_view gcode_template_of(GcodeTool tool);
 
 /// What stands in a line for something else, or text as it is.
 struct GcodePiece {
@@ -55,7 +55,7 @@ struct GcodeTemplate {
 GcodeTemplate parse_gcode_template(std::string_view text);
 
 struct GcodeStyle {
-    GcodeTemplate lines = parse_gcode_template(gcode_template_of(Machine::pen));
+    GcodeTemplate lines = parse_gcode_template(gcode_template_of(GcodeTool::pen));
     double feed_mm_per_min = 3000;
     double dwell_s = 0.1;
     double dot_radius_mm = 0;  // where dots have none of their own

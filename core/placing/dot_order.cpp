@@ -89,6 +89,8 @@ std::string_view name_of(DotOrder order) {
             return "priority";
         case DotOrder::space:
             return "space";
+        case DotOrder::shortest:
+            return "shortest";
     }
     return "";
 }

@@ -11,13 +11,15 @@ enum class DotOrder {
     recursion,  // as placed: each tile's newborn points, then its quadrants'
     priority,   // by critical scale: the first n dots are the drawing with n dots
     space,      // along a Hilbert curve: each dot near the one before, for pens and for locality
+    shortest,   // as space, then improved by core/routing: 2-opt and Or-opt
 };
 
-/// "recursion", "priority", "space".
+/// "recursion", "priority", "space", "shortest".
 std::string_view name_of(DotOrder order);
 
 /// Sorts dots. For priority Dots::threshold and Dots::critical have to be filled; dots that tie come in the
-/// order of core/placing/tie_order.h.
+/// order of core/placing/tie_order.h. For `shortest` it makes the start, which is `space`;
+/// core/routing/short_way.h has the rest.
 void sort_dots(Dots& dots, DotOrder order);
 
 }  // namespace dapple

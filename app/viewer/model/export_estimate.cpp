@@ -168,7 +168,7 @@ double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
             return written(
                 [&](std::ostream& out, const DotStream& dots) { write_dots_json(out, dots, page, columns); });
         case DrawingFormat::gcode: {
-            GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(drawing.machine))};
+            GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(drawing.tool))};
             style.dot_radius_mm = radius;
             return written(
                 [&](std::ostream& out, const DotStream& dots) { write_gcode(out, dots, page, style); });
@@ -193,14 +193,17 @@ double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
 }
 
 ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format) {
-    const Key key{pane.placings(), format, settings.drawing, settings.saving.dpi, settings.saving.machine};
+    const Key key{pane.placings(), format, settings.drawing, settings.saving.dpi, settings.saving.tool};
     if (key_ == key) return facts_;
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
     const Stippling& stippling = drawing.stippling;
     const PageSize& page = drawing.layout.page;
     const double mm_per_unit = page.mm_per_page_unit;
-    facts_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
+    facts_ = {.dots = stippling.dots.size(),
+              .bytes = {},
+              .trouble = {},
+              .area_mm2 = page.width_mm * page.height_mm};
     try {
         facts_.bytes = estimated_bytes(format, settings.drawing,
                                        {.dots = stippling.dots,
@@ -210,7 +213,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
                                         .tiles = drawing.outlines,
                                         .tile_size = pane.tile_size(),
                                         .dpi = settings.saving.dpi,
-                                        .machine = settings.saving.machine});
+                                        .tool = settings.saving.tool});
     } catch (const std::exception& error) {
         facts_.trouble = error.what();
     }

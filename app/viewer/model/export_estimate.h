@@ -21,7 +21,7 @@ struct EstimatedDrawing {
     std::span<const PlacedTile> tiles = {};
     std::size_t tile_size = 16;
     double dpi = 300;
-    Machine machine = Machine::pen;
+    GcodeTool tool = GcodeTool::pen;
 };
 
 /// Bytes, about: the format's own writer writes some of the dots, or some of the pixels, and the rest is
@@ -34,6 +34,7 @@ struct ExportInfo {
     std::uint64_t dots = 0;
     std::optional<double> bytes;  // about; none if it cannot be written
     std::string trouble;          // why not
+    double area_mm2 = 0;          // of the page
 };
 
 /// Estimates anew only when something changed.
@@ -47,7 +48,7 @@ class ExportEstimate {
         DrawingFormat format{};
         DrawingSettings drawing;
         double dpi = 0;
-        Machine machine{};
+        GcodeTool tool{};
         bool operator==(const Key&) const = default;
     };
     std::optional<Key> key_;

@@ -146,7 +146,7 @@ void Session::save(const fs::path& path) {
         const std::size_t tile_size = bench.pipeline().tile().tile().size();
         const double dpi = saving.dpi;
         const auto order_wanted = has_pixels(format) ? std::optional(DotOrder::recursion) : saving.order;
-        const GcodeStyle gcode{.lines = parse_gcode_template(gcode_template_of(saving.machine))};
+        const GcodeStyle gcode{.lines = parse_gcode_template(gcode_template_of(saving.tool))};
         return [=, drawing = std::move(drawing)](const SavingWatch& watch) {
             return save_drawing(path, drawn,
                                 {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),

@@ -1,0 +1,88 @@
+// How long a pen's way is, and how long it takes to find: along a Hilbert curve, shortened, and by plain
+// 2-opt run to its end, for 10^4 to 10^6 random dots. Lengths are in sqrt(dots * area), of which the shortest
+// way has about 0.7124. Prints a table; a count given as an argument is the only one.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "core/placing/dot_order.h"
+#include "core/routing/short_way.h"
+
+namespace {
+
+using namespace dapple;
+
+Dots random_dots(std::size_t count) {
+    Dots dots;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> place;
+    for (std::size_t i = 0; i < count; ++i) {
+        dots.x.push_back(place(random));
+        dots.y.push_back(place(random));
+    }
+    return dots;
+}
+
+// All pairs of edges, again and again until none helps: quadratic, so for few dots.
+std::vector<std::uint32_t> plain_2opt(const Dots& dots) {
+    std::vector<std::uint32_t> order(dots.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto between = [&](std::size_t i, std::size_t k) {
+        const double x = double(dots.x[order[i]]) - dots.x[order[k]],
+                     y = double(dots.y[order[i]]) - dots.y[order[k]];
+        return std::sqrt(x * x + y * y);
+    };
+    for (bool better = true; better;) {
+        better = false;
+        for (std::size_t i = 0; i + 3 < order.size(); ++i) {
+            for (std::size_t k = i + 2; k + 1 < order.size(); ++k) {
+                if (between(i, i + 1) + between(k, k + 1) - between(i, k) - between(i + 1, k + 1) < 1e-9)
+                    continue;
+                std::reverse(order.begin() + long(i) + 1, order.begin() + long(k) + 1);
+                better = true;
+            }
+        }
+    }
+    return order;
+}
+
+void print_row(std::size_t count) {
+    Dots dots = random_dots(count);
+    auto start = std::chrono::steady_clock::now();
+    const auto lap = [&] {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(start, now)).count();
+    };
+    const double unit = std::sqrt(static_cast<double>(count));
+    sort_dots(dots, DotOrder::space);
+    const double sorting = lap();
+    fmt::print("{:>9}  Hilbert   {:.4f} {:8.2f} s\n", count, way_length(dots.x, dots.y) / unit, sorting);
+    lap();
+    const std::vector<std::uint32_t> order = short_way(dots.x, dots.y);
+    const double shortening = lap();
+    fmt::print("{:>9}  short way {:.4f} {:8.2f} s\n", count, way_length(dots.x, dots.y, order) / unit,
+               shortening);
+    if (count > 20'000) return;
+    lap();
+    const std::vector<std::uint32_t> plain = plain_2opt(dots);
+    const double turning = lap();
+    fmt::print("{:>9}  2-opt     {:.4f} {:8.2f} s\n", count, way_length(dots.x, dots.y, plain) / unit,
+               turning);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc > 1) {
+        print_row(static_cast<std::size_t>(std::max(2L, std::atol(argv[1]))));
+        return 0;
+    }
+    for (const std::size_t count : {10'000, 100'000, 1'000'000}) print_row(count);
+}

@@ -1,0 +1,99 @@
+#include "core/routing/near_dots.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace dapple {
+namespace {
+
+constexpr std::size_t kLeaf = 8;
+
+// Dots in the order of the tree's leaves: a node is a range of them, split in its middle.
+class DotTree {
+ public:
+    DotTree(std::span<const float> x, std::span<const float> y) : x_(x), y_(y), sorted_(x.size()) {
+        std::iota(sorted_.begin(), sorted_.end(), 0u);
+        across_.resize(x.size());
+        border_.resize(x.size());
+        if (!x.empty()) split(0, x.size());
+    }
+
+    void nearest(std::uint32_t dot, std::uint32_t* found) {
+        self_ = dot;
+        distance_.fill(std::numeric_limits<float>::infinity());
+        found_ = found;
+        count_ = 0;
+        search(0, sorted_.size());
+        for (std::size_t k = count_; k < kNearDots; ++k) found[k] = count_ > 0 ? found[count_ - 1] : dot;
+    }
+
+ private:
+    void split(std::size_t first, std::size_t last) {
+        if (last - first <= kLeaf) return;
+        float left = x_[sorted_[first]], right = left, top = y_[sorted_[first]], bottom = top;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            left = std::min(left, x_[sorted_[i]]);
+            right = std::max(right, x_[sorted_[i]]);
+            top = std::min(top, y_[sorted_[i]]);
+            bottom = std::max(bottom, y_[sorted_[i]]);
+        }
+        const std::size_t middle = (first + last) / 2;
+        across_[middle] = right - left > bottom - top;
+        const std::span<const float> key = across_[middle] ? x_ : y_;
+        const auto begin = sorted_.begin();
+        std::nth_element(begin + long(first), begin + long(middle), begin + long(last),
+                         [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+        border_[middle] = key[sorted_[middle]];
+        split(first, middle);
+        split(middle, last);
+    }
+
+    void search(std::size_t first, std::size_t last) {
+        if (last - first <= kLeaf) {
+            for (std::size_t i = first; i < last; ++i) look_at(sorted_[i]);
+            return;
+        }
+        const std::size_t middle = (first + last) / 2;
+        const std::span<const float> key = across_[middle] ? x_ : y_;
+        const float beyond = key[self_] - border_[middle];
+        const bool lower = beyond < 0;
+        lower ? search(first, middle) : search(middle, last);
+        if (beyond * beyond < distance_.back()) lower ? search(middle, last) : search(first, middle);
+    }
+
+    void look_at(std::uint32_t dot) {
+        const float dx = x_[dot] - x_[self_], dy = y_[dot] - y_[self_], distance = dx * dx + dy * dy;
+        if (dot == self_ || distance >= distance_.back()) return;
+        std::size_t place = std::min(count_, kNearDots - 1);
+        for (; place > 0 && distance_[place - 1] > distance; --place) {
+            distance_[place] = distance_[place - 1];
+            found_[place] = found_[place - 1];
+        }
+        distance_[place] = distance;
+        found_[place] = dot;
+        count_ = std::min(count_ + 1, kNearDots);
+    }
+
+    std::span<const float> x_, y_;
+    std::vector<std::uint32_t> sorted_;
+    std::vector<char> across_;   // of the node with that middle: split from left to right
+    std::vector<float> border_;  // of the node with that middle: between its halves
+    std::uint32_t self_ = 0;
+    std::uint32_t* found_ = nullptr;
+    std::size_t count_ = 0;
+    std::array<float, kNearDots> distance_{};  // squared
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> near_dots(std::span<const float> x, std::span<const float> y) {
+    std::vector<std::uint32_t> found(x.size() * kNearDots);
+    DotTree tree(x, y);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        tree.nearest(static_cast<std::uint32_t>(i), &found[i * kNearDots]);
+    return found;
+}
+
+}  // namespace dapple

@@ -1,0 +1,338 @@
+#include "core/routing/short_way.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "core/routing/near_dots.h"
+
+namespace dapple {
+namespace {
+
+// Consecutive dots that are improved at once. Larger windows hinder fewer dots at their borders, but turning
+// parts of them round costs more.
+constexpr std::size_t kWindow = 10'000;
+// Rounds of windows, each shifted by half a window.
+constexpr int kRounds = 2;
+// Longest row of dots that is carried elsewhere.
+constexpr int kLongestRow = 3;
+// A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
+constexpr std::size_t kLongestChain = 6;
+constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};
+// Guards against a search that never ends; how near real drawings come to it has not been measured.
+constexpr std::size_t kLooksPerDot = 200;
+
+// A closed tour through the dots of a window and one more stop, which joins the way's two ends and costs
+// nothing, so that an open way's moves are a closed one's.
+class Window {
+ public:
+    // An end that is held stays the end: there the rest of the way goes on.
+    Window(std::vector<float> x, std::vector<float> y, bool holds_first, bool holds_last)
+        : x_(std::move(x)),
+          y_(std::move(y)),
+          near_(near_dots(x_, y_)),
+          stops_(x_.size() + 1),
+          joint_(static_cast<std::uint32_t>(x_.size())),
+          first_(holds_first ? 0 : joint_),
+          last_(holds_last ? joint_ - 1 : joint_),
+          tour_(stops_),
+          place_(stops_),
+          waits_(stops_, 1) {
+        std::iota(tour_.begin(), tour_.end(), 0u);
+        place_ = tour_;
+        // Gains below this are rounding.
+        double length = 0;
+        for (std::uint32_t i = 1; i < joint_; ++i) length += distance(i - 1, i);
+        least_gain_ = 1e-9 * length;
+        held_ = 10 * length + 1;
+    }
+
+    void improve(const std::stop_token& stop) {
+        queue_.assign(tour_.begin(), tour_.end());
+        std::size_t looks = 0;
+        for (std::size_t next = 0; next < queue_.size() && looks < kLooksPerDot * stops_; ++next, ++looks) {
+            if (looks % 1024 == 0 && stop.stop_requested()) return;
+            const std::uint32_t dot = queue_[next];
+            waits_[dot] = 0;
+            if (dot == joint_) continue;
+            while (carry_row_from(dot) || turn_part_at(dot) || chain_from(dot)) {
+                if (++looks > kLooksPerDot * stops_) return;
+            }
+            if (next > stops_) {
+                queue_.erase(queue_.begin(), queue_.begin() + static_cast<long>(next) + 1);
+                next = static_cast<std::size_t>(-1);
+            }
+        }
+    }
+
+    // The dots from the first to the last.
+    std::vector<std::uint32_t> way() const {
+        std::vector<std::uint32_t> result;
+        result.reserve(joint_);
+        for (std::uint32_t dot = after(joint_); dot != joint_; dot = after(dot)) result.push_back(dot);
+        // A window that was turned as a whole; with both ends free either way is as good.
+        const bool turned =
+            (first_ != joint_ && result.front() != first_) || (last_ != joint_ && result.back() != last_);
+        if (turned) std::ranges::reverse(result);
+        return result;
+    }
+
+ private:
+    std::uint32_t after(std::uint32_t dot) const {
+        const std::uint32_t place = place_[dot] + 1;
+        return tour_[place == stops_ ? 0 : place];
+    }
+    std::uint32_t before(std::uint32_t dot) const {
+        const std::uint32_t place = place_[dot];
+        return tour_[place == 0 ? stops_ - 1 : place - 1];
+    }
+    std::uint32_t beside(std::uint32_t dot, bool forward) const { return forward ? after(dot) : before(dot); }
+
+    double distance(std::uint32_t a, std::uint32_t b) const {
+        if (a == joint_ || b == joint_) {
+            const std::uint32_t dot = a == joint_ ? b : a;
+            return dot == first_ || dot == last_ ? -held_ : 0;
+        }
+        const double dx = double(x_[a]) - x_[b], dy = double(y_[a]) - y_[b];
+        return std::sqrt(dx * dx + dy * dy);
+    }
+
+    void look_again(std::uint32_t dot) {
+        if (waits_[dot]) return;
+        waits_[dot] = 1;
+        queue_.push_back(dot);
+    }
+
+    // Turns the stops at these places round, or all the others, which is the same tour.
+    void turn(std::uint32_t from, std::uint32_t to) {
+        const auto count = static_cast<std::uint32_t>(stops_);
+        std::uint32_t length = (to + count - from) % count + 1;
+        if (2 * length > count) {
+            std::swap(from, to);
+            from = from + 1 == count ? 0 : from + 1;
+            to = to == 0 ? count - 1 : to - 1;
+            length = count - length;
+        }
+        for (std::uint32_t swaps = length / 2; swaps > 0; --swaps) {
+            std::swap(tour_[from], tour_[to]);
+            place_[tour_[from]] = from;
+            place_[tour_[to]] = to;
+            from = from + 1 == count ? 0 : from + 1;
+            to = to == 0 ? count - 1 : to - 1;
+        }
+    }
+
+    // In place of a-b and c-d there will be a-c and b-d; b follows a as d follows c, on either way round.
+    void exchange(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        if (after(a) == b)
+            turn(place_[b], place_[c]);
+        else
+            turn(place_[a], place_[d]);
+    }
+
+    bool turn_part_at(std::uint32_t a) {
+        for (const bool forward : {true, false}) {
+            const std::uint32_t b = beside(a, forward);
+            const double a_b = distance(a, b);
+            for (std::size_t k = 0; k < kNearDots; ++k) {
+                const std::uint32_t c = near_[a * kNearDots + k];
+                const double a_c = distance(a, c);
+                if (a_c >= a_b) break;
+                const std::uint32_t d = beside(c, forward);
+                if (c == b || d == a) continue;
+                if (a_b + distance(c, d) - a_c - distance(b, d) <= least_gain_) continue;
+                exchange(a, b, c, d);
+                for (const std::uint32_t dot : {a, b, c, d}) look_again(dot);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // The row begins with the dot and goes on forward or back; its beginning comes beside a near dot.
+    bool carry_row_from(std::uint32_t a) {
+        for (const bool forward : {true, false}) {
+            std::uint32_t end = a;
+            const std::uint32_t left = beside(a, !forward);
+            const double left_a = distance(left, a);
+            for (int length = 1; length <= kLongestRow; ++length) {
+                if (length > 1) end = beside(end, forward);
+                if (end == joint_) break;
+                const std::uint32_t right = beside(end, forward);
+                if (right == left || end == left) break;
+                const double saved = left_a + distance(end, right) - distance(left, right);
+                if (saved <= least_gain_) continue;
+                if (carry(a, end, length, left, right, forward, saved)) return true;
+            }
+        }
+        return false;
+    }
+
+    bool is_in_row(std::uint32_t dot, std::uint32_t a, int length, bool forward) const {
+        for (std::uint32_t row = a; length > 0; --length, row = beside(row, forward)) {
+            if (row == dot) return true;
+        }
+        return false;
+    }
+
+    bool carry(std::uint32_t a, std::uint32_t end, int length, std::uint32_t left, std::uint32_t right,
+               bool forward, double saved) {
+        for (std::size_t k = 0; k < kNearDots; ++k) {
+            const std::uint32_t c = near_[a * kNearDots + k];
+            const double a_c = distance(a, c);
+            if (a_c >= saved) return false;
+            if (c == a || is_in_row(c, a, length, forward)) continue;
+            for (const bool on : {true, false}) {
+                // Between c and d; seen in the row's direction, d follows c or goes before it.
+                const std::uint32_t d = beside(c, on == forward);
+                if (is_in_row(d, a, length, forward)) continue;
+                if (saved - a_c - distance(end, d) + distance(c, d) <= least_gain_) continue;
+                const std::uint32_t u = on ? c : d, v = on ? d : c;
+                // left [a..end] right .. u v: first the row turned between u and v, as in
+                // left right .. u [end..a] v.
+                exchange(left, a, u, v);
+                exchange(left, u, right, end);
+                if (on) exchange(u, end, a, v);
+                for (const std::uint32_t dot : {a, end, left, right, c, d}) look_again(dot);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Turns in a chain, each of which may make the way longer as long as the chain does not (Lin and
+    // Kernighan 1973): all have their first dot in common.
+    bool chain_from(std::uint32_t a) {
+        for (const bool forward : {true, false}) {
+            const std::uint32_t b = beside(a, forward);
+            if (a == joint_ || b == joint_) continue;
+            turns_.clear();
+            if (!lengthen_chain(a, b, distance(a, b))) continue;
+            for (const Turn& turn : turns_) {
+                for (const std::uint32_t dot : {turn.b, turn.c, turn.d}) look_again(dot);
+            }
+            look_again(a);
+            return true;
+        }
+        return false;
+    }
+
+    // The edge a-b is to go; `freed` is what those that went are longer than those that came.
+    bool lengthen_chain(std::uint32_t a, std::uint32_t b, double freed) {
+        struct Choice {
+            double freed;
+            std::uint32_t c, d;
+        };
+        std::array<Choice, kNearDots> choices;
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < kNearDots; ++k) {
+            const std::uint32_t d = near_[b * kNearDots + k];
+            const double left = freed - distance(b, d);
+            if (left <= least_gain_) break;
+            // exchange() asks that b follows a as d follows c, and turns change which way that is.
+            const std::uint32_t c = beside(d, after(a) != b);
+            if (d == a || c == b || c == joint_) continue;
+            const Choice choice{left + distance(c, d), c, d};
+            std::size_t place = count++;
+            for (; place > 0 && choices[place - 1].freed < choice.freed; --place)
+                choices[place] = choices[place - 1];
+            choices[place] = choice;
+        }
+        const std::size_t depth = turns_.size();
+        const std::size_t most = depth < kBreadth.size() ? kBreadth[depth] : 1;
+        for (std::size_t i = 0; i < std::min(count, most); ++i) {
+            const auto [left, c, d] = choices[i];
+            exchange(a, b, c, d);
+            turns_.push_back({b, c, d});
+            if (left - distance(a, c) > least_gain_) return true;
+            if (depth + 1 < kLongestChain && lengthen_chain(a, c, left)) return true;
+            turns_.pop_back();
+            exchange(a, c, b, d);
+        }
+        return false;
+    }
+
+    struct Turn {
+        std::uint32_t b, c, d;
+    };
+
+    std::vector<float> x_, y_;
+    std::vector<std::uint32_t> near_;
+    std::vector<Turn> turns_;  // of the chain being tried
+    std::size_t stops_;
+    std::uint32_t joint_, first_, last_;  // the ends that are held, or the joint
+    std::vector<std::uint32_t> tour_, place_;
+    std::vector<char> waits_;  // in the queue
+    std::vector<std::uint32_t> queue_;
+    double least_gain_ = 0, held_ = 0;
+};
+
+}  // namespace
+
+double way_length(std::span<const float> x, std::span<const float> y) {
+    double length = 0;
+    for (std::size_t i = 1; i < x.size(); ++i)
+        length += std::hypot(double(x[i]) - x[i - 1], double(y[i]) - y[i - 1]);
+    return length;
+}
+
+double way_length(std::span<const float> x, std::span<const float> y, std::span<const std::uint32_t> order) {
+    double length = 0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        length += std::hypot(double(x[order[i]]) - x[order[i - 1]], double(y[order[i]]) - y[order[i - 1]]);
+    return length;
+}
+
+std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
+                                     const RoutingWatch& watch) {
+    std::vector<std::uint32_t> order(x.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (order.size() < 3) return order;
+    const int rounds = order.size() > kWindow ? kRounds : 1;
+    std::size_t done = 0;  // dots, over all rounds
+    std::mutex telling;
+    for (int round = 0; round < rounds && !watch.stop.stop_requested(); ++round) {
+        // Of equal windows; the first and the last are half ones in every other round.
+        const std::size_t count = (order.size() + kWindow - 1) / kWindow, shifted = round % 2;
+        const auto border = [&](std::size_t window) {
+            if (window == 0) return std::size_t{0};
+            return std::min(order.size(), (2 * window - shifted) * order.size() / (2 * count));
+        };
+        tbb::parallel_for(std::size_t{0}, count + shifted, [&](std::size_t index) {
+            if (watch.stop.stop_requested()) return;
+            const std::size_t first = border(index), last = border(index + 1);
+            if (last - first < 3) return;
+            const std::vector<std::uint32_t> dots(order.begin() + static_cast<long>(first),
+                                                  order.begin() + static_cast<long>(last));
+            std::vector<float> across(dots.size()), down(dots.size());
+            for (std::size_t i = 0; i < dots.size(); ++i) {
+                across[i] = x[dots[i]];
+                down[i] = y[dots[i]];
+            }
+            Window window(std::move(across), std::move(down), first > 0, last < order.size());
+            window.improve(watch.stop);
+            const std::vector<std::uint32_t> way = window.way();
+            for (std::size_t i = 0; i < way.size(); ++i) order[first + i] = dots[way[i]];
+            const std::scoped_lock lock(telling);
+            done += dots.size();
+            if (watch.progress) watch.progress(double(done) / (double(rounds) * double(order.size())));
+        });
+    }
+    return order;
+}
+
+void shorten_way(Dots& dots, const RoutingWatch& watch) {
+    const std::vector<std::uint32_t> order = short_way(dots.x, dots.y, watch);
+    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
+        if (column->empty()) continue;
+        FloatBuffer sorted(column->size());
+        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = (*column)[order[i]];
+        *column = std::move(sorted);
+    }
+}
+
+}  // namespace dapple

@@ -1,0 +1,44 @@
+#pragma once
+// A short way for a pen through all dots: an open path, the travelling salesman's without the way home.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+/// For someone who waits. May be called from several threads, but not at the same time.
+struct RoutingWatch {
+    std::stop_token stop;                        // asks to give up
+    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
+};
+
+/// The dots' indices in an order whose way is never longer than the one given. The start should be a good
+/// one: dots sorted along a Hilbert curve (core/placing/dot_order.h).
+///
+/// The way is improved by moves until none helps: 2-opt (Croes 1958), which turns a part of the way round,
+/// and Or-opt (Or 1976), which carries one to three dots in a row elsewhere. Both look only at each dot's
+/// nearest others and at dots whose surroundings changed (neighbour lists and don't-look bits: Bentley,
+/// "Fast algorithms for geometric traveling salesman problems", ORSA J. Computing 4, 1992; Johnson and
+/// McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
+///
+/// Many dots are improved in windows of consecutive ones, side by side in threads, and then again in windows
+/// half a step on. The result depends on the dots alone: not on time, nor on the number of threads. Throws
+/// nothing of its own; when stopped, what was reached is returned.
+std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
+                                     const RoutingWatch& watch = {});
+
+/// Puts the dots, sorted along a Hilbert curve, in the order of short_way().
+void shorten_way(Dots& dots, const RoutingWatch& watch = {});
+
+/// The length of the way through dots as they come, in their unit.
+double way_length(std::span<const float> x, std::span<const float> y);
+
+/// The same through dots in the order of those indices.
+double way_length(std::span<const float> x, std::span<const float> y, std::span<const std::uint32_t> order);
+
+}  // namespace dapple
