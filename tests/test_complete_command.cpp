@@ -68,6 +68,6 @@ TEST_CASE("bash completes with the script that is installed") {
             .out;
     };
     CHECK(completed("ren", 1) == "render\n");
-    CHECK(completed("render --order s x", 3) == "space\n");
+    CHECK(completed("render --order s x", 3) == "shortest space\n");
     CHECK(completed("render cat", 2) == "\n");
 }

@@ -59,7 +59,7 @@ TEST_CASE("the command palette finds what has every word typed, and Enter does i
     std::vector<const char*> found;
     for (const Shortcut& each : shortcuts_with("PICTURE open", shortcuts())) found.push_back(each.meaning);
     REQUIRE(found.size() == 1);
-    CHECK(std::string(found[0]) == "Open a picture");
+    CHECK(std::string(found[0]) == "Open a picture or a project");
     CHECK(shortcuts_with("", shortcuts()).size() > 15);
     CHECK(shortcuts_with("zebra", shortcuts()).empty());
 

@@ -54,7 +54,7 @@ ViewerSettings nothing_usual() {
                  .height_mm = 123.25,
                  .margins = {11, 12.5, 13, 14},
                  .fit = PageFit::fill,
-                 .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::percent},
+                 .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
         .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),

@@ -98,8 +98,8 @@ TEST_CASE("drawings that cannot be saved are refused in a sentence") {
     const std::string from = "render " + scene("cat.png") + " -o ";
     scene.must_fail(from + scene("missing/a.svg"), "/missing does not exist");
     scene.must_fail(from + scene("cat.png/a.svg"), "is a file, not a folder");
-    scene.must_fail(from + scene("old.bmp"), "must end in .svg, .png or .csv");
-    scene.must_fail(from + scene("old"), "must end in .svg, .png or .csv");
+    scene.must_fail(from + scene("old.bmp"), "must end in .svg, .pdf, .png, .tif");
+    scene.must_fail(from + scene("old"), "must end in .svg, .pdf, .png, .tif");
     scene.must_fail(from + scene("./cat.png"), "would be written over the picture");
     scene.must_fail(from + scene("old.svg") + " --stats " + scene("./old.svg"),
                     "would be written over the drawing");
