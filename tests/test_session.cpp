@@ -6,10 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "app/commands/render.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/model/export_estimate.h"
@@ -250,8 +248,7 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
         });
     };
     REQUIRE(brings([&] { return session.pane().page_request() == request; }));
-    for (const char* const name :
-         {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode"}) {
+    for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode"}) {
         CAPTURE(name);
         const DrawingFormat format = drawing_format(name);
         ExportEstimate estimate;
@@ -284,51 +281,6 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
     CHECK(same_order);
     CHECK(lines == 40'000);
     CHECK(ascends);
-}
-
-TEST_CASE("window and command save the same bytes, however the page is set up") {
-    TemporaryFolder folder;
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
-    DrawingSettings drawing;
-    drawing.placing.count = 1000;
-    drawing.relax = 1;
-    Session session(drawing, [] {});
-    session.open_sample();
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
-    REQUIRE(brings([&] { return session.placed_once(); }));
-    const PageSetup margins{.margins = {10, 20, 30, 40}};
-    const PageSetup part{
-        .paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{100, 200}, {800, 500}}}};
-    const PageSetup filled{.paper = Paper::a4,
-                           .orientation = PageOrientation::landscape,
-                           .margins = {15, 15, 15, 15},
-                           .fit = PageFit::fill,
-                           .quarter_turns = 1};
-    // A table has all digits of every number.
-    for (const auto& [page, name] : {std::pair(PageSetup{}, "plain.csv"), std::pair(margins, "margins.svg"),
-                                     std::pair(part, "part.csv"), std::pair(filled, "filled.png")}) {
-        CAPTURE(name);
-        drawing.page = page;
-        drawing.show_tiles = drawing_format(name) == DrawingFormat::svg;
-        session.settings.drawing = drawing;
-        session.settings.saving.dpi = 50;
-        const fs::path by_window = folder / name, by_command = folder / ("c_" + std::string(name));
-        session.save(by_window);
-        REQUIRE(brings([&] { return session.saved_path() == by_window; }));
-        RenderOptions options;
-        options.output = by_command;
-        options.drawing = drawing;
-        options.saving.dpi = 50;
-        render(options);
-        CHECK(text_of(by_window).size() > 1000);
-        CHECK((text_of(by_window) == text_of(by_command)));
-    }
 }
 
 TEST_CASE("a dropped tile file is drawn with until undo brings the former tile back") {
@@ -443,6 +395,28 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
                !session.pane().worker().placing_since();
     }));
     CHECK(session.pane().page().stippling.dots.size() == 1000);
+}
+
+TEST_CASE("what undo and redo would change is said in a word or two") {
+    Session session({}, [] {});
+    CHECK_FALSE(session.undo_words());
+    session.settings.drawing.tone.contrast = 0.5f;
+    session.remember(true);
+    CHECK_FALSE(session.undo_words());
+    session.remember(false);
+    CHECK(session.undo_words() == "contrast");
+    session.settings.drawing.page.margins.left = 20;
+    session.settings.drawing.dot_size.sizing = DotSizing::fixed;
+    session.settings.density.source = DensitySource::grey;
+    session.remember(false);
+    CHECK(session.undo_words() == "dot size and 2 more");
+    CHECK_FALSE(session.redo_words());
+    session.undo();
+    CHECK(session.undo_words() == "contrast");
+    CHECK(session.redo_words() == "dot size and 2 more");
+    session.undo();
+    CHECK_FALSE(session.undo_words());
+    CHECK(session.redo_words() == "contrast");
 }
 
 }  // namespace dapple

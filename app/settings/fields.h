@@ -37,6 +37,8 @@ struct NamedValue {
     const char* name;
     Value value;
 };
+template <class Value>
+NamedValue(const char*, Value) -> NamedValue<Value>;
 
 /// How files that a setting names are written.
 enum class FileNames {

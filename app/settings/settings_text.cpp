@@ -14,7 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kVersionField = "dapple";
 constexpr int kVersion = 1;
 // Ours are three deep.
 constexpr int kDeepest = 32;

@@ -8,6 +8,9 @@
 
 namespace dapple {
 
+/// The field that says which version of the format a text is in.
+inline constexpr const char* kVersionField = "dapple";
+
 /// What is read or written: the fields of the whole text.
 using Describe = std::function<void(Fields&)>;
 

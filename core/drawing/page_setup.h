@@ -122,8 +122,6 @@ struct PageLayout {
     PageSize page;  // the page unit is the picture's longer side
     Rectangle<double> picture;
     Rectangle<double> within_margins;
-
-    bool operator==(const PageLayout&) const = default;
 };
 
 /// The page of a picture that is so many pixels large once it is framed. Its size does not depend on the

@@ -20,19 +20,33 @@ class History {
         kept_.push_back(now);
         if (kept_.size() > kMostSteps) kept_.erase(kept_.begin());
         at_ = kept_.size() - 1;
+        ++changes_;
     }
+
+    /// What undo() and redo() would come to; null at either end.
+    const Value* before() const { return can_undo() ? &kept_[at_ - 1] : nullptr; }
+    const Value* after() const { return can_redo() ? &kept_[at_ + 1] : nullptr; }
+    const Value& now() const { return kept_[at_]; }
+    /// A number that changes with all of these.
+    int changes() const { return changes_; }
 
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < kept_.size(); }
 
     /// The value one step back or forward; the present one at either end.
-    const Value& undo() { return kept_[can_undo() ? --at_ : at_]; }
-    const Value& redo() { return kept_[can_redo() ? ++at_ : at_]; }
+    const Value& undo() { return go(can_undo() ? -1 : 0); }
+    const Value& redo() { return go(can_redo() ? 1 : 0); }
 
  private:
+    const Value& go(int steps) {
+        ++changes_;
+        return kept_[at_ += static_cast<std::size_t>(steps)];
+    }
+
     static constexpr std::size_t kMostSteps = 500;
     std::vector<Value> kept_;
     std::size_t at_ = 0;
+    int changes_ = 0;
 };
 
 }  // namespace dapple

@@ -46,6 +46,8 @@ class LightSession {
     void remember(bool editing) { history_.observe(settings, editing); }
     void undo() { settings = history_.undo(); }
     void redo() { settings = history_.redo(); }
+    bool can_undo() const { return history_.can_undo(); }
+    bool can_redo() const { return history_.can_redo(); }
 
     /// None until the first map is there.
     const LitMap* lit() const { return lit_.get(); }

@@ -9,8 +9,9 @@
 #include "app/files/tile_library.h"
 #include "app/settings/embedded_settings.h"
 #include "app/shown_text.h"
-#include "core/output/sheet.h"
+#include "app/viewer/model/change_words.h"
 #include "app/viewer/model/viewer_fields.h"
+#include "core/output/sheet.h"
 
 namespace dapple {
 namespace {
@@ -30,6 +31,31 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       most_dots_(most_dots),
       tiles_(drawing.tile),
       pane_(wake_) {}
+
+void Session::remember(bool editing) {
+    history_.observe(settings, editing);
+    name_changes();
+}
+
+void Session::undo() {
+    settings = history_.undo();
+    name_changes();
+}
+
+void Session::redo() {
+    settings = history_.redo();
+    name_changes();
+}
+
+void Session::name_changes() {
+    if (std::exchange(changes_named_, history_.changes()) == history_.changes()) return;
+    undo_words_.reset();
+    redo_words_.reset();
+    const ViewerSettings &now = history_.now(), *const before = history_.before(),
+                         *const after = history_.after();
+    if (before) undo_words_ = change_in_words(*before, now);
+    if (after) redo_words_ = change_in_words(now, *after);
+}
 
 DotsRequest Session::page_request() const {
     DotsRequest request = dots_request(settings);

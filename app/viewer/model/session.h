@@ -61,9 +61,12 @@ class Session {
     void stop_placing();
 
     /// Remembers the settings for undo, unless they are still being edited.
-    void remember(bool editing) { history_.observe(settings, editing); }
-    void undo() { settings = history_.undo(); }
-    void redo() { settings = history_.redo(); }
+    void remember(bool editing);
+    void undo();
+    void redo();
+    /// What those would change, in words; none: there is nothing to undo or to redo.
+    const std::optional<std::string>& undo_words() const { return undo_words_; }
+    const std::optional<std::string>& redo_words() const { return redo_words_; }
 
     ViewerSettings settings;  // the panels edit them
     Banner banner;
@@ -90,6 +93,7 @@ class Session {
  private:
     /// What the whole page is ordered with.
     DotsRequest page_request() const;
+    void name_changes();
     void request_right(const Zoom& zoom, RequestAgain again);
     void forget_right();
     void take_right(DotsPlaced& event);
@@ -101,6 +105,8 @@ class Session {
     // Of the page ordered last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
+    int changes_named_ = 0;  // of the history, by the words
+    std::optional<std::string> undo_words_, redo_words_;
     std::function<void()> wake_;
     std::uint64_t most_dots_;
     TileChoices tiles_;

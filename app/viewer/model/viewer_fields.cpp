@@ -37,17 +37,17 @@ void describe(Fields& fields, ViewerSettings& settings) {
     describe_drawing(fields, drawing, saving);
     fields.group("density", density);
     fields.group("view", [&](Fields& view) {
-        view.number("picture_opacity", picture_opacity, {0, 1});
-        view.choice("zoom_mode", zoom_mode,
+        view.number("picture_opacity", settings.picture_opacity, {0, 1});
+        view.choice("zoom_mode", settings.zoom_mode,
                     {NamedValue{"drawing", ZoomMode::drawing},
                      NamedValue{"constant_density", ZoomMode::constant_density}});
         view.choice(
-            "colouring", colouring,
+            "colouring", settings.colouring,
             {NamedValue{"ink", DotColouring::ink}, NamedValue{"level", DotColouring::level},
              NamedValue{"rank", DotColouring::rank}, NamedValue{"orientation", DotColouring::orientation}});
-        view.whole("deepest_level", deepest_level, {0, kDeepestStep});
-        view.group("comparison", comparison);
-        view.group("loupe", loupe);
+        view.whole("deepest_level", settings.deepest_level, {0, kDeepestStep});
+        view.group("comparison", settings.comparison);
+        view.group("loupe", settings.loupe);
     });
 }
 

@@ -1,13 +1,20 @@
 #pragma once
-// The buttons at the top of the column.
+// The buttons above the sections.
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "app/viewer/panels/shortcuts.h"
 
 namespace dapple {
 
-/// The row "Open...", "Export...", "Keys".
-void draw_action_buttons(const std::function<void(Action)>& act);
+/// What the buttons would undo and do again, in words; none: nothing.
+struct UndoInfo {
+    std::optional<std::string> undo, redo;
+};
+
+/// `has_project`: there are settings to be saved with the picture.
+void draw_action_buttons(const UndoInfo& info, bool has_project, const std::function<void(Action)>& act);
 
 }  // namespace dapple

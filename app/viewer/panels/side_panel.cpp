@@ -32,7 +32,7 @@ void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& ti
     pop_title_font();
     if (!title.description.empty()) hint(title.description.c_str());
     ImGui::Dummy({0, 0});
-    draw_action_buttons(act);
+    draw_action_buttons(title.undo, title.has_project, act);
 }
 
 void end_side_panel() {
@@ -42,7 +42,12 @@ void end_side_panel() {
 
 bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
                      glm::vec2 corner, glm::vec2 size) {
-    begin_side_panel(corner, size, {session.picture().name, session.picture().description}, act);
+    begin_side_panel(corner, size,
+                     {session.picture().name,
+                      session.picture().description,
+                      {session.undo_words(), session.redo_words()},
+                      true},
+                     act);
     ViewerSettings& settings = session.settings;
     const PlacedDrawing& page = session.pane().page();
     const Histogram histogram = page.histogram ? *page.histogram : Histogram{};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/viewer/model/session.h"
+#include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -15,6 +16,8 @@ namespace dapple {
 /// What the column begins with.
 struct SidePanelTitle {
     std::string name, description;
+    UndoInfo undo;
+    bool has_project = false;
 };
 
 /// Begins the column in a rectangle: title and buttons, which call `act`. What follows is drawn below.

@@ -107,7 +107,10 @@ void LightsDocument::draw_panels(const Frame& frame) {
     std::string size;
     if (const LitMap* lit = session_.lit())
         size = std::to_string(lit->map.width()) + " x " + std::to_string(lit->map.height()) + " pixels";
-    begin_side_panel({frame.canvas.x, 0}, frame.panels, {session_.name(), size}, frame.act);
+    const auto whether = [](bool can) { return can ? std::optional<std::string>("") : std::nullopt; };
+    begin_side_panel({frame.canvas.x, 0}, frame.panels,
+                     {session_.name(), size, {whether(session_.can_undo()), whether(session_.can_redo())}},
+                     frame.act);
     std::optional<LightsInfo> info;
     if (session_.samples().found) info = session_.samples().info;
     draw_lights_panel(session_.settings, info,
