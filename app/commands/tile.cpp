@@ -173,8 +173,8 @@ TileCommand::TileCommand(CLI::App& program) {
         "TILE is a built-in tile's name, a tile file, or the paper's two integers.\n"
         "dapple tile COMMAND --help says more.\n\n"
         "Examples:\n"
-        "  dapple tile show paper16 --ranking paper -o paper16.svg   its points, copies and ranks, as in the "
-        "paper\n"
+        "  dapple tile show paper16 --ranking paper -o paper16.svg\n"
+        "                                                     its points, copies and ranks, as in the paper\n"
         "  dapple tile search --points 20                     the best tiles of 20 points\n"
         "  dapple tile search --points 256 --rule any --seconds 60 -o mine.tile\n"
         "  dapple render cat.jpg -o cat.svg --tile mine.tile");
@@ -199,7 +199,9 @@ void TileCommand::add_rules(CLI::App& parent) {
         "share\n"
         "that is turned alike, at the distance where most are; chance is 0.125. The lower, the less a "
         "picture\n"
-        "repeats. 0000, the paper's, has 1.");
+        "repeats. 0000, the paper's, has 1. Turned copies have seams instead, which show on black with dots "
+        "as\n"
+        "placed: dapple tile check tells how much.");
     command->callback([this] { list_rules(std::cout, rules_); });
 }
 

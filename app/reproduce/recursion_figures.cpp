@@ -99,17 +99,18 @@ void add_spectra(HtmlPage& page) {
     DrawingSettings turned = joint;
     turned.tile = "aperiodic4096";
     turned.ranking = {};
-    const std::array spectra{
-        spectrum_of("Appendix A's tile, Figure 8, complete level", complete, {0.13f, 0.35f, 0.65f}),
-        spectrum_of("Appendix A's tile, Figure 8, between levels", between, {0.85f, 0.35f, 0.1f}),
-        spectrum_of("Appendix A's tile, ranked jointly, between levels", joint, {0.1f, 0.55f, 0.35f}),
-        spectrum_of("aperiodic4096, this program's own, between levels", turned, {0.45f, 0.3f, 0.6f})};
+    const std::array spectra{spectrum_of("Figure 8, complete level", complete, {0.13f, 0.35f, 0.65f}),
+                             spectrum_of("Figure 8, between levels", between, {0.85f, 0.35f, 0.1f}),
+                             spectrum_of("joint ranking, between levels", joint, {0.1f, 0.55f, 0.35f}),
+                             spectrum_of("aperiodic4096, between levels", turned, {0.45f, 0.3f, 0.6f})};
     page.heading("Not in the paper: power spectra");
     page.pictures(
         std::array{spectra[0].picture, spectra[1].picture, spectra[2].picture, spectra[3].picture},
-        "Constant density. Every orange dot is a wave that runs through the whole set: the same tile comes "
+        "Constant density. The first three are of the tile of Appendix A. Every orange dot is a wave that "
+        "runs through the whole set: the same tile comes "
         "again and again, and moved by a tile all dots meet others (periodicity 1). This is the periodicity "
-        "that the paper names as its open problem. The last tile is not the paper's: its copies are turned.");
+        "that the paper names as its open problem. The fourth is of this program's own tile, whose copies "
+        "are turned.");
     page.drawings(
         std::array{svg_plot(
             {.title = "Radially averaged power",

@@ -59,7 +59,8 @@ void add_stippling_figures(HtmlPage& page) {
     add_row(
         page, still_life, "The still life", solids,
         "The paper's pictures have 28,291 to 44,775 dots and took it up to 80 ms in 2006. Ours have the "
-        "fewest and the most of these, counted as Figure 8 emits them, with the paper's placer and ranks. "
+        "fewest and the most of these, or one more where two dots come at one scale, counted as Figure 8 "
+        "emits them, with the paper's placer and ranks. "
         "The pictures are our choice, as the paper's are not at hand: here the still life that this program "
         "carries.");
     add_row(page, slanted_ramp(), "A ramp", "a ramp from white to black, drawn with dots",

@@ -213,8 +213,7 @@ void Figure::write_ranks(const Panel& panel) {
     }
     text_ << "</g>\n";
     // A tile can be ranked in several orders, of which the paper's is one.
-    caption(panel, fmt::format("ranks ({}): {}", name_of(stored_.order),
-                               numbers ? "the order of appearance" : "early dark, late pale"));
+    caption(panel, fmt::format("ranks ({}): {}", name_of(stored_.order), numbers ? "0 first" : "dark first"));
 }
 
 void Figure::write_first(const Panel& panel, int quarters) {
