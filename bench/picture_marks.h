@@ -4,8 +4,8 @@
 #include <glm/vec2.hpp>
 #include <span>
 
-#include "bench/raster_of_dots.h"
 #include "core/image/grid.h"
+#include "core/output/raster_of_dots.h"
 
 namespace dapple {
 

@@ -34,10 +34,10 @@
 #include "bench/picture_marks.h"
 #include "bench/plain_lloyd.h"
 #include "bench/relaxed_dots.h"
-#include "bench/seams.h"
 #include "bench/side_by_side.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
+#include "core/output/seams.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bench/raster_of_dots.h"
+#include "core/output/raster_of_dots.h"
 
 namespace dapple {
 

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "app/analysis/black_seams.h"
 #include "app/files/tile_library.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
@@ -34,6 +35,7 @@ constexpr int kDensities = 12;
 struct Marks {
     double highest_bin = 0, top_share = 0, power_03 = 0, power_05 = 0;
     NearestSummary nearest;
+    double seam = 0;
 };
 
 // A number of each column, the worse of two.
@@ -43,13 +45,14 @@ Marks worse(const Marks& a, const Marks& b) {
             std::max(a.power_03, b.power_03),
             std::max(a.power_05, b.power_05),
             {std::min(a.nearest.minimum, b.nearest.minimum), std::min(a.nearest.p1, b.nearest.p1),
-             std::min(a.nearest.mean, b.nearest.mean)}};
+             std::min(a.nearest.mean, b.nearest.mean)},
+            std::max(a.seam, b.seam)};
 }
 
 std::string in_columns(const Marks& m) {
-    return fmt::format("{:.0f} | {:.1f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |", m.highest_bin,
-                       100 * m.top_share, m.power_03, m.power_05, m.nearest.minimum, m.nearest.p1,
-                       m.nearest.mean);
+    return fmt::format("{:.0f} | {:.1f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.2f} |",
+                       m.highest_bin, 100 * m.top_share, m.power_03, m.power_05, m.nearest.minimum,
+                       m.nearest.p1, m.nearest.mean, m.seam);
 }
 
 Marks marks_of(const DotPieces& dots) {
@@ -59,20 +62,18 @@ Marks marks_of(const DotPieces& dots) {
     const std::vector<glm::dvec2> inside = points_inside(points, torus);
     const Periodogram spectrum = periodogram(inside, torus);
     const Peaks peaks = spectral_peaks(spectrum);
-    return {peaks.highest_bin, peaks.top_share, low_frequency_power(spectrum, 0.3),
-            low_frequency_power(spectrum, 0.5), nearest_summary(inside, torus)};
+    return {peaks.highest_bin,
+            peaks.top_share,
+            low_frequency_power(spectrum, 0.3),
+            low_frequency_power(spectrum, 0.5),
+            nearest_summary(inside, torus),
+            seams(points, kSeamLoad).worst()};
 }
 
 std::optional<RankingMethod> order_named(const std::string& name) {
     for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
         if (name == name_of(order)) return order;
     throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
-}
-
-std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots) {
-    std::size_t level = tile.tile().size();
-    while (level < fewest_dots) level *= 4;
-    return level;
 }
 
 Marks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey) {
@@ -128,7 +129,7 @@ int main(int argc, char** argv) {
         const Density grey(Grid<float>(1, 1, 1.0f));
         fmt::print(
             "| tile | dots | highest bin | top 0.1 % | power below 0.3 | below 0.5 | nearest: minimum | "
-            "1st percentile | mean |\n|---|---|---|---|---|---|---|---|---|\n");
+            "1st percentile | mean | seam |\n|---|---|---|---|---|---|---|---|---|---|\n");
         for (const std::string& tile : tiles) level ? measure_level(tile, *level, grey) : measure(tile, grey);
         return 0;
     } catch (const std::exception& error) {

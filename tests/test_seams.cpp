@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bench/seams.h"
+#include "core/output/seams.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

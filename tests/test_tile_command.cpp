@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
@@ -311,7 +312,10 @@ TEST_CASE("check tells the criteria in words and as JSON") {
     // it.
     for (const nlohmann::json& share : marks["coincidence_at_lags_from_1"])
         CHECK(share.get<double>() == doctest::Approx(1));
-    const nlohmann::json turned = nlohmann::json::parse(run_dapple("tile check --json aperiodic16").out);
+    const nlohmann::json turned = nlohmann::json::parse(run_dapple("tile check --json aperiodic4096").out);
+    // docs/pictures.md measured 7.13 in a drawing of the same dots, by the pipeline.
+    CHECK(turned["seam_on_black"].get<double>() == doctest::Approx(7.13).epsilon(0.001));
+    CHECK(words.out.find("seam on black            2.61") != std::string::npos);
     const std::vector<double> lags = turned["coincidence_at_lags_from_1"];
     REQUIRE(lags.size() == 64);
     CHECK(lags.at(turned["coincidence_lag"].get<std::size_t>() - 1) == turned["orientation_coincidence"]);
@@ -359,6 +363,34 @@ TEST_CASE("show draws a built-in tile as an SVG") {
     pugi::xml_document document;
     REQUIRE(document.load_file(file.c_str()));
     CHECK(document.select_nodes("//g[@id='coinciding']/circle").size() == 64);
+}
+
+TEST_CASE(
+    "the help's example of the paper's ranks shows them, and a tile's own order says that it is another") {
+    const TemporaryFolder folder;
+    const std::string help = run_dapple("tile --help").out;
+    const std::string start = "dapple tile show paper16", end = " -o paper16.svg";
+    const std::size_t at = help.find(start), stop = help.find(end, at);
+    REQUIRE(at != std::string::npos);
+    REQUIRE(stop != std::string::npos);
+    const std::string options = help.substr(at + start.size(), stop - at - start.size());
+    const auto shown = [&](const std::string& with) {
+        const std::string file = folder / "shown.svg";
+        REQUIRE(run_dapple("tile show paper16" + with + " -o " + file).status == 0);
+        return text_of(file);
+    };
+    pugi::xml_document document;
+    REQUIRE(document.load_string(shown(options).c_str()));
+    std::map<int, double> height;
+    for (const pugi::xpath_node& node : document.select_nodes("//g[@id='ranks']/text"))
+        height[node.node().text().as_int()] = node.node().attribute("y").as_double();
+    REQUIRE(height.size() == 16);
+    // Appendix A's first four points, 2895, 34215, 40470 and 61620 down of 65535 in a square of 216.
+    CHECK(height[1] - height[0] == doctest::Approx((34215 - 2895) * 216 / 65535.0).epsilon(1e-3));
+    CHECK(height[2] - height[0] == doctest::Approx((40470 - 2895) * 216 / 65535.0).epsilon(1e-3));
+    CHECK(height[3] - height[0] == doctest::Approx((61620 - 2895) * 216 / 65535.0).epsilon(1e-3));
+    CHECK(shown(options).find("ranks (paper)") != std::string::npos);
+    CHECK(shown("").find("ranks (energy)") != std::string::npos);
 }
 
 TEST_CASE("dapple tile refuses what cannot be with one sentence and leaves files alone") {

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/analysis/black_seams.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
@@ -62,7 +63,8 @@ StoredTile in_new_order(StoredTile stored, const std::string& name, NewOrder ord
     return stored;
 }
 
-nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored, const TileMarks& marks) {
+nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored, const TileMarks& marks,
+                               const Seams& seams) {
     std::vector<int> rule;
     for (const Orientation g : stored.tile.rule.child) rule.push_back(g.index);
     nlohmann::ordered_json json{{"tile", name},
@@ -78,6 +80,7 @@ nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored
                                 {"coherent_share", marks.coherent_share},
                                 {"low_frequency_power", marks.low_frequency_power},
                                 {"lattice_share", marks.lattice_share},
+                                {"seam_on_black", seams.worst()},
                                 {"orientation_coincidence", marks.orientation_coincidence},
                                 {"coincidence_lag", marks.coincidence_lag},
                                 {"coincidence_at_lags_from_1", marks.coincidences}};
@@ -140,9 +143,11 @@ std::string_view name_of(NewOrder order) {
 void check_tile(std::ostream& out, const std::string& name, CheckFormat format, ShownWords words) {
     const StoredTile stored = load_tile(name);
     const TileMarks marks = marks_of(stored.tile, stored.ranking);
+    RankedTile drawn(stored.tile, stored.ranking);
+    const Seams seams = seams_on_black(drawn);
     if (format == CheckFormat::json) {
         // File names need not be UTF-8, JSON has to be.
-        out << json_of(name, stored, marks)
+        out << json_of(name, stored, marks, seams)
                    .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
             << '\n';
         return;
@@ -151,6 +156,8 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format, 
                        name_of(stored.order));
     for (const TileMark& mark : in_words(marks))
         out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
+    out << fmt::format("  {:<24} {:<9.2f} {}\n", "seam on black", seams.worst(),
+                       "bare paper along borders of tiles over the page's, as placed; 1 is no seam");
     if (stored.tile.size() > kMostPointsInWords && words == ShownWords::of_small_tiles) {
         out << fmt::format("\n{} words; --words shows them\n", stored.tile.words.size());
         return;
@@ -166,7 +173,8 @@ TileCommand::TileCommand(CLI::App& program) {
         "TILE is a built-in tile's name, a tile file, or the paper's two integers.\n"
         "dapple tile COMMAND --help says more.\n\n"
         "Examples:\n"
-        "  dapple tile show paper16 -o paper16.svg            its points, copies and ranks, as in the paper\n"
+        "  dapple tile show paper16 --ranking paper -o paper16.svg\n"
+        "                                                     its points, copies and ranks, as in the paper\n"
         "  dapple tile search --points 20                     the best tiles of 20 points\n"
         "  dapple tile search --points 256 --rule any --seconds 60 -o mine.tile\n"
         "  dapple render cat.jpg -o cat.svg --tile mine.tile");
@@ -191,7 +199,9 @@ void TileCommand::add_rules(CLI::App& parent) {
         "share\n"
         "that is turned alike, at the distance where most are; chance is 0.125. The lower, the less a "
         "picture\n"
-        "repeats. 0000, the paper's, has 1.");
+        "repeats. 0000, the paper's, has 1. Turned copies have seams instead, which show on black with dots "
+        "as\n"
+        "placed: dapple tile check tells how much.");
     command->callback([this] { list_rules(std::cout, rules_); });
 }
 

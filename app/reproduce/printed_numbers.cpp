@@ -20,31 +20,58 @@ namespace {
 struct PaperTile {
     std::uint64_t a = 14217, b = 2895;  // Appendix A
     int points = 16;
-    std::string_view radius = "0.652788";
 };
 
 struct BalancedShare {
     int length;
     std::string_view share;
+    std::string_view known{};
 };
-// To a tenth of a per cent: the last is 13.995 exactly, which a second rounding makes 14.00 as well as 13.99.
-constexpr std::array kBalancedShares{BalancedShare{16, "19.6 %"}, BalancedShare{20, "17.6 %"},
-                                     BalancedShare{24, "16.1 %"}, BalancedShare{32, "14.0 %"}};
+constexpr std::array kBalancedShares{
+    BalancedShare{16, "19.64 %"}, BalancedShare{20, "17.62 %"}, BalancedShare{24, "16.12 %"},
+    BalancedShare{
+        32, "14.00 %",
+        "it is 13.99499 %: 13.99 % to two decimals, and 14.00 % only if 13.995 % is rounded again"}};
 
-constexpr std::array<std::string_view, 4> kBestOf16{"0.696594", "0.652788", "0.640257", "0.638781"};
-constexpr std::array<std::string_view, 5> kBestOf20{"0.832358", "0.714068", "0.671330", "0.658781",
-                                                    "0.649963"};
+// The paper gives radii to four digits.
+constexpr std::array<std::string_view, 2> kBestOf16{"0.6966", "0.6528"};
+constexpr std::array<std::string_view, 4> kBestOf20{"0.8324", "0.7141", "0.6713", "0.6588"};
+
+// Recorded when this program first found them.
+constexpr std::array<std::string_view, 4> kOwnBestOf16{"0.696594", "0.652788", "0.640257", "0.638781"};
+constexpr std::array<std::string_view, 5> kOwnBestOf20{"0.832358", "0.714068", "0.671330", "0.658781",
+                                                       "0.649963"};
+constexpr std::string_view kBestTileOf16 = "11730,8925/16";
+constexpr std::string_view kBestOf24 = "0.782220";
+constexpr std::string_view kBestOf28 = "0.914419";
+
+// Appendix A in the order of the ranks. The first is printed so; the others are its multiples by powers of 2
+// modulo 65535, each the one farthest from all before it (no two are equally far), worked out apart from this
+// program in whole numbers.
+constexpr std::array<std::array<int, 2>, 16> kTable1{{{14217, 2895},
+                                                      {39876, 34215},
+                                                      {4719, 40470},
+                                                      {37752, 61620},
+                                                      {56868, 11580},
+                                                      {57933, 54210},
+                                                      {19938, 49875},
+                                                      {18876, 30810},
+                                                      {61734, 27105},
+                                                      {35127, 20235},
+                                                      {50331, 42885},
+                                                      {28434, 5790},
+                                                      {48201, 23160},
+                                                      {9438, 15405},
+                                                      {9969, 57705},
+                                                      {30867, 46320}}};
 
 // Constant density 1 at scale 2500: complete levels 0..5 and half of level 6, see compare_figure8_counts().
 constexpr double kFigure8Scale = 2500;
 constexpr std::string_view kFigure8Emitted = "54608";
 constexpr std::string_view kFigure8Distinct = "40960";
 
-constexpr std::string_view kBestOf24 = "0.782220";
-constexpr std::string_view kBestOf28 = "0.914419";
-
-constexpr const char* kSection4 = "paper, section 4";
-constexpr const char* kAppendixA = "paper, Appendix A";
+constexpr const char* kSection5 = "section 5";
+constexpr const char* kOwnSearch = "this program's first search";
 
 std::string six_digits(double value) {
     return fmt::format("{:.6f}", value);
@@ -67,47 +94,21 @@ std::vector<FoundTile> best_tiles(int points, std::size_t different_radii) {
     }
 }
 
+// As many digits after the point as the expected ones have.
 template <std::size_t N>
 std::vector<FoundTile> add_radii(std::vector<ComparedNumber>& rows, int points,
-                                 const std::array<std::string_view, N>& printed, const char* source) {
+                                 const std::array<std::string_view, N>& expected, const char* source,
+                                 Origin origin) {
     const std::vector<FoundTile> found = best_tiles(points, N);
+    const std::size_t digits = expected[0].size() - 2;
     for (std::size_t i = 0; i < N; ++i)
-        rows.push_back({fmt::format("relative radius, best tile number {} of {} points", i + 1, points),
-                        std::string(printed[i]),
-                        i < found.size() ? six_digits(found[i].relative_radius) : "none", source});
+        rows.push_back(
+            {.what = fmt::format("relative radius, best tile number {} of {} points", i + 1, points),
+             .expected = std::string(expected[i]),
+             .ours = i < found.size() ? fmt::format("{:.{}f}", found[i].relative_radius, digits) : "none",
+             .source = source,
+             .origin = origin});
     return found;
-}
-
-// Squared toroidal distance in units of 1 / (2^N - 1), exactly.
-std::uint64_t squared_distance(std::array<std::uint64_t, 2> a, std::array<std::uint64_t, 2> b,
-                               std::uint64_t period) {
-    std::uint64_t sum = 0;
-    for (int axis = 0; axis < 2; ++axis) {
-        const std::uint64_t apart = a[axis] > b[axis] ? a[axis] - b[axis] : b[axis] - a[axis];
-        const std::uint64_t round = std::min(apart, period - apart);
-        sum += round * round;
-    }
-    return sum;
-}
-
-// How many of the ranks are where greedy choice puts them: the farthest from all points before. Worked out
-// here from the paper's integers alone.
-int ranks_by_farthest_point(const PaperTile& paper, const std::vector<int>& ranks) {
-    const std::uint64_t period = (std::uint64_t{1} << paper.points) - 1;
-    std::vector<std::array<std::uint64_t, 2>> points{{paper.a, paper.b}};
-    while (static_cast<int>(points.size()) < paper.points)
-        points.push_back({points.back()[0] * 2 % period, points.back()[1] * 2 % period});
-
-    std::vector<std::size_t> order(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) order[static_cast<std::size_t>(ranks[i])] = i;
-    int right = order[0] == 0 ? 1 : 0;
-    std::vector<std::uint64_t> nearest(points.size(), ~std::uint64_t{0});
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            nearest[i] = std::min(nearest[i], squared_distance(points[i], points[order[k - 1]], period));
-        if (nearest[order[k]] == *std::ranges::max_element(nearest)) ++right;
-    }
-    return right;
 }
 
 int coinciding_points(const Tile& tile) {
@@ -126,31 +127,73 @@ int coinciding_points(const Tile& tile) {
 
 }  // namespace
 
+std::string_view name_of(Origin origin) {
+    switch (origin) {
+        case Origin::printed:
+            return "printed";
+        case Origin::follows:
+            return "follows";
+        case Origin::ours:
+            return "ours";
+    }
+    return "";
+}
+
 std::vector<ComparedNumber> compare_printed_numbers() {
     std::vector<ComparedNumber> rows;
     for (const BalancedShare& row : kBalancedShares)
-        rows.push_back({fmt::format("balanced sequences of {} bits", row.length), std::string(row.share),
-                        fmt::format("{:.1f} %", 100 * balanced_share(row.length)), kSection4});
+        rows.push_back({.what = fmt::format("balanced sequences of {} bits", row.length),
+                        .expected = std::string(row.share),
+                        .ours = fmt::format("{:.2f} %", 100 * balanced_share(row.length)),
+                        .source = kSection5,
+                        .known = std::string(row.known)});
+    add_radii(rows, 16, kBestOf16, kSection5, Origin::printed);
+    add_radii(rows, 20, kBestOf20, kSection5, Origin::printed);
+    return rows;
+}
 
-    const std::vector<FoundTile> best16 = add_radii(rows, 16, kBestOf16, kSection4);
-    add_radii(rows, 20, kBestOf20, kSection4);
+std::vector<ComparedNumber> compare_table1() {
+    const PaperTile paper;
+    const Tile tile = make_tile(paper.a, paper.b, paper.points);
+    const std::vector<int> ranks = farthest_point_ranks(tile);
+    std::vector<std::string> ours(tile.size());
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+        const glm::dvec2 p = to_unit_square(tile.points[i]) * 65535.0;
+        ours[static_cast<std::size_t>(ranks[i])] = fmt::format("{:.0f}, {:.0f}", p.x, p.y);
+    }
+    std::vector<ComparedNumber> rows;
+    for (std::size_t rank = 0; rank < kTable1.size(); ++rank)
+        rows.push_back({.what = fmt::format("{}", rank),
+                        .expected = fmt::format("{}, {}", kTable1[rank][0], kTable1[rank][1]),
+                        .ours = ours[rank],
+                        .source = rank == 0 ? "Appendix A" : "Appendix A's first point and section 6",
+                        .origin = rank == 0 ? Origin::printed : Origin::follows});
+    return rows;
+}
+
+std::vector<ComparedNumber> compare_own_numbers() {
+    std::vector<ComparedNumber> rows;
+    const std::vector<FoundTile> best = add_radii(rows, 16, kOwnBestOf16, kOwnSearch, Origin::ours);
+    add_radii(rows, 20, kOwnBestOf20, kOwnSearch, Origin::ours);
+    const auto add = [&](std::string what, std::string_view expected, std::string ours, const char* source) {
+        rows.push_back({std::move(what), std::string(expected), std::move(ours), source, Origin::ours});
+    };
+    const TileIntegers of_best = best.empty() ? TileIntegers{} : integers_of(best[0].word);
+    add("the best tile of 16 points", kBestTileOf16, fmt::format("{},{}/16", of_best.a, of_best.b),
+        kOwnSearch);
 
     const PaperTile paper;
     const Tile tile = make_tile(paper.a, paper.b, paper.points);
+    const std::string name = fmt::format("Appendix A's tile, {},{}/16", paper.a, paper.b);
+    std::size_t place = 0;
+    while (place < best.size() && best[place].word != smallest_symmetric_word(tile.words[0])) ++place;
+    add(name + ": its place by radius among all of 16 points", "2", fmt::format("{}", place + 1), kOwnSearch);
     std::vector<glm::dvec2> points;
     for (const BinaryPoint& p : tile.points) points.push_back(to_unit_square(p));
-    const std::string name = fmt::format("the tile ({}, {})", paper.a, paper.b);
-    rows.push_back({name + ", relative radius", std::string(paper.radius),
-                    six_digits(nearest_summary(points, Domain{}).minimum), kAppendixA});
-    std::size_t place = 0;
-    while (place < best16.size() && best16[place].word != smallest_symmetric_word(tile.words[0])) ++place;
-    rows.push_back(
-        {name + ", place among all tiles of 16 points", "2", fmt::format("{}", place + 1), kSection4});
-    rows.push_back({name + ", points that the half-size copies cover", "16",
-                    fmt::format("{}", coinciding_points(tile)), "paper, figure 1"});
-    rows.push_back({name + ", ranks in farthest-point order", "16",
-                    fmt::format("{}", ranks_by_farthest_point(paper, farthest_point_ranks(tile))),
-                    kAppendixA});
+    add(name + ": relative radius", kOwnBestOf16[1], six_digits(nearest_summary(points, Domain{}).minimum),
+        "its place, from the points themselves");
+    add(name + ": points that its half-size copies cover", "16", fmt::format("{}", coinciding_points(tile)),
+        "all, by the definition of a self-similar tile");
     return rows;
 }
 
@@ -159,21 +202,22 @@ std::vector<ComparedNumber> compare_figure8_counts() {
     // for r = 0..7: 16 (1 + 4 + ... + 4^5) + 8 * 4^6 dots. Different ones are the 16 * 4^5 of level 5 and
     // what level 6 adds. Each of the 16 points is inherited by one of four siblings and newborn in three, so
     // of the 8 * 4 dots in four siblings 8 are there already: 24 * 4^5 more.
-    const char* source = "counted by hand from Figure 8 as printed: constant density 1, scale 2500";
+    const char* source = "counted by hand: constant density 1, scale 2500";
     const PaperTile paper;
     const Tile tile = make_tile(paper.a, paper.b, paper.points);
     const Figure8Result run =
         place_figure8(Density(Grid<float>(1, 1, 1.0f)), tile, farthest_point_ranks(tile), kFigure8Scale);
-    return {{"dots emitted", std::string(kFigure8Emitted), fmt::format("{}", run.dots.size()), source},
+    return {{"dots emitted", std::string(kFigure8Emitted), fmt::format("{}", run.dots.size()), source,
+             Origin::ours},
             {"different ones among them", std::string(kFigure8Distinct),
-             fmt::format("{}", run.dots.size() - run.duplicates), source}};
+             fmt::format("{}", run.dots.size() - run.duplicates), source, Origin::ours}};
 }
 
 std::vector<ComparedNumber> compare_larger_tiles() {
     std::vector<ComparedNumber> rows;
     const char* source = "this program's first search: the paper stops at 20 points";
-    add_radii(rows, 24, std::array{kBestOf24}, source);
-    add_radii(rows, 28, std::array{kBestOf28}, source);
+    add_radii(rows, 24, std::array{kBestOf24}, source, Origin::ours);
+    add_radii(rows, 28, std::array{kBestOf28}, source, Origin::ours);
     return rows;
 }
 

@@ -59,14 +59,13 @@ Spectrum spectrum_of(const std::string& name, const DrawingSettings& settings, g
 
 }  // namespace
 
-void add_recursion_figures(HtmlPage& page) {
+void add_recursion_pictures(HtmlPage& page) {
     const Density density = ramp();
     RankedTile tile(parse_tile_integers("14217,2895/16"), RankingMethod::energy);
     const Figure8Result printed = place_figure8(density, tile.tile(), tile.own_ranks(), kRampScale);
     DotPieces dots;
     tile.placer().place(density, {.scale = kRampScale}, dots);
 
-    page.heading("Figure 3: the recursion on a ramp");
     page.pictures(
         std::array{
             HtmlPage::Picture{
@@ -82,31 +81,42 @@ void add_recursion_figures(HtmlPage& page) {
                 .media_type = "image/svg+xml",
                 .alt = "the same with the exact placer",
                 .caption = fmt::format("The exact placer: {} dots, each once", dots.size())}},
-        "The darker the picture, the deeper the tile is subdivided; a colour for each level. The printed "
-        "figure was not at hand: this is our reading of what the text says of the placing.");
+        "Not in the paper: on a ramp from white to black. The darker the picture, the deeper the tile is "
+        "subdivided; a colour for each level.");
+}
 
+void add_spectra(HtmlPage& page) {
     DrawingSettings between;
+    between.tile = "paper16";
+    between.ranking = RankingMethod::paper;
     between.placer = PlacerKind::figure8;
     between.placing = {.scale = kFigure8Scale, .count = {}, .threads = 0};
     DrawingSettings complete = between;
     complete.placing.scale = 4096;
     DrawingSettings joint = between;
     joint.placer = PlacerKind::exact;
+    joint.ranking = RankingMethod::energy;
+    DrawingSettings turned = joint;
+    turned.tile = "aperiodic4096";
+    turned.ranking = {};
     const std::array spectra{spectrum_of("Figure 8, complete level", complete, {0.13f, 0.35f, 0.65f}),
                              spectrum_of("Figure 8, between levels", between, {0.85f, 0.35f, 0.1f}),
-                             spectrum_of("joint ranking, between levels", joint, {0.1f, 0.55f, 0.35f})};
-    page.heading("Figure 4: the spectrum of what it places");
+                             spectrum_of("joint ranking, between levels", joint, {0.1f, 0.55f, 0.35f}),
+                             spectrum_of("aperiodic4096, between levels", turned, {0.45f, 0.3f, 0.6f})};
+    page.heading("Not in the paper: power spectra");
     page.pictures(
-        std::array{spectra[0].picture, spectra[1].picture, spectra[2].picture},
-        "Constant density, the tile of Appendix A. Every orange dot is a wave that runs through the whole "
-        "set: the same tile comes again and again. This is the periodicity that the paper names as its open "
-        "problem. The printed figure was not at hand: this, too, is our reading of the text.");
+        std::array{spectra[0].picture, spectra[1].picture, spectra[2].picture, spectra[3].picture},
+        "Constant density. The first three are of the tile of Appendix A. Every orange dot is a wave that "
+        "runs through the whole set: the same tile comes "
+        "again and again, and moved by a tile all dots meet others (periodicity 1). This is the periodicity "
+        "that the paper names as its open problem. The fourth is of this program's own tile, whose copies "
+        "are turned.");
     page.drawings(
         std::array{svg_plot(
             {.title = "Radially averaged power",
              .x = {.label = "frequency, over the square root of the point count", .least = 0, .most = 2},
              .y = {.label = "mean power, 1 = white noise", .least = 0, .most = 6},
-             .curves = {spectra[0].radial, spectra[1].radial, spectra[2].radial},
+             .curves = {spectra[0].radial, spectra[1].radial, spectra[2].radial, spectra[3].radial},
              .levels = {{1, "white noise"}},
              .width = 900})},
         "Averaged over all directions. Peaks are rings that the tile's period makes; what lies near 0 on the "

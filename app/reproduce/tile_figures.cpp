@@ -12,22 +12,17 @@ void add_tile_figures(HtmlPage& page) {
     const StoredTile stored = ranked(parse_tile_integers("14217,2895/16"), RankingMethod::paper);
     std::ostringstream figure;
     write_tile_figure(figure, stored);
-    page.heading("Figures 1 and 2: the self-similar tile and its ranks");
+    page.heading(
+        "Figures 1 and 2: a tile and its half-size copies; a hierarchical tile, its ranks and first points");
     page.pictures(
         std::array{HtmlPage::Picture{.bytes = std::move(figure).str(),
                                      .media_type = "image/svg+xml",
                                      .alt = "the tile, its copies on the quadrants, and its ranks"}},
-        "The tile of Appendix A. Laid on its quadrants at half the size, a colour each, it covers its own "
-        "points: each circle is around a coloured one. Below, its first points in the order of the ranks: "
-        "each such set is spread over the whole tile.");
-
-    std::vector<HtmlPage::Row> rows(stored.tile.size());
-    for (std::size_t i = 0; i < stored.tile.size(); ++i) {
-        const auto rank = static_cast<std::size_t>(stored.ranking.tile[i]);
-        const glm::dvec2 p = to_unit_square(stored.tile.points[i]) * 65535.0;
-        rows[rank].cells = {fmt::format("{}", rank), fmt::format("{:.0f}", p.x), fmt::format("{:.0f}", p.y)};
-    }
-    page.table({"Rank", "x, of 65535", "y, of 65535"}, rows);
+        "Both in one drawing, of the tile of Appendix A. Figure 1 is the upper row's first two squares: laid "
+        "on its quadrants at half the size, a colour each, the tile covers its own points; each circle is "
+        "around a coloured one. Figure 2 is the rest: the paper's ranks, and the first 4, 8, 12 and 16 "
+        "points "
+        "in their order, each set spread over the whole tile.");
 }
 
 }  // namespace dapple

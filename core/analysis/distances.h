@@ -3,7 +3,7 @@
 //
 // Distances are given over the spacing of the hexagonal lattice of the same count, 2 r_max with
 // r_max = sqrt(area / (2 sqrt(3) n)): the hexagonal lattice has 1, the square lattice sqrt(sqrt(3) / 2) =
-// 0.9306. The smallest of them is the relative radius (Lagae & Dutré 2006, section 3; "A Comparison of
+// 0.9306. The smallest of them is the relative radius (Lagae & Dutré 2006, section 5; "A Comparison of
 // Methods for Generating Poisson Disk Distributions", 2008, section 4), half the smallest distance over
 // r_max. White noise has a mean of 1 / (2 sqrt(density)), 0.4653 here.
 

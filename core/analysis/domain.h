@@ -30,7 +30,7 @@ struct Domain {
 };
 
 /// The disc radius of `count` points in the densest packing, the hexagonal lattice:
-/// sqrt(area / (2 sqrt(3) count)) (Lagae & Dutré 2006, section 3). Its spacing is twice that. count >= 1.
+/// sqrt(area / (2 sqrt(3) count)) (Lagae & Dutré 2006, section 5). Its spacing is twice that. count >= 1.
 double largest_radius(const Domain& domain, std::size_t count);
 
 /// The points as every function of the analysis expects them: 0 <= x < width, 0 <= y < height on a torus,

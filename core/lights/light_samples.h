@@ -1,5 +1,5 @@
 #pragma once
-// An environment map as a number of small lights (Lagae & Dutré 2006, section 7, figure 7).
+// An environment map as a number of small lights (Lagae & Dutré 2006, figure 7).
 //
 //      map -> density -> placer -> dots -> regions -> samples
 //

@@ -212,7 +212,8 @@ void Figure::write_ranks(const Panel& panel) {
         }
     }
     text_ << "</g>\n";
-    caption(panel, numbers ? "ranks: the order of appearance" : "ranks: early dark, late pale");
+    // A tile can be ranked in several orders, of which the paper's is one.
+    caption(panel, fmt::format("ranks ({}): {}", name_of(stored_.order), numbers ? "0 first" : "dark first"));
 }
 
 void Figure::write_first(const Panel& panel, int quarters) {

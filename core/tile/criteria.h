@@ -12,10 +12,10 @@
 
 namespace dapple {
 
-/// How many points lie in each quadrant. A balanced tile has N / 4 everywhere (section 4 of the paper).
+/// How many points lie in each quadrant. A balanced tile has N / 4 everywhere (section 5 of the paper).
 std::array<int, 4> letter_counts(const Tile& tile);
 
-/// Half the smallest distance between two points, over all legal neighbours, over r_max (section 3).
+/// Half the smallest distance between two points, over all legal neighbours, over r_max (section 5).
 double relative_radius(const Tile& tile);
 
 /// The lowest relative radius between two levels: of the tile's N points with the first k newborn ones of its

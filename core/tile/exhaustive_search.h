@@ -1,7 +1,7 @@
 #pragma once
 // The best of all balanced tiles with the identity rule and one word, found without looking at all of them.
 //
-// The paper's search (Lagae & Dutré 2006, section 4) for the largest relative radius, by branch and bound:
+// The paper's search (Lagae & Dutré 2006, section 5) for the largest relative radius, by branch and bound:
 // see word_tree.h for the walk. It goes in passes. Each pass looks at every tile above a floor, 0.97 at first
 // and 0.03 lower each time, until the tiles asked for are found; a high floor cuts almost everything, and a
 // pass costs two to three times the one before it. Within a pass the floor rises to the last of the best

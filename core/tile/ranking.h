@@ -16,7 +16,7 @@
 namespace dapple {
 
 enum class RankingMethod {
-    paper,     // each tile ranked by itself, newborn points by their rank in their own tile (section 5)
+    paper,     // each tile ranked by itself, newborn points by their rank in their own tile (section 6)
     farthest,  // newborn points of all four children together, farthest point first, inherited ones counted
     energy,    // as farthest, but lowest Gaussian energy first: evener tone
 };
@@ -36,7 +36,7 @@ Ranking rank(const Tile& tile, RankingMethod order);
 /// the ranks below N (n / N - 1) / 3 of its own.
 std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks);
 
-/// Greedy farthest-point order (section 5; Eldar et al. 1997): the ranks 0..N-1 of the tile's points, the
+/// Greedy farthest-point order (section 6; Eldar et al. 1997): the ranks 0..N-1 of the tile's points, the
 /// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A.
 std::vector<int> farthest_point_ranks(const Tile& tile);
 

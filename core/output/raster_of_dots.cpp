@@ -1,4 +1,4 @@
-#include "bench/raster_of_dots.h"
+#include "core/output/raster_of_dots.h"
 
 #include "core/output/raster.h"
 

@@ -1,10 +1,10 @@
-#include "bench/seams.h"
+#include "core/output/seams.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "bench/raster_of_dots.h"
+#include "core/output/raster_of_dots.h"
 
 namespace dapple {
 namespace {
