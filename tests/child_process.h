@@ -58,19 +58,25 @@ class ChildProcess {
     /// Waits until it has done what `done` looks for; false if it ends without.
     template <class Done>
     bool brings(Done done) {
-        return wait_until([&] { return has_ended() || done(); }) && done();
+        return wait_until([&] { return has_ended() || done(); }, patience()) && done();
     }
 
     /// Its exit status once it has ended; if signal n ended it, 128 + n, as the shell has it. One that
     /// doesn't end is killed.
     int wait() {
-        if (!wait_until([&] { return has_ended(); })) kill(id_, SIGKILL);
+        if (!wait_until([&] { return has_ended(); }, patience())) kill(id_, SIGKILL);
         int status = 0;
         waitpid(std::exchange(id_, -1), &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
 
  private:
+    Patience patience() const {
+        Patience patience;
+        clock_getcpuclockid(id_, &patience.work);
+        return patience;
+    }
+
     static void redirect(const std::filesystem::path& file, int stream) {
         if (file.empty()) return;
         int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);

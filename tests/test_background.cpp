@@ -1,10 +1,16 @@
 #include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 #include "app/viewer/model/background.h"
@@ -36,12 +42,13 @@ TEST_CASE("results come in their order, those on the way before the last") {
 }
 
 TEST_CASE("what the work throws comes after its results, once, and other work can follow") {
-    Numbers background([] {});
+    std::atomic<int> woken = 0;
+    Numbers background([&] { ++woken; });
     background.begin([](const Numbers::Task& task) -> std::optional<int> {
         task.publish(7);
         throw std::runtime_error("no more");
     });
-    REQUIRE(wait_until([&] { return !background.busy(); }));
+    REQUIRE(wait_until([&] { return !background.busy() && woken == 2; }));  // for each of them once
     CHECK(background.result() == 7);
     CHECK_THROWS_WITH(background.result(), "no more");
     CHECK_FALSE(background.result());
@@ -103,5 +110,58 @@ TEST_CASE("work is stopped when asked, and when nobody is left to wait for it") 
     }
     CHECK(stopped == 2);
 }
+
+TEST_CASE("work that the system has no thread for fails with a sentence, and other work can follow") {
+    // In a process of its own: what it does to limits lasts.
+    const pid_t child = fork();
+    if (child == 0) {
+        constexpr uid_t kNobody = 65534;  // root may have as many threads as it likes
+        rlimit usual{}, none{};
+        if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);
+        getrlimit(RLIMIT_NPROC, &usual);
+        none.rlim_max = usual.rlim_max;
+        int woken = 0;
+        try {
+            Numbers background([&] { ++woken; });
+            setrlimit(RLIMIT_NPROC, &none);
+            background.begin([](const auto&) { return std::optional(1); });
+            if (background.busy() || woken != 1) _exit(3);
+            try {
+                background.result();
+                _exit(4);
+            } catch (const std::runtime_error& error) {
+                if (!std::string_view(error.what()).starts_with("the system allows no further thread"))
+                    _exit(5);
+            }
+            setrlimit(RLIMIT_NPROC, &usual);
+            background.begin([](const auto&) { return std::optional(2); });
+            const bool ended = wait_until([&] { return !background.busy(); });
+            _exit(ended && background.result() == 2 ? 0 : 6);
+        } catch (...) {
+            _exit(7);
+        }
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+}
+
+#if defined(DAPPLE_LINUX)
+TEST_CASE("work in the background goes behind the window's thread, and so do the threads that share it") {
+    const int usual = getpriority(PRIO_PROCESS, 0);
+    Numbers background([] {});
+    background.begin([usual](const auto&) {
+        std::atomic<int> lower{0};
+        tbb::parallel_for(0, 100, [&](int) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            if (getpriority(PRIO_PROCESS, 0) > usual) ++lower;
+        });
+        return std::optional(lower.load());
+    });
+    CHECK(all_of(background) == std::vector{100});
+    CHECK(getpriority(PRIO_PROCESS, 0) == usual);
+}
+#endif
 
 }  // namespace dapple

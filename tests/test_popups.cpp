@@ -8,6 +8,7 @@
 
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/panels/help_panel.h"
+#include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/widgets.h"
 #include "tests/headless_ui.h"
 
@@ -22,6 +23,24 @@ TEST_CASE("Escape closes a list and chooses nothing") {
     ui.frame();
     CHECK_FALSE(ui.has("pear"));
     CHECK(chosen == 0);
+}
+
+TEST_CASE("a dialog may open in the very frame in which a row's tip appears, which then waits") {
+    bool open = false;
+    double value = 3;
+    HeadlessUi ui([&] {
+        if (const Dialog dialog("Keys", open); dialog) ImGui::TextUnformatted("none");
+        slider_row("Number", value, {.min = 1, .max = 9, .tip = "How many."});
+    });
+    ui.move_to(ui.at("Number", 0.5f));
+    open = true;
+    ui.frame(10);
+    CHECK_FALSE(ui.has("Tip"));
+    open = false;
+    ui.frame();
+    ui.frame(10);
+    ui.frame(10);
+    CHECK(ui.has("Tip"));
 }
 
 TEST_CASE("Escape closes the colour picker, and the colour stays as it is") {

@@ -446,11 +446,15 @@ TEST_CASE("a window at rest uses no processor, and a key is still answered") {
     RunningViewer viewer;
     REQUIRE(viewer.is_relaxed());
     viewer.move(300, 300);
-    for (int i = 0; i < 3; ++i) {
-        viewer.xdotool("sleep 2");
-        const double before = viewer.processor_seconds();
-        viewer.xdotool("sleep 3");
-        CHECK(viewer.processor_seconds() - before < 0.03);
+    for (int i = 0; i < 2; ++i) {
+        const auto rests = [&] {
+            const double before = viewer.processor_seconds();
+            viewer.xdotool("sleep 2");
+            return viewer.processor_seconds() - before < 0.02;
+        };
+        // It comes to rest, however long what it does first takes on a busy machine, and then stays so.
+        CHECK(wait_until(rests));
+        CHECK(rests());
         const double zoom = viewer.status()["zoom"];
         viewer.key("plus");
         CHECK(viewer.shows([&] { return viewer.status()["zoom"] > zoom; }));

@@ -13,9 +13,14 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
+
+#include "app/viewer/model/background_priority.h"
 
 namespace dapple {
 
@@ -31,7 +36,7 @@ class Background {
 
         const std::stop_token& stop() const { return stop_; }
         /// Passes on a result before the last.
-        void publish(Result result) const { owner_.add(std::move(result), true); }
+        void publish(Result result) const { owner_.publish(std::move(result)); }
         /// How far the work is, 0..1; below 0: not known. Wakes whoever waits at each hundredth.
         void report_share(double share) const { owner_.report_share(share); }
         /// The same for those who write it themselves, and wake nobody.
@@ -45,7 +50,8 @@ class Background {
     /// Returns the last result, or nothing if it was stopped or has none.
     using Work = std::function<std::optional<Result>(const Task&)>;
 
-    /// `wake` is called from the thread when there is a result, when the share has grown, and at the end.
+    /// `wake` is called from the thread (of begin() if there is none) when there is a result, when the share
+    /// has grown, and at the end, whatever that is. It throws nothing.
     explicit Background(std::function<void()> wake) : wake_(std::move(wake)) {}
 
     bool busy() const { return since().has_value(); }
@@ -68,7 +74,7 @@ class Background {
         return since_ && published_;
     }
 
-    /// Not while busy.
+    /// Not while busy. If the system has no thread for it, that is what the work threw.
     void begin(Work work) {
         if (thread_.joinable()) thread_.join();  // it may still be about to wake someone
         {
@@ -78,8 +84,16 @@ class Background {
             published_ = false;
             share_ = -1;
         }
-        thread_ =
-            std::jthread([this, work = std::move(work)](const std::stop_token& stop) { run(work, stop); });
+        try {
+            thread_ = std::jthread([this, work = std::move(work)](const std::stop_token& stop) {
+                const BehindWindow behind_window;
+                run(work, stop);
+            });
+        } catch (const std::system_error& error) {
+            end(std::make_exception_ptr(
+                std::runtime_error("the system allows no further thread: " + error.code().message())));
+            wake_();
+        }
     }
 
     /// Gives up what is under way.
@@ -106,26 +120,26 @@ class Background {
  private:
     // Whatever goes wrong, the program goes on and someone is told.
     void run(const Work& work, const std::stop_token& stop) {
+        std::exception_ptr error;
         try {
-            if (std::optional<Result> last = work(Task(*this, stop)))
-                add(std::move(*last), false);
-            else
-                end(nullptr);
-            wake_();
+            if (std::optional<Result> last = work(Task(*this, stop))) add(std::move(*last));
         } catch (...) {
-            end(std::current_exception());
+            error = std::current_exception();
         }
+        end(std::move(error));
+        wake_();
     }
 
-    void add(Result result, bool goes_on) {
-        {
-            std::scoped_lock lock(mutex_);
-            results_.push_back(std::move(result));
-            published_ = true;
-            if (!goes_on) since_.reset();
-            changed_.notify_all();
-        }
-        if (goes_on) wake_();
+    void add(Result result) {
+        std::scoped_lock lock(mutex_);
+        results_.push_back(std::move(result));
+        published_ = true;
+        changed_.notify_all();
+    }
+
+    void publish(Result result) {
+        add(std::move(result));
+        wake_();
     }
 
     void end(std::exception_ptr error) {

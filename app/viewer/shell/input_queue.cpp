@@ -7,11 +7,11 @@
 namespace dapple {
 namespace {
 
-using Kind = InputEvent::Kind;
+using EventKind = InputEvent::Kind;
 
 /// The bit of the modifier that the event's key is; 0: it is none.
 int modifier_of(const InputEvent& event) {
-    if (event.kind != Kind::key) return 0;
+    if (event.kind != EventKind::key) return 0;
     switch (event.code) {
         case GLFW_KEY_LEFT_SHIFT:
         case GLFW_KEY_RIGHT_SHIFT:
@@ -36,37 +36,41 @@ bool is_modifier(const InputEvent& event) {
 
 /// A letter that is pressed with Ctrl does something too.
 bool does_something(const InputEvent& event) {
-    if (event.kind == Kind::button) return event.down;
-    if (event.kind != Kind::key || !event.down || is_modifier(event)) return false;
+    if (event.kind == EventKind::button) return event.down;
+    if (event.kind != EventKind::key || !event.down || is_modifier(event)) return false;
     const bool letter = event.code >= GLFW_KEY_SPACE && event.code <= GLFW_KEY_GRAVE_ACCENT;
     return !letter || (event.modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER | GLFW_MOD_ALT));
 }
 
 /// Looked at together with the modifiers.
 bool is_modified(const InputEvent& event) {
-    return (event.kind == Kind::key && event.down && !is_modifier(event)) || event.kind == Kind::wheel ||
-           (event.kind == Kind::button && event.down);
+    return (event.kind == EventKind::key && event.down && !is_modifier(event)) ||
+           event.kind == EventKind::wheel || (event.kind == EventKind::button && event.down);
 }
 
 /// Whether one frame can tell what is meant by both.
 bool fit_together(const InputEvent& earlier, const InputEvent& later) {
-    const bool same_switch = (later.kind == Kind::key || later.kind == Kind::button) &&
+    const bool same_switch = (later.kind == EventKind::key || later.kind == EventKind::button) &&
                              earlier.kind == later.kind && earlier.code == later.code;
     if (same_switch) return false;
+    // Keys are also known by what they type, once in a frame.
+    if (later.kind == EventKind::text && earlier.kind == EventKind::text && earlier.letter == later.letter)
+        return false;
     if (is_modifier(later) && is_modified(earlier)) return false;
     switch (later.kind) {
-        case Kind::focus:
+        case EventKind::focus:
             return false;  // ImGui forgets then what is down
-        case Kind::enter:
-        case Kind::position:
-            return earlier.kind != Kind::button && earlier.kind != Kind::wheel;
-        case Kind::button:
-            return earlier.kind != Kind::wheel && !does_something(earlier) && earlier.kind != Kind::text;
-        case Kind::wheel:
-            return earlier.kind != Kind::button;
-        case Kind::key:
-        case Kind::text:
-            return !does_something(earlier) && earlier.kind != Kind::focus;
+        case EventKind::enter:
+        case EventKind::position:
+            return earlier.kind != EventKind::button && earlier.kind != EventKind::wheel;
+        case EventKind::button:
+            return earlier.kind != EventKind::wheel && !does_something(earlier) &&
+                   earlier.kind != EventKind::text;
+        case EventKind::wheel:
+            return earlier.kind != EventKind::button;
+        case EventKind::key:
+        case EventKind::text:
+            return !does_something(earlier) && earlier.kind != EventKind::focus;
     }
     return true;
 }
@@ -84,7 +88,7 @@ std::vector<InputEvent> InputQueue::take_frame() {
         const InputEvent& next = events_.front();
         if (!std::ranges::all_of(frame, [&](const InputEvent& e) { return fit_together(e, next); })) break;
         // Of many moves the last one counts.
-        if (next.kind == Kind::position && !frame.empty() && frame.back().kind == Kind::position)
+        if (next.kind == EventKind::position && !frame.empty() && frame.back().kind == EventKind::position)
             frame.pop_back();
         frame.push_back(next);
         events_.pop_front();

@@ -31,9 +31,9 @@ class InputQueue {
     bool empty() const { return events_.empty(); }
 
     /// Takes the events of the next frame, at least one if there are any. Of those, no key and no button
-    /// changes twice, no modifier changes after something it could be for, the pointer doesn't move on after
-    /// a press, and nothing is pressed or typed after a press of a button or of a key that does something
-    /// (rather than being a letter).
+    /// changes twice, no letter is typed twice, no modifier changes after something it could be for, the
+    /// pointer doesn't move on after a press, and nothing is pressed or typed after a press of a button or of
+    /// a key that does something (rather than being a letter).
     std::vector<InputEvent> take_frame();
 
  private:

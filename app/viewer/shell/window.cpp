@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <iterator>
 #include <stdexcept>
@@ -43,6 +44,9 @@ int printed_key(int key, int scancode) {
     if (name[0] >= '0' && name[0] <= '9') return name[0];
     return key;
 }
+
+// GLFW's way of waking has no memory: what comes while events are only polled is gone with them.
+std::atomic<bool> woken = false;
 
 Window& window_of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -122,14 +126,14 @@ void Window::toggle_full_screen() {
 
 bool Window::wait_for_events(double seconds) {
     using Clock = std::chrono::steady_clock;
-    bool early = false;
-    if (seconds > 0) {
+    bool early = woken.exchange(false);
+    if (seconds > 0 && !early) {
         const std::chrono::duration<double> since_move = Clock::now() - pointer_moved_;
         const double to_tip = kPointerRests - since_move.count();
         const double wait = std::min({seconds, to_tip > 0 ? to_tip : seconds, kLongestWait});
         const auto end = Clock::now() + std::chrono::duration<double>(wait);
         glfwWaitEventsTimeout(wait);
-        early = Clock::now() < end || wait == to_tip;
+        early = woken.exchange(false) || Clock::now() < end || wait == to_tip;
     } else {
         glfwPollEvents();
     }
@@ -137,6 +141,7 @@ bool Window::wait_for_events(double seconds) {
 }
 
 void Window::wake() {
+    woken = true;
     glfwPostEmptyEvent();
 }
 

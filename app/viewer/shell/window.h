@@ -38,7 +38,7 @@ class Window {
     /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
     /// wait for long otherwise.
     bool frame_is_unseen() const { return unseen_; }
-    /// Ends another thread's wait_for_events().
+    /// Ends another thread's wait_for_events(), the next one if none is under way: it then returns true.
     static void wake();
 
     /// Files dropped on the window since the last call.

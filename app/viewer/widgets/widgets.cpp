@@ -79,6 +79,13 @@ float value_width(const SliderRange& range) {
     return std::ceil(width);
 }
 
+// A tooltip that appears beside a dialog, in the frame in which that opens, ends the program by an assertion
+// of ImGui's (see kNeverAsksForFocus, which a tooltip cannot have).
+bool may_have_tooltip() {
+    return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ||
+           ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows | ImGuiFocusedFlags_NoPopupHierarchy);
+}
+
 // What was wrong with what was typed last into a row.
 enum Refusal { kNothing, kTooMuch, kTooLittle, kNoNumber };
 
@@ -106,6 +113,7 @@ bool show_refusal(const SliderRange& range, ImVec2 under) {
     const auto refusal = static_cast<Refusal>(storage->GetInt(ImGui::GetID("refusal")));
     const double since = ImGui::GetTime() - double{storage->GetFloat(ImGui::GetID("refused at"))};
     if (refusal == kNothing || since > kRefusalSeconds) return false;
+    if (!may_have_tooltip()) return true;
     ImGui::SetNextWindowPos(under, ImGuiCond_Always, {1, 0});
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(sentence_of(refusal, range).c_str());
@@ -165,7 +173,7 @@ void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {})
     const bool rests = hovered && io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0];
     const float rested = rests ? storage->GetFloat(id) + io.DeltaTime : 0;
     storage->SetFloat(id, rested);
-    if (rested < kTipAfter) return;
+    if (rested < kTipAfter || !may_have_tooltip()) return;
     const float width = kTipWidth * ImGui::GetFontSize(), air = ImGui::GetFontSize();
     if (beside && beside->x > width + 3 * air)
         ImGui::SetNextWindowPos({beside->x - 2 * air, beside->y}, ImGuiCond_Always, {1, 0});

@@ -173,4 +173,12 @@ class enumerable_thread_specific {
     std::map<std::thread::id, std::unique_ptr<Value>> values_;
 };
 
+// Its threads here are made anew for each loop, by the thread whose priority they then have.
+class task_scheduler_observer {
+ public:
+    virtual ~task_scheduler_observer() = default;
+    virtual void on_scheduler_entry(bool) {}
+    void observe(bool) {}
+};
+
 }  // namespace tbb
