@@ -255,20 +255,6 @@ TEST_CASE("a worker tells which share of the dots is placed, which grows") {
     CHECK(wait_until([&] { return !worker.placed_share(); }));
 }
 
-TEST_CASE("an exception on a drawing's way to the window is told, and the thread goes on") {
-    std::atomic<bool> fails = true;
-    Worker worker([&] {
-        if (fails.exchange(false)) throw std::runtime_error("nobody to wake");
-    });
-    worker.open("grey.png", [] { return grey(64); });
-    worker.place(dots(500));
-    const auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
-    CHECK(failed(event.back())->message == "nobody to wake");
-    worker.place(dots(300));
-    listen(worker,
-           [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 300; });
-}
-
 TEST_CASE("the memory of a drawing far larger than those after it goes back to the system") {
     const auto resident_megabytes = [] {
         std::ifstream file("/proc/self/statm");
