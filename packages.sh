@@ -7,13 +7,13 @@
 
 build_packages=(
     cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
-    libglm-dev libimgui-dev libkissfft-dev libopenimageio-dev libpng-dev libstb-dev libtbb-dev libtiff-dev
-    ninja-build nlohmann-json3-dev pkg-config
+    libglm-dev libimgui-dev libjpeg62-turbo-dev libkissfft-dev libopenimageio-dev libpng-dev
+    libstb-dev libtbb-dev libtiff-dev ninja-build nlohmann-json3-dev pkg-config
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin libtiff-tools openimageio-tools
-    poppler-utils python3-ezdxf x11-utils xauth xdotool xvfb
+    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev libxml2-utils
+    openimageio-tools poppler-utils python3-ezdxf x11-utils xauth xclip xdotool xvfb
 )
 
 ensure_packages() {

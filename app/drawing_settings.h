@@ -46,12 +46,23 @@ struct DrawingSettings {
     bool operator==(const DrawingSettings&) const = default;
 };
 
+/// A template of one's own for G-code. Its text, so that a drawing needs no other file.
+struct OwnTemplate {
+    std::string text = {};  // as parse_gcode_template() reads it; empty: there is none
+    std::string file = {};  // that it was read from, to be shown
+
+    bool operator==(const OwnTemplate&) const = default;
+};
+
 /// How the drawing is saved, beside how it looks.
 struct SavingChoice {
-    std::optional<DotOrder> order = {};   // none: the usual one; pixels have none
-    double dpi = 300;                     // of pixels
-    GcodeTool tool = GcodeTool::pen;      // that G-code is for
-    std::optional<Machine> machine = {};  // whose time is told; none: usual_machine()
+    std::optional<DotOrder> order = {};            // none: the usual one; pixels have none
+    double dpi = 300;                              // of pixels
+    GcodeTool tool = GcodeTool::pen;               // that G-code is for
+    std::optional<Machine> machine = {};           // whose time is told; none: usual_machine()
+    int bits = 8;                                  // a channel of them: 8 or 16
+    OwnTemplate gcode_template = {};               // instead of the tool's
+    double feed_mm_per_min = 3000, dwell_s = 0.1;  // of G-code
 
     bool operator==(const SavingChoice&) const = default;
 };

@@ -13,7 +13,7 @@
 #include "app/commands/lights.h"
 #include "app/commands/manual.h"
 #include "app/commands/options.h"
-#include "app/commands/render.h"
+#include "app/commands/render_command.h"
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
 #include "app/commands/wrong_command.h"
@@ -69,6 +69,10 @@ int main(int argc, char** argv) {
         ->type_name("IMAGE");
     std::string window_tile = dapple::kDefaultTile;
     const CLI::Option* const tile_of_window = dapple::add_tile(program, window_tile);
+    program.add_flag(
+        "--fresh", viewer.fresh,
+        "Open the window as on the first day: nothing that is remembered between runs (settings, "
+        "recent files, window, theme) is read or written");
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     const dapple::RenderCommand render(program);
@@ -92,7 +96,8 @@ int main(int argc, char** argv) {
             settings.tile = map->tile;
             settings.stops = map->exposure.value_or(0);
             settings.turn_degrees = map->rotation_degrees;
-            status = dapple::run_viewer(dapple::LightViewerOptions{map->map, settings, viewer.log_status});
+            status = dapple::run_viewer(
+                dapple::LightViewerOptions{map->map, settings, viewer.log_status, viewer.fresh});
             return;
         }
         if (!program.get_subcommands().empty()) return;

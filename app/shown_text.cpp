@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,19 +68,13 @@ std::string printable(std::string_view text) {
     return result;
 }
 
-std::string grouped(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
-        text.insert(static_cast<std::size_t>(at), 1, ',');
-    return text;
-}
-
-std::string in_round_words(double number) {
-    if (number < 999'999.5) return grouped(static_cast<std::uint64_t>(std::llround(number)));
-    for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}}) {
-        if (number < 999.5 * unit) return fmt::format("{:#.3g} {}", number / unit, name);
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t bytes = first_of(text).bytes;
+        if (bytes == 0) return false;
+        text.remove_prefix(bytes);
     }
-    return fmt::format("{:.2g}", number);
+    return true;
 }
 
 }  // namespace dapple

@@ -1,9 +1,10 @@
 #pragma once
-// How names and numbers are shown to people.
+// How names are shown to people; numbers are shown by core/text/number_words.h.
 
-#include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "core/text/number_words.h"
 
 namespace dapple {
 
@@ -13,11 +14,6 @@ namespace dapple {
 /// backslashes too, so that doing it twice changes nothing.
 std::string printable(std::string_view text);
 
-/// A number as people write it: 12345 -> "12,345".
-std::string grouped(std::uint64_t number);
-
-/// A number of any size, in three digits or as people say it: "1,234", "17.4 million", "2.20 trillion", and
-/// from 10^15 on "1.5e+16". From 1 up.
-std::string in_round_words(double number);
+bool is_utf8(std::string_view text);
 
 }  // namespace dapple

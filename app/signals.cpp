@@ -23,7 +23,7 @@ struct Slot {
         0};  // whose file it is; 0: nobody's. A forked child inherits the slot, not the file
     std::array<char, PATH_MAX> path{};
 };
-std::array<Slot, 16> slots;  // the files to be removed
+std::array<Slot, kMostFilesUnderWay> slots;  // the files to be removed
 std::atomic<bool> work_stops{false};
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,

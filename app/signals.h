@@ -5,6 +5,7 @@
 // SIGHUP and a shell with Ctrl+C for what runs in the background, stays off.
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
@@ -12,11 +13,14 @@
 
 namespace dapple {
 
+/// More than pictures can be drawn at a time, each with a file under way and perhaps one for a moment.
+inline constexpr std::size_t kMostFilesUnderWay = 600;
+
 /// A file that is gone at the end of the scope, or when one of those signals ends the program before.
 class RemovedOnSignal {
  public:
-    /// The file may be made after this. Throws std::runtime_error if the path is too long, or if more files
-    /// than sixteen are under way.
+    /// The file may be made after this. Throws std::runtime_error if the path is too long, or if more than
+    /// kMostFilesUnderWay are.
     explicit RemovedOnSignal(const std::filesystem::path& path);
     RemovedOnSignal(const RemovedOnSignal&) = delete;
     RemovedOnSignal& operator=(const RemovedOnSignal&) = delete;

@@ -4,14 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <random>
 #include <vector>
 
+#include "bench/plain_two_opt.h"
 #include "core/placing/dot_order.h"
 #include "core/routing/short_way.h"
 
@@ -28,29 +27,6 @@ Dots random_dots(std::size_t count) {
         dots.y.push_back(place(random));
     }
     return dots;
-}
-
-// All pairs of edges, again and again until none helps: quadratic, so for few dots.
-std::vector<std::uint32_t> plain_2opt(const Dots& dots) {
-    std::vector<std::uint32_t> order(dots.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto between = [&](std::size_t i, std::size_t k) {
-        const double x = double(dots.x[order[i]]) - dots.x[order[k]],
-                     y = double(dots.y[order[i]]) - dots.y[order[k]];
-        return std::sqrt(x * x + y * y);
-    };
-    for (bool better = true; better;) {
-        better = false;
-        for (std::size_t i = 0; i + 3 < order.size(); ++i) {
-            for (std::size_t k = i + 2; k + 1 < order.size(); ++k) {
-                if (between(i, i + 1) + between(k, k + 1) - between(i, k) - between(i + 1, k + 1) < 1e-9)
-                    continue;
-                std::reverse(order.begin() + long(i) + 1, order.begin() + long(k) + 1);
-                better = true;
-            }
-        }
-    }
-    return order;
 }
 
 void print_row(std::size_t count) {
@@ -71,7 +47,7 @@ void print_row(std::size_t count) {
                shortening);
     if (count > 20'000) return;
     lap();
-    const std::vector<std::uint32_t> plain = plain_2opt(dots);
+    const std::vector<std::uint32_t> plain = plain_two_opt(dots);
     const double turning = lap();
     fmt::print("{:>9}  2-opt     {:.4f} {:8.2f} s\n", count, way_length(dots.x, dots.y, plain) / unit,
                turning);

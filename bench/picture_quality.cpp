@@ -30,11 +30,11 @@
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
-#include "bench/local_distances.h"
 #include "bench/picture_marks.h"
 #include "bench/plain_lloyd.h"
 #include "bench/relaxed_dots.h"
 #include "bench/side_by_side.h"
+#include "core/analysis/local_distances.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/seams.h"
@@ -82,7 +82,7 @@ class PictureTable {
     Row of_dapple(Pipeline& pipeline, int steps) const {
         RelaxedDots drawn = relaxed_dots(pipeline, count_, steps);
         Row row = judged(steps == 0 ? "Dapple, as placed" : fmt::format("Dapple, {} steps", steps), drawn.ms,
-                         std::move(drawn.dots), *drawn.density, 16 * drawn.scale);
+                         std::move(drawn.dots), *drawn.density, kDotsPerScale * drawn.scale);
         row.own_radius = picture_marks(row.dots, drawn.radius, target_);
         return row;
     }

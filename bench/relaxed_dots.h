@@ -13,7 +13,7 @@ namespace dapple {
 struct RelaxedDots {
     std::vector<glm::dvec2> dots{};
     std::shared_ptr<const Density> density;
-    double scale = 0;   // 16 * scale * density is the number of dots on an area of 1
+    double scale = 0;   // kDotsPerScale * scale * density is the number of dots on an area of 1
     double radius = 0;  // page units, that the program draws them with
     double ms = 0;      // wall time of placing and relaxing
 };

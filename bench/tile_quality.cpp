@@ -24,6 +24,7 @@
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
+#include "core/text/numbers.h"
 
 namespace {
 
@@ -70,9 +71,9 @@ Marks marks_of(const DotPieces& dots) {
             seams(points, kSeamLoad).worst()};
 }
 
-std::optional<RankingMethod> order_named(const std::string& name) {
-    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
-        if (name == name_of(order)) return order;
+std::optional<RankingMethod> ranking_named(const std::string& name) {
+    for (const RankingMethod method : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
+        if (name == name_of(method)) return method;
     throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
 }
 
@@ -89,9 +90,9 @@ Marks print_row(RankedTile& tile, const std::string& name, double count, const D
 
 RankedTile tile_of(const std::string& argument) {
     const std::size_t colon = argument.find(':');
-    std::optional<RankingMethod> order;
-    if (colon != std::string::npos) order = order_named(argument.substr(colon + 1));
-    return tile_named(argument.substr(0, colon), order);
+    std::optional<RankingMethod> ranking;
+    if (colon != std::string::npos) ranking = ranking_named(argument.substr(colon + 1));
+    return tile_named(argument.substr(0, colon), ranking);
 }
 
 void measure(const std::string& argument, const Density& grey) {
@@ -119,7 +120,8 @@ int main(int argc, char** argv) {
         std::vector<std::string> tiles(argv + 1, argv + argc);
         std::optional<std::size_t> level;
         if (tiles.size() > 1 && tiles[0] == "--level") {
-            level = std::stoull(tiles[1]);
+            level = number_of<std::size_t>(tiles[1]);
+            if (!level) throw std::runtime_error(tiles[1] + ": not a number of dots");
             tiles.erase(tiles.begin(), tiles.begin() + 2);
         }
         if (tiles.empty()) {

@@ -1,5 +1,5 @@
-// Feeds our own readers of text with files that are nearly right: KIND is tile, points or settings. Fails if
-// one of them ended the process: these are all ours.
+// Feeds our own readers of text with files that are nearly right: KIND is tile, points, gcode or
+// settings. Fails if one of them ended the process: these are all ours.
 
 #include <cstdio>
 #include <map>
@@ -15,11 +15,13 @@ using namespace dapple;
 int main(int argc, char** argv) {
     try {
         const FuzzOptions options = fuzz_options(argc, argv);
-        const std::map<std::string, void (*)(const std::string&)> readers{
-            {"tile", &read_any_tile}, {"points", &read_any_points}, {"settings", &read_any_settings}};
+        const std::map<std::string, void (*)(const std::string&)> readers{{"tile", &read_any_tile},
+                                                                          {"points", &read_any_points},
+                                                                          {"gcode", &read_any_gcode_template},
+                                                                          {"settings", &read_any_settings}};
         const auto reader = readers.find(options.kind);
         if (reader == readers.end())
-            throw std::runtime_error(options.kind + ": neither tile, points nor settings");
+            throw std::runtime_error(options.kind + ": neither tile, points, gcode nor settings");
         return fuzz(options, reader->second) > 0 ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -30,7 +30,8 @@ void read_any_picture(PictureFormat format, const std::string& bytes) {
     limit_decoder_memory(0);
     Forgetful sink;
     try {
-        decode(file, format, {.most_pixels = kMostPixels}, &limit_decoder_memory, sink);
+        // The side is for the reader of smaller pictures; others give the whole one.
+        decode(file, format, {.most_pixels = kMostPixels, .enough_side = 8}, &limit_decoder_memory, sink);
     } catch (const std::exception&) {
     }
     ::close(file);

@@ -3,12 +3,24 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
+#include "core/text/numbers.h"
 #include "fuzz/mutations.h"
 
 namespace dapple {
+namespace {
+
+template <class Number>
+Number number(const std::string& text) {
+    const std::optional<Number> read = number_of<Number>(text);
+    if (!read) throw std::runtime_error(text + ": not a number");
+    return *read;
+}
+
+}  // namespace
 
 FuzzOptions fuzz_options(int argc, char** argv) {
     if (argc < 3 || argc % 2 == 0)
@@ -18,11 +30,11 @@ FuzzOptions fuzz_options(int argc, char** argv) {
     for (int i = 3; i + 1 < argc; i += 2) {
         const std::string_view name = argv[i];
         if (name == "--runs")
-            options.runs = std::stoull(argv[i + 1]);
+            options.runs = number<std::uint64_t>(argv[i + 1]);
         else if (name == "--seconds")
-            options.seconds = std::stod(argv[i + 1]);
+            options.seconds = number<double>(argv[i + 1]);
         else if (name == "--random")
-            options.random = std::stoull(argv[i + 1]);
+            options.random = number<std::uint64_t>(argv[i + 1]);
         else if (name == "--keep")
             options.keep = argv[i + 1];
         else

@@ -1,8 +1,8 @@
 #version 330 core
 // A tile's outline and the letter F in its middle, which tells its orientation: seven bars, 42 corners, one
 // instance a tile.
-layout(location = 0) in vec4 box;    // low x, y, high x, y in page units
-layout(location = 1) in vec2 facts;  // level; orientation 0..7, or -1: no letter
+layout(location = 0) in vec4 box;   // low x, y, high x, y in page units
+layout(location = 1) in vec2 look;  // level; orientation 0..7, or -1: no letter
 
 uniform vec2 page_scale;
 uniform vec2 page_offset;
@@ -29,7 +29,7 @@ void main() {
     vec2 corner = kCorners[gl_VertexID % 6];
     vec2 low = box.xy * page_scale + page_offset;
     vec2 high = box.zw * page_scale + page_offset;
-    float level = facts.x;
+    float level = look.x;
     float width = line_width * (level < 0.5 ? 2.0 : level < 2.5 ? 1.5 : 1.0);
     vec2 half_width = vec2(width * 0.5);
     vec2 from = low, to = high;
@@ -42,13 +42,13 @@ void main() {
     float strength = smoothstep(3.0, 14.0, apart) * 0.85;
     if (side >= 4) {
         float size = min(apart * 0.09, 20.0 * line_width);
-        int g = int(facts.y + 0.5);
+        int g = int(look.y + 0.5);
         vec2 a = turned(kLetter[side - 4].xy, g), b = turned(kLetter[side - 4].zw, g);
         vec2 middle = (low + high) * 0.5;
         from = middle + min(a, b) * size;
         to = middle + max(a, b) * size;
         half_width = vec2(size * 0.17);
-        strength = facts.y < 0.0 ? 0.0 : smoothstep(36.0, 60.0, apart / line_width);
+        strength = look.y < 0.0 ? 0.0 : smoothstep(36.0, 60.0, apart / line_width);
     }
     vec2 pixel = mix(from - half_width, to + half_width, corner);
     gl_Position = vec4(pixel.x / canvas.x * 2.0 - 1.0, 1.0 - pixel.y / canvas.y * 2.0, 0.0, 1.0);

@@ -61,6 +61,9 @@ class HeadlessUi {
     bool has(const std::string& label) const {
         return places_.contains(label);
     }
+    const WidgetPlaces& places() const {
+        return places_;
+    }
 
     void move_to(glm::vec2 p) {
         put_mouse_position(p.x, p.y);
@@ -76,6 +79,14 @@ class HeadlessUi {
         move_to(at(label, 0.5f));
         press();
         release();
+        settle();
+    }
+    void double_click(const std::string& label) {
+        move_to(at(label, 0.5f));
+        for (int i = 0; i < 2; ++i) {
+            press();
+            release();
+        }
         settle();
     }
     /// Presses on a slider's track and lets go at another place; positions 0..1 along the track.

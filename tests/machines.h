@@ -13,7 +13,7 @@
 namespace dapple {
 
 /// What a plotter did, millimetres from the lower left corner.
-struct Plot {
+struct Plotted {
     std::vector<glm::dvec2> dots{};
     glm::dvec2 at{0, 0};
 };
@@ -21,8 +21,8 @@ struct Plot {
 /// A machine with a Z axis, or a servo or a laser that M3 drives at over S50. It makes a dot where it rests
 /// with its tool down. Throws std::runtime_error if the tool moves while it is down, if anything moves before
 /// millimetres and places are agreed on, or at a word that such machines don't know.
-inline Plot plotted_gcode(const std::string& text) {
-    Plot plot;
+inline Plotted plotted_gcode(const std::string& text) {
+    Plotted plot;
     bool millimetres = false, places = false, on = false;
     double power = 0, z = 1, feed = 0;
     int motion = -1;
@@ -78,8 +78,8 @@ inline Plot plotted_gcode(const std::string& text) {
 
 /// A pen plotter, 40 units to the millimetre. It makes a dot where the pen goes down, and throws
 /// std::runtime_error if that is then moved, before there is a pen, or at an unknown instruction.
-inline Plot plotted_hpgl(const std::string& text) {
-    Plot plot;
+inline Plotted plotted_hpgl(const std::string& text) {
+    Plotted plot;
     bool down = false, ready = false;
     int pen = 0;
     std::istringstream instructions(text);

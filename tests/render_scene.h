@@ -19,6 +19,13 @@
 
 namespace dapple {
 
+/// Whether another program that reads what was drawn is there.
+inline bool is_installed(const std::string& program) {
+    if (run_in_shell(program + " >/dev/null 2>&1").status == 0) return true;
+    MESSAGE(program, " does not run: left out");
+    return false;
+}
+
 /// A soft grey ramp with a black bar: something of everything.
 inline PictureFile test_picture() {
     PictureFile picture{.width = 96, .height = 64};

@@ -34,21 +34,26 @@ inline void run(std::vector<std::string> command) {
 /// A display with nothing on it.
 class Display {
  public:
-    Display() : number_file_(folder_ / "number"), server_(start()) {
+    explicit Display(int width = 1280, int height = 800, int dpi = 96)
+        : number_file_(folder_ / "number"), server_(start(width, height)) {
         REQUIRE(server_.brings([&] { return text_of(number_file_).find('\n') != std::string::npos; }));
         std::string name = ":";
         name += text_of(number_file_);
         name.pop_back();
         setenv("DISPLAY", name.c_str(), 1);
         unsetenv("WAYLAND_DISPLAY");
+        // As desktops tell programs how large text is to be.
+        if (dpi != 96)
+            run({"xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER",
+                 "Xft.dpi: " + std::to_string(dpi)});
     }
 
  private:
-    ChildProcess start() const {
+    ChildProcess start(int width, int height) const {
+        const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
         // Xvfb finds a free number itself and writes it to its standard output.
-        return ChildProcess(
-            {"Xvfb", "-displayfd", "1", "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp"},
-            {.output = number_file_});
+        return ChildProcess({"Xvfb", "-displayfd", "1", "-screen", "0", size, "-noreset", "-nolisten", "tcp"},
+                            {.output = number_file_});
     }
 
     TemporaryFolder folder_;
@@ -56,14 +61,27 @@ class Display {
     ChildProcess server_;
 };
 
+/// What the window remembers and keeps is in this folder; none: nothing is remembered.
+struct WindowMemory {
+    fs::path folder = {};
+};
+
 /// The program on it.
 class RunningViewer {
  public:
-    explicit RunningViewer(const fs::path& working_folder = {}, std::vector<std::string> arguments = {})
+    explicit RunningViewer(const fs::path& working_folder = {}, std::vector<std::string> arguments = {},
+                           const WindowMemory& memory = {})
         : log_(folder_ / "log"),
-          program_(command(std::move(arguments)), {.folder = working_folder, .output = log_}) {
+          program_(command(std::move(arguments), memory), {.folder = working_folder, .output = log_}) {
         REQUIRE(
             shows([&] { return end_of_log().find("ready\n") != std::string::npos && !status().is_null(); }));
+    }
+
+    RunningViewer(const RunningViewer&) = delete;
+    RunningViewer& operator=(const RunningViewer&) = delete;
+    ~RunningViewer() {
+        const json last = status();
+        if (!last.is_null()) CHECK(last["gl_errors"] == 0);
     }
 
     /// Waits until what it says is as looked for.
@@ -97,13 +115,14 @@ class RunningViewer {
     }
     /// Turns the wheel over the panels until the widget is in the window; its corners.
     json scrolled_into_view(const std::string& widget) {
-        constexpr double kTop = 10, kBottom = 790, kPanels = 1100;
+        constexpr double kTop = 10, kPanels = 1100;
+        const double bottom = height_ - 10;
         while (true) {
             const json place = status()["widgets"][widget];
             const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
-            if (place[0] < 940 || (y > kTop && y < kBottom)) return place;
+            if (place[0] < 940 || (y > kTop && y < bottom)) return place;
             move(kPanels, 400);
-            y > kBottom ? wheel_down() : wheel_up();
+            y > bottom ? wheel_down() : wheel_up();
             REQUIRE(shows([&] { return status()["widgets"][widget] != place; }));
         }
     }
@@ -131,18 +150,15 @@ class RunningViewer {
     void key(const std::string& keys) const { run({"xdotool", "key", keys}); }
     /// Keys and pauses just as xdotool is told, at the speed of its own.
     void xdotool(const std::string& commands) const { run({"sh", "-c", "xdotool " + commands}); }
-    void resize(int width, int height) const {
+    void resize(int width, int height) {
+        height_ = height;
         xdotool("search --onlyvisible --name 'Dapple$' windowsize " + std::to_string(width) + " " +
                 std::to_string(height));
     }
-    /// Seconds of processor time that it has used.
-    double processor_seconds() const {
-        std::ifstream file("/proc/" + std::to_string(program_.id()) + "/stat");
-        std::string word;
-        double user = 0, system = 0;
-        for (int i = 1; i <= 13; ++i) file >> word;
-        file >> user >> system;
-        return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    /// Seconds of processor time that it has used; that the thread has which knows the window.
+    double processor_seconds() const { return processor_seconds("/stat"); }
+    double interface_seconds() const {
+        return processor_seconds("/task/" + std::to_string(program_.id()) + "/stat");
     }
     /// Megabytes of memory that it holds.
     double memory() const {
@@ -155,6 +171,14 @@ class RunningViewer {
     int wait_for_end() { return program_.wait(); }
 
  private:
+    double processor_seconds(const std::string& table) const {
+        std::ifstream file("/proc/" + std::to_string(program_.id()) + table);
+        std::string word;
+        double user = 0, system = 0;
+        for (int i = 1; i <= 13; ++i) file >> word;
+        file >> user >> system;
+        return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
     // Many times longer than one line.
     std::string end_of_log() const {
         constexpr std::streamoff kLongest = 1 << 17;
@@ -165,11 +189,20 @@ class RunningViewer {
         file.read(text.data(), static_cast<std::streamsize>(text.size()));
         return text;
     }
-    static std::vector<std::string> command(std::vector<std::string> arguments) {
+    static std::vector<std::string> command(std::vector<std::string> arguments, const WindowMemory& memory) {
         arguments.insert(arguments.begin(), {DAPPLE_PROGRAM, "--log-status"});
+        if (memory.folder.empty()) {
+            // What a person's own windows remember is no test's business.
+            arguments.insert(arguments.begin() + 1, "--fresh");
+        } else {
+            const std::string folder = memory.folder.string();
+            arguments.insert(arguments.begin(), {"env", "XDG_CONFIG_HOME=" + folder,
+                                                 "XDG_STATE_HOME=" + folder, "XDG_DATA_HOME=" + folder});
+        }
         return arguments;
     }
 
+    int height_ = 800;
     TemporaryFolder folder_;
     fs::path log_;
     ChildProcess program_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
@@ -28,6 +29,21 @@ Outcome run_in_shell(const std::string& command) {
 Outcome run_dapple(const std::string& arguments) {
     // Leaks of other libraries are reported where their callers can be told: in the tests of the parts.
     return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec \"$DAPPLE\" " + arguments);
+}
+
+std::set<std::string> commands_in_help(const std::string& command) {
+    std::istringstream help(run_dapple(command + " --help").out);
+    std::set<std::string> found;
+    bool among_them = false;
+    for (std::string line; std::getline(help, line);) {
+        if (line == "Subcommands:" || line == "SUBCOMMANDS:")  // CLI11 from 2.5 on
+            among_them = true;
+        else if (!line.starts_with("  "))
+            among_them = false;
+        else if (among_them && line[2] != ' ')
+            found.insert(line.substr(2, line.find(' ', 2) - 2));
+    }
+    return found;
 }
 
 }  // namespace dapple

@@ -1,6 +1,7 @@
 #pragma once
 // Commands run as a person runs them, in a shell.
 
+#include <set>
 #include <string>
 
 namespace dapple {
@@ -19,5 +20,8 @@ Outcome run_in_shell(const std::string& command);
 
 /// Runs it: `dapple ` + arguments.
 Outcome run_dapple(const std::string& arguments);
+
+/// What a command's help lists under "Subcommands:"; of the program itself with "".
+std::set<std::string> commands_in_help(const std::string& command);
 
 }  // namespace dapple

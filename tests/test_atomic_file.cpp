@@ -226,3 +226,11 @@ TEST_CASE("an output is kept apart from other files, however their names are wri
     CHECK(apart(folder / "sub/new.svg", folder / "new.svg"));
     CHECK(apart("/dev/null", "/dev/null"));
 }
+TEST_CASE("a pipe that nobody reads is not waited for without an end") {
+    const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder / "fifo").c_str(), 0600) == 0);
+    const std::string sentence = sentence_of(folder / "fifo", [](std::ostream& out) { out << "text"; });
+    CHECK(sentence ==
+          (folder / "fifo").string() + ": cannot be written: it is a pipe, and no program reads from it");
+    CHECK(fs::is_fifo(folder / "fifo"));
+}

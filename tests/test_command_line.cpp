@@ -87,7 +87,6 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--dots 1.2345k", "--dots: 1.2345k is not possible"},
           Wrong{"--dots 99999999999", "--dots: 99999999999 is not possible"},
           Wrong{"--dots 10 --scale 10", "--dots: cannot be given together with --scale"},
-          Wrong{"--dots 10 --placer figure8", "--dots: the figure8 placer"},
           Wrong{"--placer best", "--placer: best is not known"},
           Wrong{"--ranking best", "--ranking: best is not known"},
           Wrong{"--tile best", "best: no such tile"},
@@ -117,6 +116,8 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--width 1e-9", "--width: 1e-9 is not possible; give a length in mm, cm, in or pt at least"},
           Wrong{"--margin 99.999", "--margin: 99.999 mm on either side leave no room"},
           Wrong{"--region 0,0,1e-9x1e-9", "--region: 1e-09 x 1e-09 mm is too small"},
+          Wrong{"--crop 0,0,1e-9x1e-9", "--crop: the part is 1e-09 x 1e-09 pixels"},
+          Wrong{"--crop 0%,0%,1e-9%x100%", "--crop: the part is"},
           Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
           Wrong{"--dot-radius 900..1000", "--dot-radius: no dots so large come out"},
           Wrong{"--nonsense", "--nonsense"}}) {

@@ -23,22 +23,6 @@ std::set<std::string> offered(const std::string& words) {
     return found;
 }
 
-// The first word of each line of a command's help that stands under "Subcommands:".
-std::set<std::string> commands_in_help(const std::string& command) {
-    std::istringstream help(run_dapple(command + " --help").out);
-    std::set<std::string> found;
-    bool among_them = false;
-    for (std::string line; std::getline(help, line);) {
-        if (line == "Subcommands:")
-            among_them = true;
-        else if (!line.starts_with("  "))
-            among_them = false;
-        else if (among_them && line[2] != ' ')
-            found.insert(line.substr(2, line.find(' ', 2) - 2));
-    }
-    return found;
-}
-
 }  // namespace
 
 TEST_CASE("every command that help shows is offered, and no other") {

@@ -53,11 +53,11 @@ TEST_CASE("a table of dots reads back to the very same dots") {
     write_csv(table, stream_of(dots), page, {.dot_radius_mm = 0.1 + 0.2, .tile_size = n});
     std::string line;
     REQUIRE(std::getline(table, line));
-    CHECK(line == "x_mm,y_mm,radius_mm,level,rank,critical_scale");
+    CHECK(line == "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm");
     for (std::size_t i = 0; i < dots.size(); ++i) {
         REQUIRE(std::getline(table, line));
         const std::vector<std::string> fields = fields_of(line);
-        REQUIRE(fields.size() == 6);
+        REQUIRE(fields.size() == 8);
         CHECK(static_cast<float>(number<double>(fields[0]) / page.mm_per_page_unit) == dots.x[i]);
         CHECK(static_cast<float>(number<double>(fields[1]) / page.mm_per_page_unit) == dots.y[i]);
         CHECK(number<double>(fields[2]) == 0.1 + 0.2);
@@ -65,6 +65,8 @@ TEST_CASE("a table of dots reads back to the very same dots") {
         const float unscaled = (static_cast<float>(rank) + 0.5f) / 16;
         CHECK(unscaled * (l == 0 ? 1.0f : std::ldexp(1.0f, 2 * (l - 1))) == dots.threshold[i]);
         CHECK(number<float>(fields[5]) == dots.critical[i]);
+        CHECK(number<double>(fields[6]) == page.width_mm);
+        CHECK(number<double>(fields[7]) == page.height_mm);
     }
     CHECK(!std::getline(table, line));
 }
@@ -72,5 +74,5 @@ TEST_CASE("a table of dots reads back to the very same dots") {
 TEST_CASE("a table of no dots is its header") {
     std::ostringstream table;
     write_csv(table, {}, {.width_mm = 1, .height_mm = 1, .mm_per_page_unit = 1}, {});
-    CHECK(table.str() == "x_mm,y_mm,radius_mm,level,rank,critical_scale\n");
+    CHECK(table.str() == "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm\n");
 }

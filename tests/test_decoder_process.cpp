@@ -1,24 +1,32 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "app/decoding/decoder_limits.h"
 #include "app/decoding/decoder_process.h"
+#include "app/decoding/kept_input.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/shell.h"
 #include "tests/temporary_folder.h"
+#include "tests/wait_until.h"
 
 using namespace dapple;
 namespace fs = std::filesystem;
@@ -81,6 +89,58 @@ void run(const std::string& command) {
     REQUIRE_MESSAGE(std::system(command.c_str()) == 0, command);
 }
 
+std::string big_endian(std::uint32_t number) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
+    return bytes;
+}
+
+std::string little_endian(std::uint32_t number) {
+    const std::string bytes = big_endian(number);
+    return {bytes.rbegin(), bytes.rend()};
+}
+
+// A piece of a PNG: the checksum is a remainder of polynomials, as the standard's annex D says.
+std::string png_chunk(const std::string& name, const std::string& content) {
+    std::uint32_t remainder = 0xffffffff;
+    for (const char c : name + content) {
+        remainder ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) remainder = remainder >> 1 ^ (remainder % 2 ? 0xedb88320 : 0);
+    }
+    return big_endian(static_cast<std::uint32_t>(content.size())) + name + content + big_endian(~remainder);
+}
+
+// A header of 16-bit colours with alpha, and the beginning of the pixels: nothing, many times over.
+std::string endless_png(std::uint32_t side, char interlaced) {
+    const std::string header =
+        big_endian(side) + big_endian(side) + std::string("\x10\6\0\0", 4) + interlaced;
+    // Deflate's stored blocks.
+    std::string pixels = "\x78\x01" + std::string("\0\0\x10\xff\xef", 5) + std::string(0x1000, '\0');
+    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + png_chunk("IDAT", pixels);
+}
+
+// A header of three floats a pixel, uncompressed, and no pixels.
+std::string endless_exr(std::uint32_t side) {
+    const auto attribute = [](const char* name, const char* type, const std::string& value) {
+        return std::string(name) + '\0' + type + '\0' +
+               little_endian(static_cast<std::uint32_t>(value.size())) + value;
+    };
+    std::string channels;
+    for (const char* const name : {"B", "G", "R"})
+        channels += std::string(name) + '\0' + little_endian(2) + little_endian(0) + little_endian(1) +
+                    little_endian(1);
+    channels += '\0';
+    const std::string box =
+        little_endian(0) + little_endian(0) + little_endian(side - 1) + little_endian(side - 1);
+    const std::string one = std::string("\0\0\x80\x3f", 4), zeros = std::string(8, '\0');
+    return little_endian(20000630) + little_endian(2) + attribute("channels", "chlist", channels) +
+           attribute("compression", "compression", std::string(1, '\0')) +
+           attribute("dataWindow", "box2i", box) + attribute("displayWindow", "box2i", box) +
+           attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
+           attribute("pixelAspectRatio", "float", one) + attribute("screenWindowCenter", "v2f", zeros) +
+           attribute("screenWindowWidth", "float", one) + std::string(1000, '\0');
+}
+
 }  // namespace
 
 TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here") {
@@ -89,6 +149,7 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
     CHECK(has(Decoder("kill -XCPU $$").sentence(), "far longer to decode"));
     CHECK(has(Decoder("kill -TERM $$").sentence(), "its decoder was stopped"));
     CHECK(has(Decoder("exit 3").sentence(), "without a word (exit 3)"));
+    CHECK(has(Decoder("exit 127").sentence(), "the system does not load its decoder"));
     CHECK(has(Decoder("echo nonsense").sentence(), "says nothing that can be understood"));
     // A header of 4 x 4 pixels and one row of it.
     CHECK(
@@ -124,6 +185,22 @@ TEST_CASE("what a decoder may use is limited") {
         std::signal(SIGXFSZ, SIG_IGN);
         const int file = ::open((folder / "written").c_str(), O_CREAT | O_WRONLY, 0600);
         if (::write(file, "x", 1) == 1) failed |= 8;
+        rlimit seconds{};
+        limit_decoder_to(60'000'000);
+        if (::getrlimit(RLIMIT_CPU, &seconds) != 0 || seconds.rlim_cur < 60 || seconds.rlim_cur > 120)
+            failed |= 16;
+        // A picture that keeps its decoder busy for ever.
+        const pid_t busy = ::fork();
+        if (busy == 0) {
+            limit_decoder();
+            seconds.rlim_cur = 1;
+            ::setrlimit(RLIMIT_CPU, &seconds);
+            for (std::atomic<int> i = 0;; ++i) {
+            }
+        }
+        int status = 0;
+        ::waitpid(busy, &status, 0);
+        if (!WIFSIGNALED(status) || WTERMSIG(status) != SIGXCPU) failed |= 32;
         ::_exit(failed);
     }
     int status = 0;
@@ -148,7 +225,7 @@ TEST_CASE("what a file is decides its content, not its name") {
     CHECK(has(sentence_of(folder / "list.jpg"), "it would have to be PNG, JPEG"));
 }
 
-TEST_CASE("a header that asks for gigabytes gets none") {
+TEST_CASE("a header that asks for gigabytes gets none, and a sentence says what is wrong") {
     const TemporaryFolder folder;
     const std::string psd =
         std::string("8BPS\0\1\0\0\0\0\0\0\0\3", 14) + std::string("\0\0\x75\x30\0\0\x75\x30\0\x08\0\3", 12);
@@ -156,11 +233,29 @@ TEST_CASE("a header that asks for gigabytes gets none") {
              psd + std::string("\0\0\0\0\x7f\xff\xff\xff\x7f\xff\xff\xff", 12) + std::string(500, '\0'));
     put_text(folder / "bomb.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2000000000 +X 2000000000\n");
     put_text(folder / "bomb.pgm", "P5\n19000 19000\n255\nonly a few");
-    for (const char* const name : {"bomb.psd", "bomb.hdr", "bomb.pgm"}) {
-        const std::string sentence = sentence_of(folder / name);
+    // 19,000 x 19,000 pixels of 8 bytes, in rows and interlaced, and of 12 bytes.
+    put_text(folder / "rows.png", endless_png(19'000, 0));
+    put_text(folder / "interlaced.png", endless_png(19'000, 1));
+    put_text(folder / "floats.exr", endless_exr(19'000));
+    for (const char* const name :
+         {"bomb.psd", "bomb.hdr", "bomb.pgm", "rows.png", "interlaced.png", "floats.exr"}) {
         CAPTURE(std::string(name));
-        CAPTURE(sentence);
-        CHECK(!sentence.empty());
+        // In a process of its own, whose children's memory is theirs alone.
+        const pid_t child = ::fork();
+        if (child == 0) {
+            rusage own{}, decoder{};
+            ::getrusage(RUSAGE_SELF, &own);
+            const std::string sentence = sentence_of(folder / name);
+            ::getrusage(RUSAGE_CHILDREN, &decoder);
+            // A child begins as its parent is, until it is a program of its own.
+            constexpr long kMostKilobytes = 700'000;
+            const bool modest = decoder.ru_maxrss < own.ru_maxrss + kMostKilobytes;
+            ::_exit((sentence.empty() || has(sentence, "without a word") ? 1 : 0) | (modest ? 0 : 2));
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        REQUIRE(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
     }
 }
 
@@ -188,6 +283,122 @@ TEST_CASE("a picture may come through a pipe") {
         CHECK(decoded(pipe).pixels.size() == 20'000);
         fs::remove(pipe);
     }
+}
+
+TEST_CASE("a pipe that nobody writes to is opened at once, and can be given up") {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder / "pipe.png";
+    run("mkfifo " + pipe.string());
+    std::stop_source stop;
+    std::atomic<bool> ended = false;
+    std::string sentence;
+    std::jthread reader([&] {
+        Decoded sink;
+        try {
+            decode_file(pipe, {}, sink, stop.get_token());
+        } catch (const DecodeError& error) {
+            sentence = error.what();
+        }
+        ended = true;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    CHECK_FALSE(ended);
+    stop.request_stop();
+    const bool has_ended = wait_until([&] { return ended.load(); });
+    CHECK(has_ended);
+    // Or it would wait for ever.
+    if (!has_ended) run("echo > " + pipe.string());
+    reader.join();
+    CHECK(sentence == "was not read to its end: it was stopped");
+}
+
+TEST_CASE("what comes through a pipe without an end is refused at its beginning, or at a bound") {
+    CHECK(has(sentence_of("/dev/zero"), "it would have to be PNG, JPEG"));
+    const TemporaryFolder folder;
+    const std::string pipe = (folder / "pipe").string();
+    run("mkfifo " + pipe);
+    std::jthread writer(
+        [&] { run(R"((printf '\211PNG\r\n\032\n'; cat /dev/zero) 2>/dev/null > )" + pipe + " || true"); });
+    const Descriptor from(::open(pipe.c_str(), O_RDONLY)), to(::memfd_create("kept", 0));
+    REQUIRE(from);
+    CHECK_THROWS_WITH(
+        keep_input(from.get(), to.get(), 1'000'000),
+        "is longer than 1 megabytes, the most that is read from a pipe; save it as a file first");
+    CHECK(::lseek(to.get(), 0, SEEK_END) <= 1'000'000);
+}
+
+TEST_CASE("the true reason is said why what comes through a pipe cannot be kept") {
+    // In a process of its own: what it does to limits lasts.
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const TemporaryFolder folder;
+        std::array<int, 2> ends{};
+        const Descriptor file(::open((folder / "kept").c_str(), O_RDWR | O_CREAT, 0600));
+        std::string picture = "\x89PNG\r\n\x1a\n" + std::string(10'000, '\0');
+        rlimit most{1000, 1000};
+        if (::pipe(ends.data()) != 0 || ::write(ends[1], picture.data(), picture.size()) < 10'000 ||
+            ::close(ends[1]) != 0 || ::setrlimit(RLIMIT_FSIZE, &most) != 0)
+            ::_exit(2);
+        try {
+            keep_input(ends[0], file.get());
+        } catch (const DecodeError& error) {
+            ::_exit(has(error.what(), "cannot be kept while it is read: File too large") ? 0 : 3);
+        }
+        ::_exit(4);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+}
+
+TEST_CASE("a picture that one may not read is told as such") {
+    const TemporaryFolder folder;
+    put_text(folder / "a.png", "text");
+    fs::permissions(folder.path(), fs::perms::all);
+    fs::permissions(folder / "a.png", fs::perms::none);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        // Nothing is forbidden to root.
+        constexpr uid_t kNobody = 65534;
+        if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(2);
+        ::_exit(sentence_of(folder / "a.png") == "cannot be read: Permission denied" ? 0 : 3);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+}
+
+TEST_CASE("where few files may be open the true reason is said, however few") {
+    const TemporaryFolder folder;
+    write_picture(folder / "a.png", {.width = 4, .height = 4, .values = std::vector<float>(16, 0.5f)});
+    for (const rlim_t most : {4, 5, 6, 7, 8, 9, 10, 11, 12}) {
+        CAPTURE(most);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const rlimit few{most, most};
+            ::setrlimit(RLIMIT_NOFILE, &few);
+            const std::string sentence = sentence_of(folder / "a.png");
+            const bool true_reason = has(sentence, "Too many open files") || has(sentence, "does not load");
+            ::_exit(sentence.empty() || true_reason ? 0 : 3);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        REQUIRE(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
+    }
+}
+
+TEST_CASE("what a library throws is told in words of ours") {
+    const TemporaryFolder folder;
+    // A GIF of 65,535 x 65,535 pixels without a frame.
+    put_text(folder / "a.gif", "GIF89a\xff\xff\xff\xff\x80" + std::string(32, '\0'));
+    const std::string sentence = sentence_of(folder / "a.gif");
+    CAPTURE(sentence);
+    CHECK_FALSE(has(sentence, "vector"));
+    CHECK((has(sentence, "needs more memory") || has(sentence, "is damaged") || has(sentence, "megapixels") ||
+           has(sentence, "not a picture")));
 }
 
 TEST_CASE("PNG read with libpng is what OpenImageIO reads") {

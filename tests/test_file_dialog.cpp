@@ -3,6 +3,9 @@
 #include <fstream>
 
 #include "app/viewer/shell/file_dialog.h"
+#include "app/viewer/widgets/list_keys.h"
+#include "app/viewer/widgets/picture_entry.h"
+#include "app/viewer/widgets/row_keys.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"
 
@@ -24,8 +27,16 @@ struct Folder {
 struct DialogUi {
     FileDialog dialog;
     std::optional<fs::path> chosen;
+    bool option = false;
+    double number = 3;
+    std::string refusal;
     HeadlessUi ui{[this] {
-        if (auto path = dialog.draw()) chosen = path;
+        const auto options = [this](std::size_t) {
+            switch_row("Option", option, "An option.");
+            slider_row("Number", number, {.min = 1, .max = 9});
+            return refusal;
+        };
+        if (auto path = dialog.draw(options)) chosen = path;
     }};
 
     void open(const fs::path& start) {
@@ -38,8 +49,30 @@ struct DialogUi {
         dialog.ask_where_to_save({.title = "Export",
                                   .formats = {{"SVG", ".svg"}, {"PNG", ".png"}, {"CSV", ".csv"}},
                                   .start = start,
-                                  .own_file = own_file});
+                                  .own_file = own_file,
+                                  .has_options = true});
         for (int i = 0; i < 4; ++i) ui.frame();
+    }
+    void key(Key key, int modifiers = 0) {
+        put_modifiers(modifiers);
+        ui.key(key);
+        put_modifiers(0);
+        for (int i = 0; i < 3; ++i) ui.frame();
+    }
+    /// Whether the middle of something lies in what the ring is around.
+    bool has_keys(const std::string& label) const {
+        if (!ui.has(kRowWithKeys) || !ui.has(label)) return false;
+        const WidgetPlace ring = ui.place(kRowWithKeys);
+        const glm::vec2 middle = ui.at(label, 0.5f);
+        return middle.x > ring.min.x && middle.x < ring.max.x && middle.y > ring.min.y &&
+               middle.y < ring.max.y;
+    }
+    bool marked(const std::string& label) const {
+        return ui.has(kMarkedEntry) && ui.has(label) && ui.place(kMarkedEntry) == ui.place(label);
+    }
+    void walk_to(const std::string& label) {
+        for (int i = 0; i < 12 && !has_keys(label); ++i) key(Key::tab);
+        REQUIRE(has_keys(label));
     }
 };
 
@@ -65,6 +98,71 @@ TEST_CASE("walking into a folder and opening a picture there gives its path") {
     REQUIRE(f.chosen);
     CHECK(*f.chosen == folder.root.path() / "b folder" / "inner.tif");
     CHECK_FALSE(f.dialog.is_open());
+}
+
+TEST_CASE("the column beside the folder leads to places and opens recent files") {
+    Folder folder;
+    DialogUi f;
+    ImGui::GetIO().DisplaySize = {900, 700};
+    const fs::path inner = folder.root.path() / "b folder", ant = folder.root.path() / "ant.png";
+    f.dialog.ask_what_to_open({.title = "Open a picture",
+                               .endings = {".png", ".tif"},
+                               .start = folder.root.path(),
+                               .recent = {ant},
+                               .places = {inner}});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    CHECK_FALSE(f.ui.has("Add this folder"));  // nobody keeps it
+    f.ui.click("Place b folder");
+    f.ui.frame();
+    CHECK(f.ui.has("inner.tif"));
+    f.ui.click("Recent ant.png");
+    CHECK(f.chosen == ant);
+    CHECK_FALSE(f.dialog.is_open());
+}
+
+TEST_CASE("a folder is added to the column and removed again by a button") {
+    Folder folder;
+    DialogUi f;
+    ImGui::GetIO().DisplaySize = {900, 700};
+    const fs::path inner = folder.root.path() / "b folder";
+    OpenQuestion question{.title = "Open a picture", .start = inner, .places = {folder.root.path()}};
+    question.bookmarks.emplace();
+    f.dialog.ask_what_to_open(question);
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    CHECK_FALSE(f.dialog.take_bookmarks());
+    f.ui.click("Add this folder");
+    CHECK(f.dialog.take_bookmarks() == std::vector<fs::path>{inner});
+    CHECK_FALSE(f.dialog.take_bookmarks());
+    f.ui.frame();
+    CHECK(f.ui.has("Place b folder"));
+    f.ui.click("Remove this folder");
+    CHECK(f.dialog.take_bookmarks() == std::vector<fs::path>{});
+    // The desktop's own are not ours to remove.
+    f.ui.click("Place " + folder.root.path().filename().string());
+    f.ui.frame();
+    f.ui.frame();
+    CHECK_FALSE(f.ui.has("Add this folder"));
+    CHECK_FALSE(f.ui.has("Remove this folder"));
+}
+
+TEST_CASE("names with ## in them are shown whole, and each is its own entry") {
+    const auto drawn = [](const char* name) {
+        HeadlessUi ui([name] { text_entry(name, false); });
+        ui.frame();
+        return ImGui::GetDrawData()->TotalVtxCount;
+    };
+    CHECK(drawn("a##b") == drawn("axxb"));
+    CHECK(drawn("a###b") == drawn("axxxb"));
+    Folder folder;
+    for (const char* name : {"a##b.png", "a##c.png", "a###x.png", "b###x.png"})
+        std::ofstream(folder.root.path() / name) << "x";
+    for (const char* name : {"a##c.png", "b###x.png"}) {
+        DialogUi f;
+        f.open(folder.root.path());
+        f.ui.click(name);
+        f.ui.click("Accept");
+        CHECK(f.chosen == folder.root.path() / name);
+    }
 }
 
 TEST_CASE("Cancel chooses nothing") {
@@ -129,6 +227,29 @@ TEST_CASE("a file that is there is replaced only when that was asked for twice")
     CHECK(f.chosen == there);
 }
 
+TEST_CASE("a name that stands for several files is asked about for any of them that is there") {
+    Folder folder;
+    DialogUi f;
+    const fs::path root = folder.root.path(), there = root / "b.png";
+    f.dialog.ask_where_to_save(
+        {.title = "Export", .formats = {{"PNG", ".png"}}, .start = there, .files = [](const fs::path& name) {
+             return std::vector{name.parent_path() / "none.png", name.parent_path() / "ant.png"};
+         }});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.ui.click("Accept");
+    CHECK_FALSE(f.chosen);
+    f.ui.click("Replace");
+    CHECK(f.chosen == there);
+    // The name's own file is not one of them.
+    f.dialog.ask_where_to_save({.title = "Export",
+                                .formats = {{"PNG", ".png"}},
+                                .start = root / "ant.png",
+                                .files = [&](const fs::path&) { return std::vector{root / "none.png"}; }});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.ui.click("Accept");
+    CHECK(f.chosen == root / "ant.png");
+}
+
 TEST_CASE("Enter asks before it replaces a file, and another Enter does it") {
     Folder folder;
     DialogUi f;
@@ -191,6 +312,172 @@ TEST_CASE("the file that was written last is written again without a question") 
     f.save(folder.root.path() / "ant.png", folder.root.path() / "ant.png");
     f.ui.click("Accept");
     CHECK(f.chosen == folder.root.path() / "ant.png");
+}
+
+TEST_CASE("after a path that is not there, or a folder, typing goes on behind it") {
+    Folder folder;
+    DialogUi f;
+    f.open(folder.root.path());
+    f.ui.type((folder.root.path() / "b fol").c_str());  // all of what was there was selected
+    f.key(Key::enter);
+    CHECK(f.dialog.is_open());
+    f.ui.type("der");
+    f.key(Key::enter);
+    CHECK(f.ui.has("inner.tif"));
+    f.ui.type("inner.tif");
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "b folder" / "inner.tif");
+}
+
+TEST_CASE("so it does after a click on the button, and after what is there is kept") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "missing" / "cat.svg");
+    f.ui.click("Accept");
+    f.ui.frame();
+    for (int letter = 0; letter < 15; ++letter) f.key(Key::backspace);
+    f.ui.type("ant.png");
+    f.key(Key::enter);
+    REQUIRE(f.ui.has("Keep"));
+    f.key(Key::escape);
+    CHECK_FALSE(f.ui.has("Keep"));
+    REQUIRE(f.dialog.is_open());
+    for (int letter = 0; letter < 3; ++letter) f.key(Key::backspace);
+    f.ui.type("csv");
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "ant.csv");
+}
+
+TEST_CASE("Tab walks from the path to the folder, the format, its options and the buttons, and back") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "cat.svg");
+    const std::vector<std::string> order{"ant.png", "SVG", "Option", "Number", "Cancel", "Accept", "Path"};
+    for (const std::string& name : order) {
+        CAPTURE(name);
+        f.key(Key::tab);
+        // Of a choice side by side the first entry is noted, and of the folder any.
+        CHECK(f.has_keys(name));
+    }
+    for (auto name = order.rbegin() + 1; name != order.rend(); ++name) {
+        CAPTURE(*name);
+        f.key(Key::tab, GLFW_MOD_SHIFT);
+        CHECK(f.has_keys(*name));
+    }
+    f.key(Key::tab, GLFW_MOD_SHIFT);
+    REQUIRE(f.has_keys("Path"));
+    f.key(Key::backspace);  // in the field again, behind what is there
+    f.ui.type("G");
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "cat.svG");
+}
+
+TEST_CASE("by keyboard alone a folder, a format and an option are chosen, and the drawing is saved") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "cat.svg");
+    f.walk_to("ant.png");
+    f.key(Key::down);  // past the way up
+    CHECK(f.marked("b folder/"));
+    f.key(Key::enter);
+    REQUIRE(f.dialog.is_open());
+    f.walk_to("SVG");
+    f.key(Key::right);
+    f.walk_to("Option");
+    f.key(Key::enter);
+    CHECK(f.option);
+    CHECK_FALSE(f.chosen);
+    f.walk_to("Number");
+    f.key(Key::enter);
+    f.ui.type("7");
+    f.key(Key::enter);
+    CHECK(f.number == 7);
+    CHECK_FALSE(f.chosen);
+    f.walk_to("Accept");
+    f.key(Key::space);
+    CHECK(f.chosen == folder.root.path() / "b folder" / "cat.png");
+}
+
+TEST_CASE("Escape ends what is typed into an option, and only then the dialog") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "cat.svg");
+    f.walk_to("Number");
+    f.key(Key::enter);
+    f.ui.type("7");
+    f.key(Key::escape);
+    CHECK(f.dialog.is_open());
+    CHECK(f.number == 3);
+    f.key(Key::escape);
+    CHECK_FALSE(f.dialog.is_open());
+    // Opened again, none of its buttons has the keys still.
+    f.save(folder.root.path() / "cat.svg");
+    f.walk_to("Cancel");
+    f.key(Key::enter);
+    f.save(folder.root.path() / "cat.svg");
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "cat.svg");
+}
+
+TEST_CASE("arrows mark an entry of the places and of the folder, and Enter opens it") {
+    Folder folder;
+    DialogUi f;
+    ImGui::GetIO().DisplaySize = {900, 700};
+    const fs::path root = folder.root.path(), ant = root / "ant.png";
+    const OpenQuestion question{
+        .title = "Open a picture", .start = root, .recent = {ant}, .places = {root, root / "b folder"}};
+    f.dialog.ask_what_to_open(question);
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.key(Key::tab);
+    f.key(Key::down);
+    CHECK(f.marked("Place b folder"));
+    f.key(Key::enter);
+    REQUIRE(f.ui.has("inner.tif"));
+    f.key(Key::down);
+    f.key(Key::enter);
+    CHECK(f.chosen == ant);
+    f.dialog.ask_what_to_open(question);
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.key(Key::tab);
+    f.key(Key::tab);
+    for (int i = 0; i < 2; ++i) f.key(Key::down);
+    CHECK(f.marked("ant.png"));
+    f.key(Key::down, GLFW_MOD_CONTROL);
+    CHECK(f.marked("notes.txt"));
+    f.key(Key::space);  // takes its name
+    CHECK(f.dialog.is_open());
+    f.key(Key::enter);
+    CHECK(f.chosen == root / "notes.txt");
+}
+
+TEST_CASE("nothing is saved that cannot be written, by no key and no click, until it can") {
+    Folder folder;
+    DialogUi f;
+    f.refusal = "No PDF is so large.";
+    f.save(folder.root.path() / "cat.svg");
+    f.ui.click("Accept");
+    f.key(Key::enter);
+    f.ui.click("Path");
+    f.key(Key::enter);
+    CHECK_FALSE(f.chosen);
+    CHECK(f.dialog.is_open());
+    f.refusal.clear();
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "cat.svg");
+}
+
+TEST_CASE("a name is shown as it is, and one that is two lines or no text as one line of text") {
+    const TemporaryFolder folder;
+    for (const char* name : {"a##b.png", "two\nlines.png", "\xff.png"})
+        std::ofstream(folder.path() / name) << "x";
+    DialogUi f;
+    f.open(folder.path());
+    CHECK(f.ui.has("a##b.png"));
+    CHECK(f.ui.has("two\\nlines.png"));
+    CHECK(f.ui.has("\\xff.png"));
+    f.ui.click("\\xff.png");
+    f.ui.click("Accept");
+    CHECK(f.chosen == folder.path() / "\xff.png");
 }
 
 }  // namespace dapple

@@ -6,19 +6,25 @@
 
 #include "core/reports/html.h"
 #include "core/reports/plot.h"
+#include "core/text/base64.h"
+#include "core/text/xml_text.h"
 
 using namespace dapple;
 
 TEST_CASE("base64 is RFC 4648's") {
     // The RFC's own examples, section 10.
-    CHECK(base64("") == "");
-    CHECK(base64("f") == "Zg==");
-    CHECK(base64("fo") == "Zm8=");
-    CHECK(base64("foo") == "Zm9v");
-    CHECK(base64("foob") == "Zm9vYg==");
-    CHECK(base64("fooba") == "Zm9vYmE=");
-    CHECK(base64("foobar") == "Zm9vYmFy");
-    CHECK(base64(std::string("\xFF\xEF\xBE\x00", 4)) == "/+++AA==");
+    CHECK(base64_of("") == "");
+    CHECK(base64_of("f") == "Zg==");
+    CHECK(base64_of("fo") == "Zm8=");
+    CHECK(base64_of("foo") == "Zm9v");
+    CHECK(base64_of("foob") == "Zm9vYg==");
+    CHECK(base64_of("fooba") == "Zm9vYmE=");
+    CHECK(base64_of("foobar") == "Zm9vYmFy");
+    CHECK(base64_of(std::string("\xFF\xEF\xBE\x00", 4)) == "/+++AA==");
+    CHECK(bytes_of_base64("Zm9vYg==") == "foob");
+    CHECK(bytes_of_base64("/+++AA==") == std::string("\xFF\xEF\xBE\x00", 4));
+    CHECK_THROWS_WITH(bytes_of_base64("Zm9v!A=="), "are not in base64");
+    CHECK_THROWS_WITH(bytes_of_base64("Zm9vY"), "are not in base64");
     CHECK(data_address("image/png", "foo") == "data:image/png;base64,Zm9v");
 }
 

@@ -14,6 +14,8 @@ TEST_CASE("a length is read in millimetres, or in the unit that it names") {
     CHECK(*millimetres_of("11 in") == doctest::Approx(279.4));
     CHECK(*millimetres_of("72pt") == doctest::Approx(25.4));
     CHECK(*millimetres_of("-2mm") == -2);  // whether it may be is for others to say
+    CHECK(*millimetres_of("2", LengthUnit::inch) == doctest::Approx(50.8));
+    CHECK(millimetres_of("2mm", LengthUnit::inch) == 2);
     for (const char* wrong : {"", "mm", "8 inches", "8in.", "in8", "1,5mm", "5  mm", "five", "5m", "8in8"}) {
         CAPTURE(wrong);
         CHECK_FALSE(millimetres_of(wrong));

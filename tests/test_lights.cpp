@@ -341,6 +341,58 @@ TEST_CASE("a region's light is that of the texels nearer to its dot than to any 
         CHECK(regions[i].solid_angle == doctest::Approx(nearest[i]).epsilon(0.02));
 }
 
+TEST_CASE("blocks of a map's texels light a surface as the texels do, however their light lies in them") {
+    const EnvironmentMap sky = small_sky();
+    Grid<glm::vec3> radiance = sky.radiance();
+    radiance.at(5, radiance.height / 3) = glm::vec3(3000, 2000, 1000);  // at a block's side
+    const EnvironmentMap map(radiance);
+    const std::vector<glm::dvec3> normals = fibonacci_normals(50);
+    const auto exact = irradiance(texel_lights(map), normals);
+    for (const int side : {2, 3}) {
+        const std::vector<DistantLight> blocks = block_lights(map, side);
+        const int columns = (map.width() + side - 1) / side, rows = (map.height() + side - 1) / side;
+        CHECK(blocks.size() == static_cast<std::size_t>(columns) * rows);
+        glm::dvec3 flux{};
+        for (const DistantLight& light : blocks) flux += light.weight;
+        CHECK(glm::distance(flux, map.total_flux()) < 1e-9 * glm::length(flux));
+        // Within a block directions differ by half its diagonal, h; from the centre of gravity that is felt
+        // as its square.
+        const double h = side * kPi / map.height() / std::sqrt(2.0);
+        const auto found = irradiance(blocks, normals);
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            CHECK(std::abs(luminance(found[i]) - luminance(exact[i])) < h * h * luminance(flux));
+    }
+}
+
+TEST_CASE("samples tell how far they are, up to the end, and can be given up at any moment") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    for (const PlacerKind placer : {PlacerKind::exact, PlacerKind::figure8}) {
+        std::vector<double> shares;
+        const LightRequest request{.count = 300, .placer = placer};
+        const LightSamples lights = light_samples(
+            map, tile, request, {.stop = {}, .progress = [&](double share) { shares.push_back(share); }});
+        CHECK(lights.samples.size() == 300);
+        REQUIRE(shares.size() > 20);
+        CHECK(std::ranges::is_sorted(shares));
+        CHECK(shares.front() > 0);
+        CHECK(shares.back() > 0.95);
+        CHECK(shares.back() <= 1);
+        for (std::size_t step = 0; step < shares.size(); step += 7) {
+            std::stop_source giving_up;
+            std::size_t told = 0;
+            const auto stop_here = [&](double) {
+                if (told++ == step) giving_up.request_stop();
+            };
+            CHECK(light_samples(map, tile, request, {giving_up.get_token(), stop_here}).samples.empty());
+            CHECK(told == step + 1);  // and at once
+        }
+        std::stop_source before;
+        before.request_stop();
+        CHECK(light_dots(map, tile, request, before.get_token()).empty());
+    }
+}
+
 TEST_CASE("counts that are not possible are refused") {
     const EnvironmentMap map = even_map(4, glm::vec3(1));
     RankedTile tile = paper_tile();

@@ -53,3 +53,27 @@ TEST_CASE("light from the map's left falls on the sphere's left, and turning bri
     const auto front = sphere_picture(left, {.size = 64, .turn_degrees = 90});
     CHECK(brightness(front, 32, 32) > brightness(front, 4, 32) + 20);
 }
+
+TEST_CASE("the sphere's rim is as soft as a disc's is where it covers pixels in part, without steps") {
+    constexpr int kSize = 64;
+    const auto picture = sphere_picture(lit_from({1, 0, 0}), {.size = kSize});
+    double area = 0;
+    int soft = 0;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            // The share of the pixel that lies in the disc, counted.
+            constexpr int kParts = 16;
+            int inside = 0;
+            for (int part = 0; part < kParts * kParts; ++part) {
+                const glm::dvec2 at(x + (part % kParts + 0.5) / kParts, y + (part / kParts + 0.5) / kParts);
+                inside += glm::distance(at, glm::dvec2(kSize / 2.0)) < kSize / 2.0 - 1;
+            }
+            const double share = inside / double(kParts * kParts), alpha = picture.at(x, y).w / 255.0;
+            CHECK(std::abs(alpha - share) < 0.12);
+            soft += alpha > 0 && alpha < 1;
+            area += alpha;
+        }
+    }
+    CHECK(soft > 150);
+    CHECK(area == doctest::Approx(3.14159265 * 31 * 31).epsilon(0.002));
+}

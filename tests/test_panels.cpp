@@ -6,20 +6,24 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "app/files/gcode_choice.h"
 #include "app/shown_text.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/compare_panel.h"
+#include "app/viewer/panels/crop_rows.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
+#include "app/viewer/panels/pen_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/panels/tile_panel.h"
 #include "app/viewer/panels/tone_panel.h"
-#include "app/viewer/panels/view_panel.h"
 #include "core/tile/tile.h"
+#include "tests/file_text.h"
 #include "tests/headless_ui.h"
+#include "tests/temporary_folder.h"
 
 namespace dapple {
 namespace {
@@ -125,12 +129,7 @@ TEST_CASE("a double-click on a slider's name brings the neutral value back") {
     DrawingSettings settings = in_own_tone({.gamma = 3});
     const Tone& tone = settings.tone;
     HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
-    glm::vec2 name{ui.place("Gamma").min.x - 40, ui.at("Gamma", 0).y};
-    ui.move_to(name);
-    for (int i = 0; i < 2; ++i) {
-        ui.press();
-        ui.release();
-    }
+    ui.double_click("Gamma name");
     CHECK(tone.gamma == 1);
 }
 
@@ -225,7 +224,8 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Relax", "exact", "Tile", "Order"}) places.push_back(f.ui.place(row));
+        for (const char* row : {"Dots", "Relax", "exact", "Tile", "Ranking"})
+            places.push_back(f.ui.place(row));
         return places;
     };
     const std::vector<WidgetPlace> places = rows();
@@ -243,7 +243,7 @@ TEST_CASE("what Figure 8 does not know is greyed, says why and cannot be used") 
     f.ui.click("Figure 8");
     const DrawingSettings before = f.settings;
     f.ui.drag("Relax", 0.1f, 0.9f);
-    f.ui.click("Order");
+    f.ui.click("Ranking");
     CHECK_FALSE(f.ui.has("farthest point"));
     CHECK(f.settings == before);
     f.ui.move_to(f.ui.at("Relax", 0.5f));
@@ -269,8 +269,12 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
 
 TEST_CASE("the page is a paper, or as large as is typed, with margins alike or each its own") {
     PageSetup setup;
+    LengthUnit unit = LengthUnit::mm;
     const PageSize drawn{200, 150, 200};
-    HeadlessUi ui([&] { draw_page_panel(setup, drawn); });
+    HeadlessUi ui([&] {
+        draw_rotate_row(setup.quarter_turns);
+        draw_page_panel(setup, drawn, unit);
+    });
     // A page of the picture's shape has no orientation, and one side rules.
     ui.click("Orientation");
     CHECK_FALSE(ui.has("landscape"));
@@ -306,22 +310,28 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
 
 TEST_CASE("a fixed dot size begins at the one on screen") {
     DotsUi f;
-    CHECK_FALSE(f.ui.has("Radius, mm"));
+    const WidgetPlace place = f.ui.place("Radius, mm");
+    f.ui.drag("Radius, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_size == DotSize{});  // greyed
     f.ui.click("fixed");
+    CHECK(f.ui.place("Radius, mm") == place);
     CHECK(f.settings.dot_size.sizing == DotSizing::fixed);
     CHECK(f.settings.dot_size.radius_mm == 0.25);
     f.ui.drag("Radius, mm", 0.5f, 1.0f);
     CHECK(f.settings.dot_size.radius_mm == 5);
     f.ui.click("auto");
     CHECK(f.settings.dot_size.sizing == DotSizing::automatic);
-    CHECK_FALSE(f.ui.has("Radius, mm"));
 }
 
 TEST_CASE("dots sized by tone have two radii that never cross, and no count of their own") {
     DotsUi f;
     f.ui.click("by tone");
     CHECK(f.settings.dot_size.sizing == DotSizing::by_tone);
-    CHECK_FALSE(f.ui.has("Dots value"));
+    const std::optional<std::uint64_t> count = f.settings.placing.count;
+    f.ui.drag("Dots", 0.5f, 1.0f);
+    CHECK(f.settings.placing.count == count);  // greyed, and says why
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
     f.ui.drag("Smallest, mm", 0.5f, 1.0f);
     CHECK(f.settings.dot_size.largest_mm >= f.settings.dot_size.smallest_mm);
     f.ui.drag("Largest, mm", 1.0f, 0.0f);
@@ -368,12 +378,12 @@ TEST_CASE("where nearly all dots would go into black, one click brings white ink
     CHECK_FALSE(ui.has("White ink on black paper"));
 }
 
-TEST_CASE("another tile and order can be chosen from their lists") {
+TEST_CASE("another tile and ranking can be chosen from their lists") {
     DotsUi f;
     f.ui.click("Tile");
     f.ui.click("wild64");
     CHECK(f.settings.tile == "wild64");
-    f.ui.click("Order");
+    f.ui.click("Ranking");
     f.ui.click("farthest point");
     CHECK(f.settings.ranking == RankingMethod::farthest);
 }
@@ -442,24 +452,49 @@ TEST_CASE("the largest tile fits the panel's draw list") {
     CHECK(ImGui::GetDrawData()->TotalVtxCount < 65'536);
 }
 
-TEST_CASE("the view panel shows tiles, fades the photograph in, and the pen's picks colours") {
-    ViewerSettings settings;
-    HeadlessUi ui([&] {
-        draw_view_panel(settings);
-        draw_pen_panel(settings.drawing);
-    });
-    ui.click("Tile boundaries");
-    CHECK(settings.drawing.show_tiles);
-    ui.drag("Photograph", 0.0f, 1.0f);
-    CHECK(settings.picture_opacity == 1);
-    ui.click("more dots");
-    CHECK(settings.zoom_mode == ZoomMode::constant_density);
-    glm::vec3 before = settings.drawing.ink;
+TEST_CASE("a pen's ink is picked") {
+    DrawingSettings settings;
+    HeadlessUi ui([&] { draw_pen_panel(settings); });
+    glm::vec3 before = settings.ink;
     ui.click("Ink");
     // The picker opens beside the pointer; its square of shades is under it, a bit to the right and down.
     ui.frame();
     CHECK(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
-    CHECK(settings.drawing.ink == before);
+    CHECK(settings.ink == before);
+}
+
+TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept in millimetres") {
+    ViewerSettings all;
+    DrawingSettings& settings = all.drawing;
+    HeadlessUi ui([&] {
+        draw_dots_panel(settings, {}, all.unit);
+        draw_page_panel(settings.page, {200, 150, 200}, all.unit);
+        draw_pen_panel(settings);
+    });
+    ImGui::GetIO().DisplaySize.y = 2000;
+    ui.frame();
+    ui.enter("Margin, mm", "10");
+    CHECK(settings.page.margins.top == 10);
+    const DrawingSettings before = settings;
+    ui.click("inch");
+    CHECK(all.unit == LengthUnit::inch);
+    CHECK(settings == before);
+    for (const auto& [name, place] : ui.places()) {
+        const std::string& label = name;
+        CAPTURE(label);
+        CHECK(label.find(", mm") == std::string::npos);
+    }
+    ui.enter("Width, in", "8.5");
+    CHECK(settings.page.width_mm == doctest::Approx(215.9));
+    ui.enter("Margin, in", "12mm");
+    CHECK(settings.page.margins.left == doctest::Approx(12));
+    ui.click("fixed");
+    ui.enter("Radius, in", "0.01");
+    CHECK(settings.dot_size.radius_mm == doctest::Approx(0.254));
+    // A page larger than 100 m is refused in inches.
+    ui.enter("Width, in", "5000000");
+    CHECK(settings.page.width_mm == 100'000);
+    CHECK(ui.has("Refusal"));
 }
 
 TEST_CASE("the density is one of the method's rows, and its grey a slider that is greyed without it") {
@@ -485,8 +520,11 @@ TEST_CASE(
     "paper's") {
     ViewerSettings settings;
     HeadlessUi ui([&] { draw_compare_panel(settings, {kTiles}); });
-    CHECK_FALSE(ui.has("Right tile"));
+    ui.click("Right tile");
+    CHECK_FALSE(ui.has("wild64"));  // greyed
+    const WidgetPlace place = ui.place("Right tile");
     ui.click("Split view");
+    CHECK(ui.place("Right tile") == place);
     CHECK(settings.comparison.on);
     CHECK(settings.comparison.tile == "paper16");
     ui.click("same count");
@@ -554,12 +592,15 @@ TEST_CASE("a notice stays while the mouse is on it, and a new one starts anew ho
 TEST_CASE("an export's resolution and order are set where it is asked for, for the formats that have them") {
     ViewerSettings settings;
     DrawingFormat format = DrawingFormat::svg;
-    HeadlessUi ui([&] {
-        draw_export_panel(settings, format,
-                          {.dots = 400'000, .bytes = 23.8e6, .trouble = {}, .area_mm2 = 40'000});
-    });
+    ExportInfo info{.dots = 400'000, .bytes = 23.8e6, .trouble = {}};
+    HeadlessUi ui([&] { draw_export_panel(settings, format, info); });
     CHECK_FALSE(ui.has("Dots per inch"));
-    CHECK_FALSE(ui.has("Tile layer"));
+    CHECK_FALSE(ui.has("Finding tone"));
+    info.findings = {{FindingKind::tone, "the drawing is paler than the picture", "more dots"},
+                     {FindingKind::overlap, "40 % of the dots overlap others", "fewer dots"}};
+    ui.frame();
+    CHECK(ui.has("Finding tone"));
+    CHECK(ui.has("Finding overlap"));
     ui.click("as placed");
     CHECK(settings.saving.order == DotOrder::recursion);
     ui.click("short moves");
@@ -570,11 +611,11 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK(settings.saving.order == DotOrder::priority);
     CHECK(ui.has("Machine"));
     CHECK(ui.has("Plotting time"));
+    ui.click("Machine");
+    ui.click("iDraw");
+    CHECK(settings.saving.machine == Machine::idraw);
     ui.click("Paper in SVG");
     CHECK(settings.drawing.background);
-    settings.drawing.show_tiles = true;
-    ui.frame();
-    CHECK(ui.has("Tile layer"));
     format = DrawingFormat::gcode;
     ui.frame();
     CHECK_FALSE(ui.has("Paper in SVG"));
@@ -586,6 +627,42 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK_FALSE(ui.has("Paper in SVG"));
     ui.enter("Dots per inch", "600");
     CHECK(settings.saving.dpi == 600);
+    ui.click("16");
+    CHECK(settings.saving.bits == 16);
+    ui.click("8");
+    CHECK(settings.saving.bits == 8);
+}
+
+TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
+    const TemporaryFolder folder;
+    const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
+    put_text(name, says);
+    put_text(name + "x", "this is no template");
+    ViewerSettings settings;
+    HeadlessUi ui([&] {
+        draw_export_panel(settings, DrawingFormat::gcode, {.dots = 400, .bytes = 1e4, .trouble = {}});
+    });
+    SavingChoice& saving = settings.saving;
+    ui.click("Template");  // greyed: nothing happens
+    ui.type(name.c_str());
+    CHECK(saving == SavingChoice{});
+    ui.click("servo");
+    ui.click("own");
+    CHECK(saving.gcode_template.text == gcode_template_of(GcodeTool::servo));  // until a file is named
+    ui.click("Template");
+    ui.type((name + "x").c_str());
+    CHECK(ui.has("Refusal"));
+    CHECK(saving.gcode_template.file.empty());
+    ui.key(Key::backspace);
+    CHECK(saving.gcode_template == OwnTemplate{says, name});
+    ui.enter("Feed, mm/min", "1234");
+    ui.enter("Dwell, s", "0.5");
+    CHECK(saving.feed_mm_per_min == 1234);
+    CHECK(saving.dwell_s == 0.5);
+    CHECK(gcode_style_of(saving).lines == parse_gcode_template(says));
+    ui.click("laser");
+    CHECK(saving.gcode_template == OwnTemplate{});
+    CHECK(saving.tool == GcodeTool::laser);
 }
 
 TEST_CASE("a file's size is told in round words") {
@@ -618,7 +695,8 @@ TEST_CASE("the status line says dots as people write them, and Figure 8's duplic
 
 TEST_CASE("the status line says that a placing takes long, and how long the last one took otherwise") {
     const auto says = [](double seconds, const std::string& words) {
-        const auto items = status_items({.dots = 5, .place_ms = 12.34, .placing_seconds = seconds});
+        const auto items =
+            status_items({.dots = 5, .place_ms = 12.34, .placing_seconds = seconds, .method = true});
         return std::ranges::any_of(items, [&](const StatusItem& item) { return item.text == words; });
     };
     CHECK(says(0, "placing 12.3 ms"));
@@ -650,8 +728,22 @@ TEST_CASE("a placing that takes long shows its share, in words and as a bar, and
     CHECK(says("placing, 1 s, Escape stops it"));
 }
 
+TEST_CASE("the status line tells dots and zoom, and scale and times only where the method is looked at") {
+    StatusInfo facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .place_ms = 3, .draw_ms = 2, .zoom = 0.68};
+    const auto words = [&] {
+        std::string all;
+        for (const StatusItem& item : status_items(facts)) all += item.text + "; ";
+        return all;
+    };
+    CHECK(words() == "40,000 dots; 68 %; ");
+    facts.method = true;
+    CHECK(words().starts_with("40,000 dots; 68 %; scale 2,500; tone 1.0 ms; "));
+    CHECK(words().find("drawing 2.0 ms") != std::string::npos);
+}
+
 TEST_CASE("a narrow status line keeps the number of dots and lets the rest go, the least important first") {
-    const StatusInfo facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .frames_per_second = 60};
+    const StatusInfo facts{
+        .dots = 40'000, .scale = 2500, .tone_ms = 1, .frames_per_second = 60, .method = true};
     HeadlessUi ui([] {});
     std::size_t before = 0;
     for (const float width : {10.0f, 250.0f, 400.0f, 2000.0f}) {
@@ -674,8 +766,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {});
-        draw_page_panel(settings.drawing.page, {200, 150, 200});
-        draw_view_panel(settings);
+        draw_page_panel(settings.drawing.page, {200, 150, 200}, settings.unit);
         draw_method_rows(settings, {kTiles});
         draw_compare_panel(settings, {kTiles});
     });
@@ -684,7 +775,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Orientation", "Photograph", "Right placer"}) {
+                              "Orientation", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
@@ -694,7 +785,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
 
 TEST_CASE("a tile that is not in the list is shown all the same, a file without its folders") {
     std::string tile = "/home/me/mine.tile";
-    HeadlessUi ui([&] { tile_row("Tile", tile, {kTiles}); });
+    HeadlessUi ui([&] { tile_row("Tile", tile, {kTiles}, "Which."); });
     ui.click("Tile");
     CHECK(ui.has("paper16"));
     CHECK_FALSE(ui.has("/home/me/mine.tile"));
@@ -711,7 +802,7 @@ TEST_CASE("a tile that is not in the list is shown all the same, a file without 
 TEST_CASE("of two tile files of the same name the list shows the whole paths") {
     const std::array<std::string, 3> tiles{"paper16", "/a/mine.tile", "/b/mine.tile"};
     std::string tile = "paper16";
-    HeadlessUi ui([&] { tile_row("Tile", tile, {tiles}); });
+    HeadlessUi ui([&] { tile_row("Tile", tile, {tiles}, "Which."); });
     ui.click("Tile");
     ui.click("/b/mine.tile");
     CHECK(tile == "/b/mine.tile");
@@ -735,12 +826,36 @@ TEST_CASE("the last entry of the tiles asks for a file and leaves the tile as it
     CHECK(settings.tile == "wild64");
 }
 
-TEST_CASE("dots are coloured in the view's section, and levels left out in the method's") {
+TEST_CASE("the crop's rows are percent of the picture, keep a rest of it, and all of it is no crop") {
+    std::optional<Crop> crop;
+    bool framing = false;
+    HeadlessUi ui([&] { draw_crop_rows(crop, {400, 200}, framing); });
+    ui.click("Crop");
+    ui.click("Crop frame");
+    CHECK(framing);
+    ui.enter("From left, %", "25");
+    REQUIRE(crop);
+    CHECK(crop->unit == Crop::Unit::percent);
+    CHECK(crop->box == Rectangle<double>{{25, 0}, {100, 100}});
+    ui.enter("To right, %", "10");  // left of the left side
+    CHECK(crop->box.high.x > crop->box.low.x);
+    ui.enter("To right, %", "100");
+    ui.enter("From left, %", "0");
+    CHECK_FALSE(crop);
+    crop = Crop{{{100, 50}, {300, 150}}, Crop::Unit::pixels};
+    ui.enter("From top, %", "50");
+    CHECK(crop->box == Rectangle<double>{{25, 50}, {75, 75}});
+    ui.click("Crop");
+    CHECK_FALSE(framing);
+}
+
+TEST_CASE("the method's rows show tiles, colour dots, let new ones come in and leave levels out") {
     ViewerSettings settings;
-    HeadlessUi ui([&] {
-        draw_view_panel(settings);
-        draw_method_rows(settings, {kTiles});
-    });
+    HeadlessUi ui([&] { draw_method_rows(settings, {kTiles}); });
+    ui.click("Tile boundaries");
+    CHECK(settings.drawing.show_tiles);
+    ui.click("more dots");
+    CHECK(settings.zoom_mode == ZoomMode::constant_density);
     ui.click("Dots coloured");
     ui.click("by rank");
     CHECK(settings.colouring == DotColouring::rank);

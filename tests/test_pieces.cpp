@@ -1,10 +1,15 @@
 // A placing in pieces: threads, hand-over, and what happens when somebody wants to end it.
 
 #include <doctest/doctest.h>
+#include <tbb/task_arena.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <new>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
@@ -22,6 +27,12 @@ Placer placer_of(const Tile& tile) {
 
 bool same(const Dots& a, const Dots& b) {
     return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical;
+}
+
+double seconds_of(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace
@@ -54,6 +65,35 @@ TEST_CASE("pieces one after another are the drawing, whichever part of it and on
             CHECK(same(joined(at_once), whole));
         }
     }
+}
+
+TEST_CASE("while somebody takes a piece, others go on placing") {
+    if (tbb::this_task_arena::max_concurrency() < 2) return;
+    Placer placer = placer_of(make_tile(14217, 2895, 16));
+    const Density density(Grid<float>(16, 16, 1.0f));
+    PlacingRequest request{.scale = 400'000};
+    int pieces = 0;
+    const double begin = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    REQUIRE(placer.hand_over(density, request, [&](const Dots&) { return ++pieces > 0; }));
+    const double one = (seconds_of(CLOCK_PROCESS_CPUTIME_ID) - begin) / pieces;
+    REQUIRE(pieces > 16);
+    // Processor time of all threads but the one that takes. Each thread may be busy with one piece as the
+    // taking begins; the rest of the time is of pieces that are begun after that.
+    const auto of_others = [] {
+        return seconds_of(CLOCK_PROCESS_CPUTIME_ID) - seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    };
+    bool first = true, placed = false;
+    request.threads = 2;
+    CHECK(placer.hand_over(density, request, [&](const Dots&) {
+        if (!std::exchange(first, false)) return true;
+        const double before = of_others();
+        for (int looks = 0; looks < 200 && !placed; ++looks) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            placed = of_others() - before > 3 * one;
+        }
+        return true;
+    }));
+    CHECK(placed);
 }
 
 TEST_CASE("whoever takes the pieces can end the placing, and what it throws comes out") {

@@ -37,6 +37,19 @@ TEST_CASE("a drawing's own table reads back") {
     std::ostringstream out;
     write_csv(out, stream_of(dots), {200, 100, 200}, {.dot_radius_mm = 0.5, .tile_size = 16});
     CHECK(parse_point_table(out.str()) == Points{{50, 100}, {150, 25}});
+    CHECK(page_of_table(out.str()) == glm::dvec2(200, 100));
+}
+
+TEST_CASE("a table says its page in columns of these names, or not at all") {
+    CHECK(page_of_table("# mine\nx,page_height_mm,y,page_width_mm\n1,30,2,40\n5,6,7,8\n") ==
+          glm::dvec2(40, 30));
+    for (const char* text :
+         {"", "x,y\n1,2\n", "1,2\n3,4\n", "x,y,page_width_mm\n1,2,3\n", "x,y,page_width_mm,page_height_mm\n",
+          "x,y,page_width_mm,page_height_mm\n1,2,3\n", "x,y,page_width_mm,page_height_mm\n1,2,3,0\n",
+          "x,y,page_width_mm,page_height_mm\n1,2,inf,4\n"}) {
+        CAPTURE(text);
+        CHECK_FALSE(page_of_table(text).has_value());
+    }
 }
 
 TEST_CASE("a malformed table is refused with its name, its line and what is wrong") {

@@ -3,20 +3,24 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/viewer/panels/about_panel.h"
+#include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/image/colour.h"
 #include "tests/headless_ui.h"
 
 using namespace dapple;
 
 TEST_CASE("Escape closes a list and chooses nothing") {
     int chosen = 0;
-    HeadlessUi ui([&] { choice_row("Fruit", chosen, std::array{"apple", "pear"}); });
+    HeadlessUi ui([&] { choice_row("Fruit", chosen, std::array{"apple", "pear"}, "Which."); });
     ui.click("Fruit");
     REQUIRE(ui.has("pear"));
     ui.key(Key::escape);
@@ -45,13 +49,45 @@ TEST_CASE("a dialog may open in the very frame in which a row's tip appears, whi
 
 TEST_CASE("Escape closes the colour picker, and the colour stays as it is") {
     glm::vec3 colour(0.2f, 0.4f, 0.6f);
-    HeadlessUi ui([&] { colour_row("Ink", colour); });
+    HeadlessUi ui([&] { colour_row("Ink", colour, "In which colour."); });
     ui.click("Ink");
     REQUIRE(ui.has("Colour picker"));
     ui.key(Key::escape);
     ui.frame();
     CHECK_FALSE(ui.has("Colour picker"));
     CHECK(colour == glm::vec3(0.2f, 0.4f, 0.6f));
+}
+
+TEST_CASE("a colour may be typed, and what is none changes nothing") {
+    glm::vec3 colour(0.2f, 0.4f, 0.6f);
+    HeadlessUi ui([&] { colour_row("Ink", colour, "In which colour."); });
+    ui.click("Ink");
+    ui.click("Colour as text");
+    ui.type("none");
+    ui.key(Key::enter);
+    ui.frame();
+    CHECK(colour == glm::vec3(0.2f, 0.4f, 0.6f));
+    REQUIRE(ui.has("Colour as text"));
+    ui.click("Colour as text");
+    ui.type("#ff8000");
+    ui.key(Key::enter);
+    ui.frame();
+    CHECK(hex_of(colour) == "#ff8000");
+    CHECK_FALSE(ui.has("Colour picker"));
+}
+
+TEST_CASE("by keyboard alone a row's colour is opened, typed and entered") {
+    glm::vec3 colour(0.2f, 0.4f, 0.6f);
+    HeadlessUi ui([&] { colour_row("Ink", colour, "In which colour."); });
+    ui.key(Key::tab);
+    ui.key(Key::enter);
+    ui.frame();
+    REQUIRE(ui.has("Colour picker"));
+    ui.type("#102030");
+    ui.key(Key::enter);
+    ui.frame();
+    CHECK(hex_of(colour) == "#102030");
+    CHECK_FALSE(ui.has("Colour picker"));
 }
 
 TEST_CASE("the question mark that brings help sends it away again, as Escape does") {
@@ -76,7 +112,7 @@ TEST_CASE("the question mark that brings help sends it away again, as Escape doe
 
 TEST_CASE("the command palette finds what has every word typed, and Enter does it") {
     std::vector<const char*> found;
-    for (const Shortcut& each : shortcuts_with("PICTURE open", shortcuts())) found.push_back(each.meaning);
+    for (const Shortcut& each : shortcuts_with("PROJECT open", shortcuts())) found.push_back(each.meaning);
     REQUIRE(found.size() == 1);
     CHECK(std::string(found[0]) == "Open a picture or a project");
     CHECK(shortcuts_with("", shortcuts()).size() > 15);
@@ -101,4 +137,103 @@ TEST_CASE("the command palette finds what has every word typed, and Enter does i
     ui.frame();
     ui.click("Undo");  // of what was typed before nothing is left
     CHECK(asked.back() == Action::undo);
+}
+
+TEST_CASE("by mouse alone a menu beside the title reaches all commands, keys, preferences and about") {
+    std::vector<Action> asked;
+    HeadlessUi ui([&] {
+        const auto act = [&](Action action) { asked.push_back(action); };
+        draw_title("a picture of such a long name that it would reach over the menu beside it.jpeg", act);
+        draw_action_buttons({}, true, act);
+    });
+    for (const auto& [entry, action] : {std::pair("All commands...", Action::palette),
+                                        {"Keys", Action::help},
+                                        {"Preferences...", Action::preferences},
+                                        {"About Dapple", Action::about}}) {
+        CAPTURE(entry);
+        ui.click("Menu");
+        ui.click(entry);
+        REQUIRE_FALSE(asked.empty());
+        CHECK(asked.back() == action);
+        CHECK_FALSE(ui.has(entry));  // it is closed
+    }
+    ui.click("Fit");
+    CHECK(asked.back() == Action::fit);
+    ui.click("Menu");
+    ui.key(Key::escape);
+    CHECK_FALSE(ui.has("Keys"));
+    CHECK(asked.size() == 5);
+    // By keyboard as well.
+    ui.key(Key::tab);
+    ui.key(Key::enter);
+    ui.key(Key::down);
+    ui.key(Key::down);
+    ui.key(Key::enter);
+    CHECK(asked.back() == Action::help);
+    CHECK(ui.place("Menu").max.x <= 400);
+}
+
+TEST_CASE("what the arrows choose in the command palette is scrolled to, and a key that is held goes on") {
+    CommandPalette palette;
+    std::vector<Action> asked;
+    std::vector<std::filesystem::path> files;
+    for (int i = 0; i < 8; ++i) files.emplace_back("/pictures/cat" + std::to_string(i) + ".png");
+    std::filesystem::path opened;
+    HeadlessUi ui([&] {
+        palette.draw(shortcuts(), [&](Action action) { asked.push_back(action); },
+                     {files, [&](const std::filesystem::path& file) { opened = file; }});
+    });
+    ImGui::GetIO().DisplaySize = {900, 500};  // of less height than all of them
+    palette.toggle();
+    for (int i = 0; i < 4; ++i) ui.frame();
+    const auto shows = [&](const std::string& name) {
+        const WidgetPlace entry = ui.place(name), list = ui.place("Found");
+        const float middle = (entry.min.y + entry.max.y) / 2;
+        return middle > list.min.y && middle < list.max.y;
+    };
+    CHECK(ui.place("Found").max.y < 500);
+    CHECK(shows("Open a tile"));
+    CHECK_FALSE(shows("cat7.png"));
+    put_key(Key::down, true);
+    for (int i = 0; i < 200; ++i) ui.frame();  // held for a few seconds
+    put_key(Key::down, false);
+    ui.frame();
+    CHECK(shows("cat7.png"));
+    CHECK_FALSE(shows("Open a tile"));
+    ui.key(Key::enter);
+    CHECK(opened == "/pictures/cat7.png");
+    CHECK(asked.empty());
+}
+
+TEST_CASE("once Escape has closed a list, the wheel turns the panel again") {
+    int chosen = 0;
+    float scrolled = 0;
+    HeadlessUi ui([&] {
+        choice_row("Fruit", chosen, std::array{"apple", "pear"}, "One of two.");
+        for (int line = 0; line < 200; ++line) ImGui::TextUnformatted("more");
+        scrolled = ImGui::GetScrollY();
+    });
+    ui.click("Fruit");
+    ui.key(Key::escape);
+    ui.frame();
+    ui.move_to({100, 500});
+    ImGui::GetIO().MouseWheel = -3;
+    ui.frame();
+    ui.frame();
+    CHECK(scrolled > 0);
+}
+
+TEST_CASE("About tells the version and the licences, and Escape sends it away") {
+    bool open = true;
+    std::string written;
+    HeadlessUi ui([&] {
+        ImGui::LogToClipboard();
+        draw_about_panel(open);
+        ImGui::LogFinish();
+        if (open) written = ImGui::GetClipboardText();
+    });
+    for (const char* words : {"Dapple 0.", "MIT licence", "Dear ImGui " IMGUI_VERSION, "Apache 2.0"})
+        CHECK(written.find(words) != std::string::npos);
+    ui.key(Key::escape);
+    CHECK_FALSE(open);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/output/preflight.h"
 
@@ -43,6 +44,18 @@ TEST_CASE("dots that reach over any edge of the page are counted") {
     CHECK(preflight(dots_at_mm({{0.3f, 20}, {50, 0.3f}, {99.7f, 20}, {50, 49.7f}, {50, 25}}), kPage, 0.4)
               .over_edge == 4);
     CHECK(preflight(dots_at_mm({{0.5f, 20}, {50, 25}}), kPage, 0.4).over_edge == 0);
+}
+
+TEST_CASE("of dots of several sizes each reaches over the edge as far as its own radius") {
+    Dots dots = dots_at_mm({{0.3f, 20}, {50, 0.3f}, {50, 25}});
+    dots.radius = {0.002f, 0.004f, 0.004f};  // page units
+    CHECK(preflight(dots, kPage, 0.4).over_edge == 1);
+}
+
+TEST_CASE("dots seen from a corner on the page are measured where they lie on it") {
+    const Dots dots = dots_at_mm({{0.3f, 20}, {49.7f, 20}});
+    CHECK(preflight(dots, kPage, 0.4, {}, {50, 0}).over_edge == 1);
+    CHECK(preflight(dots, kPage, 0.4, {}, {20, 0}).over_edge == 0);
 }
 
 TEST_CASE("dots with a part in the margins are counted, each with its own radius") {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/render.h"
+#include "app/commands/render_command.h"
 #include "app/settings/drawing_fields.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
@@ -59,7 +59,8 @@ ViewerSettings nothing_usual() {
         .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),
         .background = true,
-        .show_tiles = true};
+        .show_tiles = true,
+        };
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;
@@ -72,7 +73,16 @@ ViewerSettings nothing_usual() {
                       .by = CompareBy::count,
                       .divider = 0.3f};
     all.loupe = {true, 2};
-    all.saving = {DotOrder::priority, 600, GcodeTool::servo, Machine::grbl_pen};
+    all.origins = true;
+    all.unit = LengthUnit::inch;
+    all.saving = {.order = DotOrder::priority,
+                  .dpi = 600,
+                  .tool = GcodeTool::servo,
+                  .machine = Machine::grbl_pen,
+                  .bits = 16,
+                  .gcode_template = {"move G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own.txt"},
+                  .feed_mm_per_min = 1234,
+                  .dwell_s = 0.5};
     return all;
 }
 
@@ -101,10 +111,11 @@ std::string complaint_about(const std::string& text) {
 void check_all_differ(const Json& one, const Json& other) {
     const Json flat = one.flatten(), flat_other = other.flatten();
     REQUIRE(flat.size() > 30);
-    for (const auto& [name, value] : flat.items()) {
+    for (const auto& each : flat.items()) {
+        const std::string& name = each.key();
         CAPTURE(name);
         if (name != "/dapple" && name != "/picture")
-            CHECK(value != flat_other.value(name, Json("not there")));
+            CHECK(each.value() != flat_other.value(name, Json("not there")));
     }
 }
 
@@ -275,7 +286,7 @@ TEST_CASE("what only differs from the usual settings is enough to bring them bac
 TEST_CASE("a project keeps what this version does not know") {
     const TemporaryFolder folder;
     put_text(folder / "p.dapple",
-             R"({"by": "hand", "dapple": 1, "drawing": {"pens": [{"ink": "red"}], "count": 77}})");
+             R"({"by": "hand", "dapple": 1, "drawing": {"smells": [{"ink": "red"}], "count": 77}})");
     ViewerSettings settings;
     const Project project = read_project(folder / "p.dapple", all_of(settings));
     CHECK(settings.drawing.placing.count == 77);
@@ -283,7 +294,7 @@ TEST_CASE("a project keeps what this version does not know") {
     save_project(folder / "q.dapple", project, all_of(settings));
     const Json saved = Json::parse(text_of(folder / "q.dapple"));
     CHECK(saved["by"] == "hand");
-    CHECK(saved["drawing"]["pens"] == Json{{{"ink", "red"}}});
+    CHECK(saved["drawing"]["smells"] == Json{{{"ink", "red"}}});
     CHECK(saved["drawing"]["count"] == 78);
 }
 

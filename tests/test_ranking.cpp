@@ -16,8 +16,8 @@ TEST_CASE("ranks are a permutation: the tile's own points first, then its childr
     for (const Rule& rule :
          {Rule{}, Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}}}) {
         const Tile tile = make_tile(rule, {"0301213303211022"});
-        for (const RankingMethod order : {RankingMethod::farthest, RankingMethod::energy}) {
-            const Ranking ranking = rank(tile, order);
+        for (const RankingMethod method : {RankingMethod::farthest, RankingMethod::energy}) {
+            const Ranking ranking = rank(tile, method);
             std::set<float> ranks(ranking.tile.begin(), ranking.tile.end());
             CHECK(ranks.size() == 16);
             CHECK(*ranks.rbegin() == 15.5f);

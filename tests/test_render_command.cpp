@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -201,6 +202,38 @@ TEST_CASE("--dot-radius is the radius of the circles and of the spots of ink") {
     }
 }
 
+TEST_CASE("dots too small for the picture's tone are told, with a number and a width that do") {
+    const Scene scene;
+    const auto said = [&](const std::string& options) {
+        const Outcome outcome = run_dapple("render " + scene("cat.png") + " --width 96 --relax 5 -o " +
+                                           scene("r.svg") + " " + options);
+        REQUIRE(outcome.status == 0);
+        return outcome.err;
+    };
+    const std::string pale = said("--dots 300 --dot-radius 0.2");
+    CAPTURE(pale);
+    std::smatch told;
+    REQUIRE(std::regex_search(
+        pale, told,
+        std::regex("paler than the picture; ([0-9,]+) dots 0.4 mm wide .* these dots ([0-9.]+) mm wide")));
+    const std::string dots = std::regex_replace(told[1].str(), std::regex(","), "");
+    const std::string radius = std::to_string(std::stod(told[2]) / 2);
+    CHECK(std::stod(dots) > 1000);
+    const auto is_right = [&](const std::string& options) {
+        return said(options).find("than the picture") == std::string::npos;
+    };
+    CHECK(is_right("--dots " + dots + " --dot-radius 0.2"));
+    CHECK(is_right("--dots 300 --dot-radius " + radius));
+    CHECK(is_right("--dots 300"));
+    CHECK(said("--dots " + std::to_string(3 * std::stoi(dots)) + " --dot-radius 0.2").find("darker than") !=
+          std::string::npos);
+    // What fits the tone has the radius that dots have without the option.
+    CHECK(read_svg(scene("r.svg")).circles().size() == 3 * std::stoul(dots));
+    said("--dots 300");
+    CHECK(read_svg(scene("r.svg")).circles()[0].attribute("r").as_double() * 25.4 / 96 ==
+          doctest::Approx(std::stod(told[2]) / 2).epsilon(0.03));
+}
+
 TEST_CASE("a PNG says how large it is on paper") {
     const Scene scene;
     REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("big.PNG") + " --width 100 --dpi 254")
@@ -251,7 +284,7 @@ TEST_CASE("the same dots come out in every format, on any number of threads") {
     std::istringstream lines(table);
     std::string line;
     std::getline(lines, line);
-    CHECK(line == "x_mm,y_mm,radius_mm,level,rank,critical_scale");
+    CHECK(line.starts_with("x_mm,y_mm,radius_mm,level,rank,critical_scale,"));
     const Svg svg = read_svg(scene("dots.svg"));
     for (const pugi::xml_node& circle : svg.circles()) {
         REQUIRE(std::getline(lines, line));
@@ -273,6 +306,14 @@ TEST_CASE(
     CHECK(stats["emitted"] == stats["dots"].get<int>() + stats["duplicates"].get<int>());
     CHECK(stats["duplicates"].get<double>() / stats["emitted"].get<double>() ==
           doctest::Approx(0.25).epsilon(0.1));
+
+    // A count finds the scale that comes to it, or to a few more.
+    REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("n.csv") +
+                       " --placer figure8 --dots 3000 --stats " + scene("n.json"))
+                .status == 0);
+    const nlohmann::json met = read_json(scene("n.json"));
+    CHECK(met["dots"] >= 3000);
+    CHECK(met["dots"] <= 3060);
 
     PictureFile line{.width = 1000, .height = 1000, .values = std::vector<float>(1'000'000, 1.0f)};
     for (int y = 0; y < 1000; ++y) line.values[static_cast<std::size_t>(y) * 1000 + 501] = 0;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -33,14 +34,14 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         std::string options;
     };
     const Scene scene;
-    for (const Case& asked : {Case{30'000, {}, DotSizing::automatic, "--dots 30000"},
-                              Case{{}, {}, DotSizing::automatic, "--scale 2500"},
-                              Case{30'000, 0, DotSizing::automatic, "--dots 30000 --relax 0"},
+    for (const Case& asked : {Case{6'000, {}, DotSizing::automatic, "--dots 6000"},
+                              Case{{}, {}, DotSizing::automatic, "--scale 500"},
+                              Case{6'000, 0, DotSizing::automatic, "--dots 6000 --relax 0"},
                               Case{{}, 2, DotSizing::by_tone, "--relax 2 --dot-radius 0.2..0.5"}}) {
         CAPTURE(asked.options);
         DrawingSettings settings;
         settings.placing.count = asked.count;
-        settings.placing.scale = 2500;
+        settings.placing.scale = 500;
         settings.placing.thresholds = true;
         settings.relax = asked.relax;
         settings.dot_size = {.sizing = asked.sizing, .smallest_mm = 0.2, .largest_mm = 0.5};
@@ -97,7 +98,7 @@ TEST_CASE("on a terminal a bar shows how much is written, and then what a plotte
     CHECK(outcome.out.find("\r\033[K3,000 dots, 0.1 MB; the pen moves ") != std::string::npos);
     const nlohmann::json preflight = read_json(scene("cat.json"))["preflight"];
     CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
-                           " dots reach over the page's edge; --margin ") != std::string::npos);
+                           " dots reach over the page's edge; a margin of ") != std::string::npos);
     CHECK(read_svg(scene("cat.svg")).circles().size() == 3000);
 }
 
@@ -110,7 +111,10 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     CHECK(laser.err.find(" on a laser with GRBL's own settings: mostly ") != std::string::npos);
     CHECK(laser.err.find("the layer \"2 Tiles\" has lines") != std::string::npos);
     const nlohmann::json stats = read_json(scene("s.json"));
-    CHECK(stats["plotting"]["dots_s"] == doctest::Approx(200));
+    CHECK(stats["plotting"]["dots_s"] == 0);  // it follows the circles
+    CHECK(stats["plotting"]["drawing_s"] > 100);
+    REQUIRE(run_dapple(from + scene("a.gcode") + " --gcode laser --stats " + scene("g.json")).status == 0);
+    CHECK(read_json(scene("g.json"))["plotting"]["dots_s"] == doctest::Approx(200));
     CHECK(stats["plotting"]["lifting_s"] == 0);
     CHECK(stats["preflight"]["pen_up_before_m"] > stats["preflight"]["pen_up_m"]);
     const Outcome table = run_dapple(from + scene("a.csv"));
@@ -160,4 +164,110 @@ TEST_CASE("an SVG is in an order of short pen moves, and its travel, distances a
     CHECK(told(" --order shortest").second == short_way);
     CHECK(told(" --order space").second > 1.05 * short_way);
     CHECK(told(" --order recursion").second > 2 * short_way);
+}
+
+namespace {
+
+// The kinds of findings among a drawing's figures.
+std::set<std::string> kinds_in(const nlohmann::json& stats) {
+    std::set<std::string> kinds;
+    for (const nlohmann::json& finding : stats["findings"]) {
+        CHECK_FALSE(finding["text"].get<std::string>().empty());
+        CHECK_FALSE(finding["cure"].get<std::string>().empty());
+        kinds.insert(finding["kind"].get<std::string>());
+    }
+    return kinds;
+}
+
+}  // namespace
+
+TEST_CASE("overlap is told of every file that is plotted, and as the same figures") {
+    const Scene scene;
+    const std::string from =
+        "render " + scene("cat.png") + " --dots 3000 --width 60 --stats " + scene("s.json") + " -o ";
+    for (const std::string how : {"a.gcode", "a.hpgl", "a.svg", "a.dxf"}) {
+        CAPTURE(how);
+        const Outcome outcome = run_dapple(from + scene("") + how);
+        REQUIRE(outcome.status == 0);
+        CHECK(kinds_in(read_json(scene("s.json"))).contains("overlap"));
+        CHECK(outcome.err.find(" % of the dots ") != std::string::npos);
+        CHECK(outcome.err.find(" part them\n") != std::string::npos);
+    }
+    REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 300 --width 200 --stats " + scene("s.json") +
+                       " --dot-radius 0.05 -o " + scene("a.hpgl"))
+                .status == 0);
+    CHECK_FALSE(kinds_in(read_json(scene("s.json"))).contains("overlap"));
+}
+
+TEST_CASE("circles in SVG and DXF are told as rings") {
+    const Scene scene;
+    const auto stats = [&](const std::string& name) {
+        REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 900 --width 100 --stats " +
+                           scene("s.json") + " -o " + scene(name))
+                    .status == 0);
+        return read_json(scene("s.json"));
+    };
+    for (const std::string name : {"a.svg", "a.dxf"}) CHECK(kinds_in(stats(name)).contains("rings"));
+    CHECK_FALSE(kinds_in(stats("a.hpgl")).contains("rings"));
+}
+
+TEST_CASE("a picture of pixels is told about too, and a table's tone") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 3000 --width 100 --stats " +
+                             scene("s.json") + " --dot-radius 0.05 -o ";
+    const Outcome pixels = run_dapple(from + scene("a.png") + " --dpi 100");
+    CAPTURE(pixels.err);
+    CHECK(pixels.err.starts_with("3,000 dots, "));
+    CHECK(pixels.err.find(" pixels\n") != std::string::npos);
+    CHECK(kinds_in(read_json(scene("s.json"))).contains("fine_pixels"));
+    CHECK(kinds_in(read_json(scene("s.json"))).contains("tone"));
+    REQUIRE(run_dapple(from + scene("a.tif") + " --dpi 600").status == 0);
+    CHECK_FALSE(kinds_in(read_json(scene("s.json"))).contains("fine_pixels"));
+    CHECK(kinds_in(read_json(scene("s.json"))).contains("tone"));
+    REQUIRE(run_dapple(from + scene("a.csv")).status == 0);
+    CHECK(kinds_in(read_json(scene("s.json"))) == std::set<std::string>{"tone"});
+}
+
+TEST_CASE("near dots and the layer of tiles are told of a drawing") {
+    const Scene scene;
+    const Outcome told =
+        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 40 --tiles -o " + scene("a.svg"));
+    CAPTURE(told.err);
+    REQUIRE(told.status == 0);
+    CHECK(told.err.find(", which saxi joins by a line, and ") != std::string::npos);
+    const Svg svg = read_svg(scene("a.svg"));
+    std::string last;
+    for (const pugi::xml_node& layer : svg.document.child("svg").children("g"))
+        last = layer.attribute("inkscape:label").value();
+    CHECK(told.err.find("the layer \"" + last + "\" has lines that a plotter draws too") !=
+          std::string::npos);
+    CHECK(last.ends_with(" Tiles"));
+}
+
+TEST_CASE("a large file's size is said before it is written") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --relax 0 --order recursion -o ";
+    const Outcome large = run_dapple(from + scene("a.csv") + " --dots 600k");
+    REQUIRE(large.status == 0);
+    const std::size_t said = large.err.find("about ");
+    REQUIRE(said != std::string::npos);
+    CHECK(large.err.find(" MB will be written\n600,000 dots, ") != std::string::npos);
+    CHECK(
+        std::stod(large.err.substr(said + 6)) ==
+        doctest::Approx(static_cast<double>(std::filesystem::file_size(scene("a.csv"))) * 1e-6).epsilon(0.1));
+    CHECK(run_dapple(from + scene("a.csv") + " --dots 5k").err.find("will be written") == std::string::npos);
+}
+
+TEST_CASE("xmllint finds every SVG well formed") {
+    if (!is_installed("xmllint --version")) return;
+    const Scene scene;
+    for (const std::string how : {"--tiles", "--background", "--sheet 1,1/2x1"}) {
+        CAPTURE(how);
+        REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 400 -o " + scene("a.svg") + " " + how)
+                    .status == 0);
+        const Outcome checked = run_in_shell("xmllint --noout " + scene("a.svg"));
+        CAPTURE(checked.err);
+        CHECK(checked.status == 0);
+        CHECK(checked.err.empty());
+    }
 }

@@ -290,6 +290,31 @@ TEST_CASE("of too many dots for a quick drawing some are drawn, and the page is 
     CHECK(ink_area(read_pixels(kSize)) == doctest::Approx(all).epsilon(0.05));
 }
 
+TEST_CASE("of too many dots that say when they appear, those that do so first are drawn quickly") {
+    Picture200 picture;
+    picture.radius(0.25);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(0, 1);
+    // The first ones, which are twice as many as are drawn at least, lie at the left.
+    for (int i = 0; i < 100'000; ++i) {
+        const bool first = i % 25 == 0;
+        picture.add((first ? 0 : 100) + 100 * place(random), 160 * place(random));
+        picture.dots.critical.push_back(first ? 1.0f : 100.0f);
+    }
+    picture.draw();
+    CHECK(picture.renderer.draw_quickly(picture.framebuffer, picture.camera, picture.look, {}, 1e-9) ==
+          Fineness::quick);
+    picture.framebuffer.bind();
+    const auto pixels = read_pixels(kSize);
+    int left = 0, right = 0;
+    for (int y = 0; y < 160; ++y) {
+        for (int x = 0; x < 90; ++x) left += pixels.at(x, y).r < 200;
+        for (int x = 110; x < 200; ++x) right += pixels.at(x, y).r < 200;
+    }
+    CHECK(left > 1000);
+    CHECK(right == 0);
+}
+
 TEST_CASE("dots of a window far into the page lie where the camera says") {
     Picture200 picture;
     const double deep = 100 * 0x1p40;

@@ -1,10 +1,12 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
 #include "app/commands/render.h"
+#include "app/commands/render_report.h"
 #include "app/files/save_drawing.h"
 #include "app/viewer/model/session.h"
 #include "tests/file_text.h"
@@ -13,22 +15,63 @@
 
 namespace dapple {
 
+namespace {
+
+constexpr double kDpi = 50;
+
+/// What the window is about, without it.
+class SavingWindow {
+ public:
+    explicit SavingWindow(const DrawingSettings& drawing) : session_(drawing, [] {}) {
+        session_.open_sample();
+        REQUIRE(brings([&] { return session_.placed_once(); }));
+    }
+    void save(const DrawingSettings& drawing, const std::filesystem::path& file,
+              const SavingChoice& saving = {.dpi = kDpi}) {
+        session_.settings.drawing = drawing;
+        session_.settings.saving = saving;
+        session_.save(file);
+        REQUIRE(brings([&] { return session_.saved_path() == file; }));
+    }
+
+ private:
+    bool brings(const std::function<bool()>& done) {
+        const Zoom zoom{.camera = fitted({800, 600}, {1, 1})};
+        return wait_until([&] {
+            session_.take_events(std::chrono::milliseconds(0));
+            session_.request_dots(zoom);
+            return done();
+        });
+    }
+
+    Session session_;
+};
+
+RenderOptions command_for(const DrawingSettings& drawing, const std::filesystem::path& file,
+                          const SavingChoice& saving = {.dpi = kDpi}) {
+    RenderOptions options;
+    options.output = file;
+    options.drawing = drawing;
+    options.saving = saving;
+    return options;
+}
+
+}  // namespace
+
 TEST_CASE("window and command save the same bytes, however the page is set up") {
     TemporaryFolder folder;
-    const Zoom zoom{.camera = fitted({800, 600}, {1, 1})};
     DrawingSettings drawing;
     drawing.placing.count = 1000;
     drawing.relax = 1;
-    Session session(drawing, [] {});
-    session.open_sample();
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
+    SavingWindow window(drawing);
+    const auto check = [&](const DrawingSettings& wanted, const char* name) {
+        const std::filesystem::path by_window = folder / name,
+                                    by_command = folder / ("c_" + std::string(name));
+        window.save(wanted, by_window);
+        render(command_for(wanted, by_command));
+        CHECK(text_of(by_window).size() > 1000);
+        CHECK((text_of(by_window) == text_of(by_command)));
     };
-    REQUIRE(brings([&] { return session.placed_once(); }));
     const PageSetup margins{.margins = {10, 20, 30, 40}};
     const PageSetup part{
         .paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{100, 200}, {800, 500}}}};
@@ -44,19 +87,41 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
         CAPTURE(name);
         drawing.page = each.first;
         drawing.show_tiles = drawing_format(name) == DrawingFormat::svg;
-        session.settings.drawing = drawing;
-        session.settings.saving.dpi = 50;
-        const std::filesystem::path by_window = folder / name,
-                                    by_command = folder / ("c_" + std::string(name));
-        session.save(by_window);
-        REQUIRE(brings([&] { return session.saved_path() == by_window; }));
-        RenderOptions options;
-        options.output = by_command;
-        options.drawing = drawing;
-        options.saving.dpi = 50;
-        render(options);
-        CHECK(text_of(by_window).size() > 1000);
-        CHECK((text_of(by_window) == text_of(by_command)));
+        check(drawing, name);
+    }
+}
+
+TEST_CASE("window and command save the same bytes in each format, however it is to be saved") {
+    TemporaryFolder folder;
+    DrawingSettings drawing;
+    drawing.placing.count = 500;
+    drawing.relax = 1;
+    SavingWindow window(drawing);
+    const auto by_machine = [](GcodeTool tool) { return SavingChoice{.tool = tool, .dwell_s = 0.25}; };
+    const SavingChoice own{
+        .gcode_template = {"start G1 F{feed}\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own"},
+        .feed_mm_per_min = 1234};
+    const SavingChoice deep{.dpi = kDpi, .bits = 16}, by_priority{.order = DotOrder::priority, .dpi = kDpi};
+    struct Case {
+        const DrawingSettings& drawing;
+        SavingChoice saving;
+        const char* name;
+    };
+    for (const Case& each :
+         {Case{drawing, by_priority, "a.hpgl"}, Case{drawing, {.dpi = kDpi}, "b.hpgl"},
+          Case{drawing, {.dpi = kDpi}, "d.dxf"}, Case{drawing, deep, "e.tif"}, Case{drawing, deep, "f.png"},
+          Case{drawing, by_priority, "g.json"}, Case{drawing, {.dpi = kDpi}, "h.svg"},
+          Case{drawing, by_machine(GcodeTool::servo), "i.gcode"},
+          Case{drawing, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"}}) {
+        CAPTURE(each.name);
+        const std::filesystem::path by_window = folder / each.name,
+                                    by_command = folder / ("c_" + std::string(each.name));
+        window.save(each.drawing, by_window, each.saving);
+        render(command_for(each.drawing, by_command, each.saving));
+        const std::string text = text_of(by_window);
+        CHECK(text.size() > 1000);
+        CHECK((text == text_of(by_command)));
+        if (each.saving == own) CHECK(text.starts_with("G1 F1234\n"));
     }
 }
 

@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "app/files/file_size.h"
+#include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
+#include "core/drawing/pipeline.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
@@ -221,7 +224,7 @@ TEST_CASE("a split view that is switched off keeps nothing of its right side, an
 TEST_CASE("a split view switched on and off without waiting ends as it was asked for last") {
     SplitSession split(2000);
     Session& session = split.session;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 8; ++i) {
         session.settings.comparison.on = i % 2 == 1;
         session.take_events(std::chrono::milliseconds(0));
         session.request_dots(split.zoom);
@@ -230,6 +233,85 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
     REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
     const double dots = static_cast<double>(session.right()->shown().stippling.dots.size());
     CHECK(dots == doctest::Approx(2000).epsilon(0.05));
+}
+
+TEST_CASE("the time told before a drawing is saved is about the one that its dots take") {
+    Pipeline pipeline;
+    pipeline.set_light(sample_picture().light);
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const DotPieces dots{{sorted_dots(stream, DotOrder::shortest)}};
+    const PageSize page = plan.layout(stream.scale).page;
+    const double radius = plan.radius(stream.scale) * page.mm_per_page_unit;
+    for (const Machine machine : {Machine::axidraw_v3, Machine::grbl_laser}) {
+        const MachineSpeeds speeds = speeds_of(machine);
+        const DrawingToSave drawing{
+            .dots = stream_of(dots, stream.scale), .page = page, .dot_radius_mm = radius};
+        CHECK(estimated_plotting(drawing, DotOrder::shortest, speeds).time.total_s() ==
+              doctest::Approx(plotting_time(dots.pieces[0], page.mm_per_page_unit, speeds).total_s())
+                  .epsilon(0.1));
+    }
+}
+
+TEST_CASE("the time told before saving is that of the dot order chosen, and its way that of the pen") {
+    Pipeline pipeline;
+    pipeline.set_light(sample_picture().light);
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    settings.placing.thresholds = true;
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const PageSize page = plan.layout(stream.scale).page;
+    const DotPieces placed{{sorted_dots(stream, DotOrder::recursion)}};
+    const DrawingToSave drawing{.dots = stream_of(placed, stream.scale),
+                                .page = page,
+                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    for (const DotOrder order :
+         {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority}) {
+        CAPTURE(name_of(order));
+        const Dots dots = sorted_dots(stream, order);
+        const PlottingEstimate told = estimated_plotting(drawing, order, speeds);
+        CHECK(told.time.moving_s ==
+              doctest::Approx(plotting_time(dots, page.mm_per_page_unit, speeds).moving_s).epsilon(0.15));
+        CHECK(told.way_m ==
+              doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.2));
+        CHECK(told.time.drawing_s == 0);
+    }
+}
+
+TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as if it looked at all") {
+    PlacedDrawing drawing;
+    drawing.layout.page = {200, 150, 200};
+    Dots& dots = drawing.stippling.dots.pieces.emplace_back();
+    // Small squares one after another, as the recursion has them.
+    constexpr int kSquares = 80, kAlong = 10;
+    for (int square = 0; square < kSquares * kSquares; ++square) {
+        DotBlock block{.first = dots.size(), .count = kAlong * kAlong};
+        const glm::vec2 low(square % kSquares, 0.75f * static_cast<float>(square / kSquares));
+        for (int i = 0; i < kAlong * kAlong; ++i) {
+            dots.x.push_back((low.x + static_cast<float>(i % kAlong) / kAlong) / kSquares);
+            dots.y.push_back((low.y + static_cast<float>(i / kAlong) * 0.75f / kAlong) / kSquares);
+        }
+        block.low = low / static_cast<float>(kSquares);
+        block.high = (low + glm::vec2(1, 0.75f)) / static_cast<float>(kSquares);
+        drawing.blocks.push_back(block);
+    }
+    DrawingToSave all{.dots = stream_of(drawing.stippling.dots, 1000),
+                      .page = drawing.layout.page,
+                      .dot_radius_mm = 0.1,
+                      .dpi = 300};
+    const DotPieces some = dots_on_patches(drawing, all.dpi);
+    CHECK(some.size() < dots.size() / 2);
+    CHECK(some.size() > 0);
+    DrawingToSave near = all;
+    near.dots = stream_of(some, 1000);
+    CHECK(estimated_bytes(DrawingFormat::png, DrawingSettings{}, near) ==
+          estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
 }
 
 TEST_CASE("saved files have the order and resolution chosen, and about the size told before") {
@@ -261,7 +343,7 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
         REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
         CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
     }
-    // x_mm,y_mm,radius_mm,level,rank,critical_scale: by priority the last column ascends.
+    // x_mm,y_mm,radius_mm,level,rank,critical_scale,...: by priority the sixth column ascends.
     std::ifstream table(folder / "a.csv"), svg(folder / "a.svg");
     std::string line, circle;
     std::getline(table, line);
@@ -270,7 +352,9 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
     bool ascends = true, same_order = true;
     int lines = 0;
     for (; std::getline(table, line); ++lines) {
-        const double critical = std::stod(line.substr(line.rfind(',') + 1));
+        std::size_t comma = line.find(',');
+        for (int column = 2; column < 6; ++column) comma = line.find(',', comma + 1);
+        const double critical = std::stod(line.substr(comma + 1));
         ascends = ascends && critical >= last;
         last = critical;
         // The SVG has the same dots in the same order, in px.
@@ -417,6 +501,74 @@ TEST_CASE("what undo and redo would change is said in a word or two") {
     session.undo();
     CHECK_FALSE(session.undo_words());
     CHECK(session.redo_words() == "contrast");
+}
+
+TEST_CASE(
+    "the crop's frame is around all of the picture on a page that it fills, whichever way it is turned") {
+    Session session(DrawingSettings{}, [] {});
+    PageSetup& setup = session.settings.drawing.page;
+    setup.paper = Paper::custom;
+    setup.width_mm = 100;
+    setup.height_mm = 300;
+    setup.fit = PageFit::fill;
+    setup.quarter_turns = 1;
+    session.settings.drawing.placing.count = 100;
+    session.open_sample();
+    const auto framing_is = [&](auto&& right) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
+            return session.placed_once() && right(session.pane().page().framing);
+        });
+    };
+    const auto is_whole = [&](const Framing& framing) {
+        return framing.pixels == Rectangle<int>{{0, 0}, session.pane().page().picture_pixels};
+    };
+    REQUIRE(framing_is([&](const Framing& framing) { return !is_whole(framing); }));
+    session.cropping = true;
+    CHECK(
+        framing_is([&](const Framing& framing) { return is_whole(framing) && framing.quarter_turns == 1; }));
+    session.cropping = false;
+    CHECK(framing_is([&](const Framing& framing) { return !is_whole(framing); }));
+}
+
+TEST_CASE(
+    "a dark .hdr is drawn as the same light would be that is 4096 times brighter, and its exposure moves") {
+    const TemporaryFolder folder;
+    const auto dots = [&](int exponent, std::optional<float> stops, float& drawn_with) {
+        const fs::path file = folder / "light.hdr";
+        std::ofstream out(file, std::ios::binary);
+        out << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 16\n";
+        // Light from 2^(exponent - 136) on, in a ramp of seven stops.
+        for (int pixel = 0; pixel < 256; ++pixel)
+            out << "\x90\x90\x90" << static_cast<char>(exponent + pixel / 37);
+        out.close();
+        Session session(DrawingSettings{}, [] {});
+        session.settings.drawing.placing = {.scale = 100};
+        session.settings.drawing.relax = 0;
+        if (stops) {
+            session.settings.drawing.automatic_exposure = false;
+            session.settings.drawing.tone.exposure = *stops;
+        }
+        session.open(file);
+        REQUIRE(wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
+            return session.placed_once() && !session.picture().file.empty();
+        }));
+        drawn_with = session.pane().page().tone.exposure;
+        return session.pane().page().stippling.dots.size();
+    };
+    float dark = 0, bright = 0, moved = 0;
+    const std::size_t of_dark = dots(112, {}, dark), of_bright = dots(124, {}, bright);
+    CHECK(dark > 5);
+    CHECK(dark - bright == doctest::Approx(12).epsilon(0.001));
+    CHECK(of_dark == of_bright);
+    CHECK(of_dark > 100);
+    // What the issue was: without exposure such light is black.
+    CHECK(dots(112, 0.0f, moved) > of_dark * 5 / 4);
+    CHECK(moved == 0);
+    CHECK(dots(112, dark + 3, moved) < of_dark * 4 / 5);
 }
 
 }  // namespace dapple

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "bench/plain_two_opt.h"
 #include "core/placing/dot_order.h"
 #include "core/routing/near_dots.h"
 #include "core/routing/short_way.h"
@@ -34,28 +35,6 @@ bool is_permutation_of_all(std::vector<std::uint32_t> order, std::size_t count) 
     return order == all;
 }
 
-// Every pair of edges is tried again and again until none helps.
-double way_by_plain_2opt(const Dots& dots) {
-    std::vector<std::uint32_t> order(dots.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto between = [&](std::size_t i, std::size_t k) {
-        return std::hypot(double(dots.x[order[i]]) - dots.x[order[k]],
-                          double(dots.y[order[i]]) - dots.y[order[k]]);
-    };
-    for (bool better = true; better;) {
-        better = false;
-        for (std::size_t i = 0; i + 3 < order.size(); ++i) {
-            for (std::size_t k = i + 2; k + 1 < order.size(); ++k) {
-                if (between(i, i + 1) + between(k, k + 1) - between(i, k) - between(i + 1, k + 1) < 1e-9)
-                    continue;
-                std::reverse(order.begin() + long(i) + 1, order.begin() + long(k) + 1);
-                better = true;
-            }
-        }
-    }
-    return way_length(dots.x, dots.y, order);
-}
-
 }  // namespace
 
 TEST_CASE("the way through eight dots is nearly the shortest of all there are") {
@@ -80,7 +59,7 @@ TEST_CASE("the way through two thousand dots is shorter than by plain 2-opt, and
     const std::vector<std::uint32_t> order = short_way(dots.x, dots.y);
     CHECK(is_permutation_of_all(order, dots.size()));
     const double way = way_length(dots.x, dots.y, order);
-    CHECK(way < way_by_plain_2opt(dots));
+    CHECK(way < way_length(dots.x, dots.y, plain_two_opt(dots)));
     CHECK(way < 0.8 * way_length(dots.x, dots.y));
 }
 

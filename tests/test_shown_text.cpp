@@ -51,3 +51,12 @@ TEST_CASE("numbers of any size are told in words that can be read") {
     CHECK(in_round_words(2.2e12) == "2.20 trillion");
     CHECK(in_round_words(1.5e16) == "1.5e+16");
 }
+
+TEST_CASE("what is UTF-8 is told from what is not") {
+    CHECK(is_utf8(""));
+    CHECK(is_utf8("abc\n \u00e4 \u20ac \U0001f600"));
+    CHECK_FALSE(is_utf8("a\xff"));
+    CHECK_FALSE(is_utf8("\xc0\xaf"));      // longer than needed
+    CHECK_FALSE(is_utf8("\xe2\x82"));      // cut off
+    CHECK_FALSE(is_utf8("\xed\xa0\x80"));  // half of a pair
+}

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <deque>
 #include <functional>
 #include <string>
 #include <thread>
@@ -129,4 +130,19 @@ TEST_CASE("a time limit stops too, and is no signal") {
     const StopOnInterrupt stop(std::chrono::duration<double>(0.01));
     CHECK(stops(stop));
     CHECK_FALSE(StopOnInterrupt::interrupted());
+}
+
+TEST_CASE(
+    "as many drawings may be under way as are drawn at a time, each with a file that is removed on a "
+    "signal") {
+    const TemporaryFolder folder;
+    CHECK(status_of([&] {
+              std::deque<RemovedOnSignal> files;
+              for (int i = 0; i < 300; ++i) {
+                  files.emplace_back(folder / std::to_string(i));
+                  put_text(files.back().path(), "half");
+              }
+              raise(SIGTERM);
+          }) == 128 + SIGTERM);
+    CHECK(folder.entries() == 0);
 }

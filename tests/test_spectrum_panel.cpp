@@ -87,4 +87,20 @@ TEST_CASE("words for a periodicity go from none to exact") {
     CHECK(repetition_in_words(1) == std::string("repeats itself exactly"));
 }
 
+TEST_CASE("the spectrum calls orange spots a repetition only beside a tile that repeats") {
+    const auto claims_it = [](const std::optional<double>& periodicity) {
+        const std::string words = spots_in_words(periodicity);
+        return words.find("which repeats") != std::string::npos;
+    };
+    CHECK(claims_it(0.95));
+    CHECK_FALSE(claims_it(0.02));
+    CHECK_FALSE(claims_it(-0.01));
+    CHECK_FALSE(claims_it(std::nullopt));
+    // As its bar and its sentence do.
+    for (double periodicity = 0; periodicity <= 1; periodicity += 0.01) {
+        const std::string words = repetition_in_words(periodicity);
+        CHECK(claims_it(periodicity) == (words == "repeats strongly" || words == "repeats itself exactly"));
+    }
+}
+
 }  // namespace dapple

@@ -39,15 +39,18 @@ TEST_CASE("in each theme text stands out from what is behind it by 4.5:1, and in
             CHECK(contrast(rgb_of(quiet), rgb_of(behind)) >= least);
         CHECK(contrast(rgb_of(warning), rgb_of(panel)) >= 4.5);
         CHECK(contrast(rgb_of(panel), rgb_of(accent)) >= least);  // of a chosen segment
-        // What can be dragged, by 3:1 (1.4.11).
+        // What can be dragged, and what tells whether a switch is on or off, by 3:1 (1.4.11).
+        CHECK(contrast(rgb_of(off), rgb_of(panel)) >= 3);
         CHECK(contrast(rgb_of(accent), rgb_of(track)) >= 3);
+        CHECK(contrast(rgb_of(accent), rgb_of(panel)) >= 3);  // of the ring around the row with the keys
     }
 }
 
 TEST_CASE("the preferences change the theme and the size of the text") {
     bool open = true;
     Appearance appearance;
-    HeadlessUi ui([&] { draw_preferences_panel(open, appearance); });
+    bool desktop = false;
+    HeadlessUi ui([&] { draw_preferences_panel(open, appearance, desktop); });
     ui.click("dark");
     CHECK(appearance.theme == Theme::dark);
     ui.click("large");

@@ -21,7 +21,7 @@ void check_equal(const StoredTile& a, const StoredTile& b) {
     CHECK(a.tile.words == b.tile.words);
     CHECK(a.tile.points == b.tile.points);
     CHECK(a.tile.successor == b.tile.successor);
-    CHECK(a.order == b.order);
+    CHECK(a.method == b.method);
     CHECK(a.ranking.tile == b.ranking.tile);
     CHECK(a.ranking.newborn == b.ranking.newborn);
 }
@@ -61,10 +61,11 @@ const std::string kPaperFile =
 
 TEST_CASE("a tile file reads back as the same tile and is written again as the same text") {
     const std::vector<std::string> comments{"found somewhere", "radius 0.5"};
-    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy}) {
+    for (const RankingMethod method :
+         {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy}) {
         for (const Tile& tile : {make_tile(14217, 2895, 16), tile_with_tails(),
                                  make_tile(aperiodic_rule(), even_words(256, 3))}) {
-            const StoredTile stored = ranked(tile, order);
+            const StoredTile stored = ranked(tile, method);
             const std::string text = write_tile(stored, comments);
             const StoredTile read = read_tile(text);
             check_equal(read, stored);
@@ -75,7 +76,7 @@ TEST_CASE("a tile file reads back as the same tile and is written again as the s
 
 TEST_CASE("a ranking that no order makes is kept under its own name") {
     StoredTile stored = ranked(make_tile(14217, 2895, 16), RankingMethod::energy);
-    stored.order.reset();
+    stored.method.reset();
     std::reverse(stored.ranking.newborn.begin(), stored.ranking.newborn.end());
     const std::string text = write_tile(stored);
     CHECK(text.find("ranking own\n") != std::string::npos);
@@ -100,7 +101,7 @@ TEST_CASE("the file of the largest tile is below 100 kB and its lines are short"
 
 TEST_CASE("a hand-written tile file may have comments, blank lines, Windows line ends and any line lengths") {
     const StoredTile stored = read_tile(kPaperFile);
-    CHECK(stored.order == RankingMethod::paper);
+    CHECK(stored.method == RankingMethod::paper);
     CHECK(stored.tile.points == make_tile(14217, 2895, 16).points);
     CHECK(stored.ranking.tile[2] == 8.5f);
     // The first newborn point's own rank decides, three ranks for each rank.

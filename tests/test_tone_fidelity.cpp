@@ -101,9 +101,9 @@ TEST_CASE("the tone stays whatever the count, the width of the page and the orde
     DrawingSettings postcard;
     postcard.page.width_mm = 148;
     CHECK(error_of(ramp(), postcard, 10).mean < 0.02);
-    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest}) {
+    for (const RankingMethod method : {RankingMethod::paper, RankingMethod::farthest}) {
         DrawingSettings settings;
-        settings.ranking = order;
+        settings.ranking = method;
         CHECK(error_of(ramp(), settings, 10).mean < 0.04);
     }
 }

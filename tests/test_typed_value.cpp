@@ -26,8 +26,9 @@ TEST_CASE("a typed number may have thousands, units of a thousand and a million,
     CHECK(number("-0.5") == -0.5);
     CHECK(number(" 40k + 500 ") == 40'500);
     CHECK(number("1-0.25-0.5") == 0.25);
+    CHECK(number("2*210 + 5") == 425);
     for (const char* wrong :
-         {"", " ", "k", "4 0", "40kk", "1,00", "two", "1+", "+", "--1", "nan", "inf", "5mm"}) {
+         {"", " ", "k", "4 0", "40kk", "1,00", "two", "1+", "+", "--1", "nan", "inf", "5mm", "2*", "*2"}) {
         CAPTURE(wrong);
         CHECK_FALSE(number(wrong));
     }
@@ -38,6 +39,8 @@ TEST_CASE("a typed length is in millimetres, or in the unit that each of its ter
     CHECK(*length("8in") == doctest::Approx(203.2));
     CHECK(*length("8in + 5mm") == doctest::Approx(208.2));
     CHECK(length("210-15-15") == 180);
+    CHECK(*length("2 * 8in") == doctest::Approx(406.4));
+    CHECK_FALSE(length("8in*2in"));
     CHECK_FALSE(length("40k"));
 }
 
@@ -48,4 +51,14 @@ TEST_CASE("a count is a whole number, and nobody has to guess what a point stand
     CHECK_FALSE(count_of("1.0001k"));
     CHECK_FALSE(count_of("10.000"));
     CHECK_FALSE(count_of("-5"));
+}
+
+TEST_CASE("where lengths are in inches, a number alone is inches, and a unit still says what it is") {
+    const auto in_inches = [](const char* text) {
+        return typed_value(text, TypedKind::length, LengthUnit::inch);
+    };
+    CHECK(*in_inches("8.5") == doctest::Approx(215.9));
+    CHECK(*in_inches("2*4") == doctest::Approx(203.2));
+    CHECK(*in_inches("1 + 5mm") == doctest::Approx(30.4));
+    CHECK(*in_inches("21cm") == doctest::Approx(210));
 }

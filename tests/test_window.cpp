@@ -12,9 +12,9 @@
 #include <sstream>
 #include <string>
 
-#include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/running_viewer.h"
+#include "tests/screen.h"
 
 namespace dapple {
 namespace {
@@ -46,8 +46,7 @@ std::array<int, 16> circles_by_part(const std::string& svg, double page) {
 
 /// Opens that section, and folds others so that most of it is in the window.
 void open_the_method(RunningViewer& viewer) {
-    for (const char* section : {"The method", "View", "Pen", "Page", "Picture"})
-        viewer.click(section);
+    for (const char* section : {"The method", "Export", "Pens", "Page", "Picture"}) viewer.click(section);
     REQUIRE(viewer.shows([&] { return viewer.has("ramp"); }));
 }
 
@@ -57,6 +56,13 @@ void choose_grey(RunningViewer& viewer) {
     viewer.click("grey");
     // As many dots as before, which a grey has at another scale.
     REQUIRE(viewer.shows([&] { return viewer.status()["scale"] != before; }));
+}
+
+/// Writes a project of the sample whose dots stay where they are placed, for tests that place it again and
+/// again; its name.
+std::string write_unrelaxed(const TemporaryFolder& folder) {
+    put_text(folder / "placed.dapple", R"({"dapple": 1, "drawing": {"relax": 0}})");
+    return "placed.dapple";
 }
 
 }  // namespace
@@ -129,6 +135,7 @@ TEST_CASE("zooming in with more dots keeps them as dense, and F brings the drawi
     Display display;
     RunningViewer viewer;
     const double scale = viewer.status()["scale"], zoom = viewer.status()["zoom"];
+    open_the_method(viewer);
     viewer.click("more dots");
     viewer.move(380, 320);
     for (int i = 0; i < 12; ++i) viewer.wheel_up();
@@ -161,8 +168,8 @@ TEST_CASE(
     "a tile from a file is drawn with, whether it is chosen in the window or named on the command line") {
     TemporaryFolder folder;
     const std::string tile = (folder / "mine.tile").string(), command = (folder / "command.svg").string();
-    run({DAPPLE_PROGRAM, "tile", "rank", "aperiodic16", "--order", "farthest", "-o", tile});
-    run({DAPPLE_PROGRAM, "render", "-o", command, "--tile", tile});
+    run({DAPPLE_PROGRAM, "tile", "rank", "aperiodic16", "--ranking", "farthest", "-o", tile});
+    run({DAPPLE_PROGRAM, "render", "-o", command, "--tile", tile, "--relax", "0"});
     const auto exports_the_same = [&](RunningViewer& viewer) {
         viewer.move(300, 300);
         viewer.key("ctrl+e");
@@ -175,26 +182,26 @@ TEST_CASE(
     };
     Display display;
     {
-        RunningViewer viewer(folder.path());
+        RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
         open_the_method(viewer);
         viewer.click("Tile");
         viewer.click("From a file...");
         REQUIRE(viewer.shows([&] { return viewer.has("mine.tile"); }));
-        REQUIRE(viewer.is_relaxed());
         const int placings = viewer.status()["placings"];
         viewer.click("mine.tile");
         viewer.click("Accept");
         REQUIRE(viewer.shows([&] { return !viewer.has("Path") && viewer.status()["placings"] > placings; }));
         exports_the_same(viewer);
     }
-    RunningViewer viewer(folder.path(), {"--tile", "mine.tile"});
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder), "--tile", "mine.tile"});
     exports_the_same(viewer);
 }
 
 TEST_CASE(
     "the split view shows why one tile repeats, its divider can be dragged, and undo takes it all back") {
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     const double scale_of_photograph = viewer.status()["scale"];
     open_the_method(viewer);
     choose_grey(viewer);
@@ -235,17 +242,15 @@ TEST_CASE(
 }
 
 TEST_CASE("under the side that is saved, and under no other, it says so") {
-    TemporaryFolder folder;
-    const std::string shot = (folder / "shot.png").string();
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     viewer.move(300, 300);
     viewer.key("c");
     REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
     // What is said beside the two tiles' names is longer than either; all of it in the strip below the
     // canvas, 940 wide, in letters darker than those of the facts.
-    const auto title_width = [&](int from, int to) {
-        const Grid<glm::u8vec4> pixels = decode_png(text_of(shot)).preview;
+    const auto title_width = [](const Grid<glm::u8vec3>& pixels, int from, int to) {
         int first = to, last = from;
         for (int y = 708; y < 768; ++y) {
             for (int x = from; x < to; ++x) {
@@ -257,15 +262,16 @@ TEST_CASE("under the side that is saved, and under no other, it says so") {
         return last - first;
     };
     CHECK(viewer.shows([&] {
-        run({"import", "-window", "root", shot});
-        const int left = title_width(0, 465), right = title_width(475, 940);
+        const Grid<glm::u8vec3> pixels = screen();
+        const int left = title_width(pixels, 0, 465), right = title_width(pixels, 475, 940);
         return right > 20 && left > 2 * right;
     }));
 }
 
 TEST_CASE("Figure 8 on the right comes near the left side's count") {
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     open_the_method(viewer);
     viewer.click("Split view");
     viewer.click("same count");
@@ -283,8 +289,9 @@ TEST_CASE("Figure 8 on the right comes near the left side's count") {
 }
 
 TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile that never repeats nowhere") {
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     open_the_method(viewer);
     choose_grey(viewer);
     viewer.move(300, 300);
@@ -308,9 +315,9 @@ TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile tha
 }
 
 TEST_CASE("a grey is saved as it is shown, and the split view does not change it") {
-    TemporaryFolder folder;
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer(folder.path());
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     open_the_method(viewer);
     choose_grey(viewer);
     const auto save = [&](const std::string& name) {
@@ -408,6 +415,22 @@ TEST_CASE("the samples that the window exports are those of the command, to the 
     CHECK(text_of(folder / "even.json") == text_of(command));
 }
 
+TEST_CASE("a picture is chosen in the list by what it shows") {
+    TemporaryFolder folder;
+    std::ofstream(folder / "grey.pgm") << "P2 2 2 255 90 90 90 90\n";
+    Display display;
+    RunningViewer viewer(folder.path());
+    viewer.move(300, 300);
+    viewer.key("ctrl+o");
+    REQUIRE(viewer.shows([&] { return viewer.has("Picture of grey.pgm"); }));
+    viewer.click("grey.pgm");
+    viewer.click("Accept");
+    CHECK(viewer.shows([&] { return !viewer.has("Path"); }));
+    CHECK(viewer.shows([&] {
+        return ChildProcess({"xdotool", "search", "--name", "^grey.pgm - Dapple$"}).wait() == 0;
+    }));
+}
+
 TEST_CASE("a key let go quickly counts although a modifier changes meanwhile, and none ends the program") {
     Display display;
     RunningViewer viewer;
@@ -426,9 +449,9 @@ TEST_CASE("a window of any size goes on, whatever is open in it") {
         Display display;
         RunningViewer viewer({}, arguments);
         viewer.move(300, 300);
-        for (const char* keys : {"c", "l", "ctrl+e", "Escape", "F1"}) {
+        for (const char* keys : {"c", "ctrl+e", "F1"}) {
             viewer.key(keys);
-            for (const auto& [width, height] : {std::pair(50, 50), {1, 1}, {1, 700}, {900, 1}, {1000, 700}}) {
+            for (const auto& [width, height] : {std::pair(50, 50), {1, 1}, {1, 700}}) {
                 viewer.resize(width, height);
                 viewer.xdotool("sleep 0.1");
             }
@@ -442,9 +465,9 @@ TEST_CASE("a window of any size goes on, whatever is open in it") {
 }
 
 TEST_CASE("a window at rest uses no processor, and a key is still answered") {
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
-    REQUIRE(viewer.is_relaxed());
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     viewer.move(300, 300);
     for (int i = 0; i < 2; ++i) {
         const auto rests = [&] {
@@ -479,12 +502,72 @@ TEST_CASE("without a display the program says so and what to do") {
 }
 
 TEST_CASE("the dots on screen are measured once the spectrum's section is opened") {
+    const TemporaryFolder folder;
     Display display;
-    RunningViewer viewer;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     open_the_method(viewer);
     CHECK_FALSE(viewer.has("Radial power"));
     viewer.click("Spectrum");
-    CHECK(viewer.shows([&] { return viewer.has("Radial power"); }));
+    const bool measured = viewer.shows([&] { return viewer.has("Radial power"); });
+    CAPTURE(viewer.status().dump());
+    CHECK(measured);
+}
+
+TEST_CASE(
+    "what was set is there in the next window, where a copied path is opened and a relaxed dot explained") {
+    const TemporaryFolder folder;
+    const WindowMemory memory{folder / "home"};
+    for (const char* name : {"one.pgm", "two.pgm"})
+        put_text(folder / name, "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    Display display;
+    std::uint64_t dots = 0;
+    {
+        RunningViewer viewer(folder.path(), {"one.pgm"}, memory);
+        dots = viewer.dots();
+        CHECK(dots == 40'000);
+        viewer.point_at("Dots", 0.3);
+        viewer.press();
+        viewer.release();
+        REQUIRE(viewer.shows([&] { return viewer.dots() < dots; }));
+        dots = viewer.dots();
+        viewer.key("ctrl+q");
+        CHECK(viewer.wait_for_end() == 0);
+    }
+    RunningViewer viewer(folder.path(), {"one.pgm"}, memory);
+    CHECK(viewer.dots() == dots);
+    viewer.key("ctrl+o");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.xdotool("type '" + (folder / "two.pgm").string() + "'");
+    for (const char* keys : {"ctrl+a", "ctrl+c", "Escape"}) viewer.key(keys);
+    REQUIRE(viewer.shows([&] { return !viewer.has("Path"); }));
+    viewer.key("ctrl+v");
+    run({"timeout", "20", "xdotool", "search", "--sync", "--name", "two.pgm - Dapple$"});
+    viewer.key("i");
+    viewer.move(400, 400);
+    REQUIRE(viewer.is_relaxed());
+    CHECK(viewer.status()["steps"] > 0);
+    CHECK(viewer.shows([&] { return viewer.has("Lit tile"); }));
+}
+
+TEST_CASE("what another program copied is opened: a picture, which is kept, and then a file by its path") {
+    const TemporaryFolder folder;
+    put_text(folder / "red.ppm", "P3\n2 1\n255\n255 0 0 90 0 0\n");
+    put_text(folder / "named.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    put_text(folder / "path", (folder / "named.pgm").string() + "\n");
+    run({"convert", (folder / "red.ppm").string(), (folder / "red.png").string()});
+    Display display;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)}, WindowMemory{folder / "home"});
+    const int before = viewer.status()["placings"];
+    run({"xclip", "-selection", "clipboard", "-t", "image/png", (folder / "red.png").string()});
+    viewer.key("ctrl+v");
+    run({"timeout", "50", "xdotool", "search", "--sync", "--name", "^pasted .*[.]png - Dapple$"});
+    const fs::path pasted = folder / "home/dapple/pasted";
+    REQUIRE(fs::exists(pasted));
+    CHECK((text_of(fs::directory_iterator(pasted)->path()) == text_of(folder / "red.png")));
+    CHECK(viewer.shows([&] { return viewer.status()["placings"] > before; }));
+    run({"xclip", "-selection", "clipboard", (folder / "path").string()});
+    viewer.key("ctrl+v");
+    run({"timeout", "50", "xdotool", "search", "--sync", "--name", "^named.pgm - Dapple$"});
 }
 
 }  // namespace dapple

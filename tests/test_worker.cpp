@@ -76,7 +76,7 @@ TEST_CASE("a picture comes together with its first dots") {
     CHECK(wait_until([&] { return woken > 0; }));
 }
 
-TEST_CASE("of many orders that come while the worker is busy the last is placed, and no other") {
+TEST_CASE("of many requests that come while the worker is busy the last is placed, and no other") {
     Worker worker([] {});
     std::binary_semaphore all_ordered(0);
     worker.open("grey.png", [&] {
@@ -104,7 +104,68 @@ TEST_CASE("a picture that cannot be read leaves the old one") {
     CHECK_FALSE(placed(event.back())->picture);
 }
 
-TEST_CASE("another picture is stippled with the last order without being asked") {
+TEST_CASE("a first look is drawn until the whole picture is there, and only that is saved") {
+    Worker worker([] {});
+    std::binary_semaphore seen(0);
+    const auto look = [](const std::stop_token&) { return std::optional(grey(32)); };
+    worker.open("large.jpg", Opening{.whole =
+                                         [&](const std::stop_token&) {
+                                             seen.acquire();
+                                             return grey(64);
+                                         },
+                                     .first_look = look});
+    worker.place(dots(100));
+    auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    REQUIRE(placed(event.back())->picture);
+    CHECK_FALSE(placed(event.back())->picture->refines);
+    CHECK(placed(event.back())->drawing.picture_pixels == glm::ivec2(32));
+    REQUIRE(worker.opening());
+    CHECK(worker.opening()->name == "large.jpg");
+    int saved_side = 0;
+    worker.save("out.svg", [&](Workbench& bench, const std::stop_token&) -> WriteFile {
+        saved_side = bench.pipeline().light().width;
+        return [](const SavingWatch&) { return true; };
+    });
+    // Settings go on being changed meanwhile.
+    DotsRequest slow = dots(20'000);
+    slow.drawing.relax = 10;
+    worker.place(slow);
+    event = listen(worker, [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.settled(); });
+    CHECK(placed(event.back())->drawing.stippling.dots.size() == 20'000);
+    CHECK(saved_side == 0);
+    seen.release();
+    event = listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<DrawingSaved>(n); });
+    CHECK(saved_side == 64);
+    if (std::ranges::none_of(event, [](const WorkerEvent& n) { return placed(n) != nullptr; }))
+        event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    const auto whole = std::ranges::find_if(event, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    REQUIRE(placed(*whole)->picture);
+    CHECK(placed(*whole)->picture->refines);
+    CHECK(placed(*whole)->drawing.stippling.dots.size() == 20'000);
+    CHECK(placed(*whole)->drawing.settled());  // no step back
+    CHECK_FALSE(worker.opening());
+}
+
+TEST_CASE("of a first look whose whole picture was stopped nothing is saved") {
+    Worker worker([] {});
+    worker.open("large.jpg",
+                Opening{.whole =
+                            [](const std::stop_token& stop) {
+                                wait_until([&] { return stop.stop_requested(); });
+                                if (stop.stop_requested()) throw std::runtime_error("stopped");
+                                return grey(64);
+                            },
+                        .first_look = [](const std::stop_token&) { return std::optional(grey(32)); }});
+    worker.place(dots(100));
+    listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
+    worker.stop_opening();
+    listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<OpeningStopped>(n); });
+    worker.save("out.svg", [](Workbench&, const std::stop_token&) -> WriteFile { return {}; });
+    const auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
+    CHECK(failed(event.back())->message.find("large.jpg: only a first look") == 0);
+}
+
+TEST_CASE("another picture is stippled as requested last without being asked") {
     Worker worker([] {});
     worker.open("a", [] { return grey(64); });
     worker.place(dots(100));
@@ -115,7 +176,7 @@ TEST_CASE("another picture is stippled with the last order without being asked")
     CHECK(placed(event.back())->drawing.stippling.dots.size() == 100);
 }
 
-TEST_CASE("an order that cannot be placed says why") {
+TEST_CASE("a request that cannot be placed says why") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
     DotsRequest request = dots(100);
@@ -227,31 +288,35 @@ TEST_CASE("a worker tells which share of the dots is placed, which grows") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
     CHECK_FALSE(worker.placed_share());
-    DotsRequest request = dots(20'000'000);
-    request.drawing.relax = 0;
-    request.drawing.placing.threads = 4;  // many pieces, however few processors there are
-    worker.place(request);
-    // As often as can be: between two looks another try may have come far.
-    std::vector<float> seen;
-    REQUIRE(wait_until([&] {
-        for (int look = 0; look < 100'000; ++look) {
-            const auto share = worker.placed_share();
-            if (share && (seen.empty() || *share != seen.back())) seen.push_back(*share);
-            if (!worker.events().empty()) return true;
+    // On a busy machine all of a drawing may be placed between two looks: of several one is seen half way.
+    std::ptrdiff_t inside = 0;
+    for (std::uint64_t drawing = 0; drawing < 20 && inside == 0; ++drawing) {
+        DotsRequest request = dots(8'000'000 + drawing);
+        request.drawing.relax = 0;
+        request.drawing.placing.threads = 4;  // many pieces, however few processors there are
+        worker.place(request);
+        // As often as can be: between two looks another try may have come far.
+        std::vector<float> seen;
+        REQUIRE(wait_until([&] {
+            for (int look = 0; look < 100'000; ++look) {
+                const auto share = worker.placed_share();
+                if (share && (seen.empty() || *share != seen.back())) seen.push_back(*share);
+                if (!worker.events().empty()) return true;
+            }
+            return false;
+        }));
+        // Less than before is the beginning of another try.
+        int tries = 1;
+        for (std::size_t i = 1; i < seen.size(); ++i) {
+            if (seen[i] >= seen[i - 1]) continue;
+            ++tries;
+            CHECK(seen[i] < 0.2f);
         }
-        return false;
-    }));
-    // Less than before is the beginning of another try.
-    int tries = 1;
-    for (std::size_t i = 1; i < seen.size(); ++i) {
-        if (seen[i] >= seen[i - 1]) continue;
-        ++tries;
-        CHECK(seen[i] < 0.2f);
+        CHECK(tries <= 3);
+        CHECK(std::ranges::all_of(seen, [](float share) { return share <= 1; }));
+        inside = std::ranges::count_if(seen, [](float share) { return share > 0.1f && share < 0.9f; });
     }
-    CHECK(tries <= 3);
-    const auto inside = std::ranges::count_if(seen, [](float share) { return share > 0.1f && share < 0.9f; });
     CHECK(inside > 0);
-    CHECK(seen.back() <= 1);
     CHECK(wait_until([&] { return !worker.placed_share(); }));
 }
 

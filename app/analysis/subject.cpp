@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/analysis/drawing_points.h"
+#include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
@@ -20,6 +22,8 @@
 namespace dapple {
 namespace {
 
+// Of any program, by a pipe too.
+constexpr TextKind kTable{.what = "table", .may_wait = true}, kDrawing{.what = "drawing", .may_wait = true};
 constexpr std::array kBlursInSpacings{0.5, 1.0, 2.0, 4.0};
 
 struct Placed {
@@ -103,10 +107,12 @@ std::vector<ToneFromAfar> tone_from_afar(const Placed& placed, const Grid<float>
 }  // namespace
 
 Subject points_of_table(const std::filesystem::path& file, const TableDomain& domain) {
-    const std::string name = file.string();
-    Subject subject{.name = name, .domain = {}, .points = parse_point_table(text_of_file(file), name)};
-    if (domain.width && domain.height) {
-        subject.domain = {*domain.width, *domain.height, domain.topology};
+    const std::string name = file.string(), text = text_of_file(file, kTable);
+    Subject subject{.name = name, .domain = {}, .points = parse_point_table(text, name)};
+    std::optional<glm::dvec2> size = page_of_table(text);
+    if (domain.width && domain.height) size = glm::dvec2(*domain.width, *domain.height);
+    if (size) {
+        subject.domain = {size->x, size->y, domain.topology};
         subject.points = points_inside(subject.points, subject.domain, name);
     } else {
         PlacedPoints placed = in_their_own_box(std::move(subject.points), domain.topology, name);
@@ -115,6 +121,15 @@ Subject points_of_table(const std::filesystem::path& file, const TableDomain& do
     }
     if (domain.period) subject.period = glm::dvec2(*domain.period);
     return subject;
+}
+
+Subject points_of_drawing(const std::filesystem::path& file, Topology topology) {
+    const std::string name = file.string(), text = text_of_file(file, kDrawing);
+    PlacedPoints placed = ending_of(file) == ".json" ? points_of_json(text, name) : points_of_svg(text, name);
+    placed.domain.topology = topology;
+    // On a torus the far edge is the near one.
+    return {
+        .name = name, .domain = placed.domain, .points = points_inside(placed.points, placed.domain, name)};
 }
 
 Subject dots_of_grey(double value, const DrawingSettings& wanted, Topology topology) {

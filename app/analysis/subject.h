@@ -43,7 +43,8 @@ struct Subject {
     std::vector<ToneFromAfar> tone{};  // a picture's, nearest first
 };
 
-/// What a table's points fill. Without width and height their own box: see in_their_own_box().
+/// What a table's points fill. Without width and height the page that the table names (page_of_table()), or
+/// else their own box: see in_their_own_box().
 struct TableDomain {
     std::optional<double> width{}, height{};  // in the table's unit, both or neither
     Topology topology = Topology::window;
@@ -53,6 +54,10 @@ struct TableDomain {
 /// Throws std::runtime_error if the file cannot be read, as parse_point_table() does, and if a point lies
 /// outside a window.
 Subject points_of_table(const std::filesystem::path& file, const TableDomain& domain);
+
+/// The dots of a drawing that dapple render wrote, .json or .svg, in millimetres; the page is its own. Throws
+/// std::runtime_error if the file cannot be read or is no such drawing.
+Subject points_of_drawing(const std::filesystem::path& file, Topology topology);
 
 /// Dots on a constant grey that fills the unit square, as placed unless steps of relaxation are asked for.
 /// The period is that of the finest complete level of tiles: 2^-l for 4^l N dots or more. Figure 8 given a

@@ -11,6 +11,7 @@
 #include "app/analysis/subject.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
+#include "app/files/drawing_format.h"
 #include "app/files/file_ending.h"
 #include "core/analysis/report.h"
 #include "core/reports/spectrum_picture.h"
@@ -25,6 +26,16 @@ bool is_table(const fs::path& path) {
     return ending == ".csv" || ending == ".tsv" || ending == ".txt";
 }
 
+// A drawing of ours, which has its page's size in it.
+bool is_drawing(const fs::path& path) {
+    const std::string ending = ending_of(path);
+    return ending == ".json" || ending == ".svg";
+}
+
+bool has_points(const fs::path& path) {
+    return is_table(path) || is_drawing(path);
+}
+
 enum class ReportFormat { json, html, png };
 
 ReportFormat report_format(const fs::path& path) {
@@ -33,6 +44,21 @@ ReportFormat report_format(const fs::path& path) {
     if (ending == ".html" || ending == ".xhtml") return ReportFormat::html;
     if (ending == ".png") return ReportFormat::png;
     throw std::runtime_error(fmt::format("{}: does not end in .json, .html or .png", path.string()));
+}
+
+// Drawings that do not keep their dots as such.
+void check_has_dots(const fs::path& path) {
+    const std::string ending = ending_of(path);
+    if (ending.empty()) return;
+    for (const DrawingFormatName& format : kDrawingFormats) {
+        if (ending != format.ending && ending != format.others) continue;
+        if (has_pixels(format.format) || is_drawing(path) || is_table(path)) continue;
+        throw std::runtime_error(
+            fmt::format("{}: {} is not read; give points (.csv, .tsv, .txt), a drawing by dapple render "
+                        "(.json, .svg), or "
+                        "a picture",
+                        path.string(), format.shown));
+    }
 }
 
 Subject subject_of(const AnalyseOptions& options) {
@@ -46,6 +72,8 @@ Subject subject_of(const AnalyseOptions& options) {
                                                 .topology = cut_out,
                                                 .period = options.period});
     }
+    if (is_drawing(*options.input)) return points_of_drawing(*options.input, cut_out);
+    check_has_dots(*options.input);
     DrawingSettings drawing = options.drawing;
     if (options.width) drawing.page.width_mm = *options.width;
     return dots_of_picture(options.input, drawing, cut_out, options.limit);
@@ -65,12 +93,20 @@ std::string report_text(ReportFormat format, const Subject& subject, const Point
 
 // Options that say nothing about what is analysed are refused, rather than left without effect.
 void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
-    if (options.input && is_table(*options.input)) {
+    const std::initializer_list<const char*> tone{
+        "--exposure",   "--tone",  "--black-point", "--white-point", "--contrast",
+        "--brightness", "--gamma", "--blur",        "--detail",      "--invert"};
+    if (!options.input) refuse(command, tone, "is for pictures; a constant grey has its --density");
+    if (options.input && has_points(*options.input)) {
+        refuse(command, tone, "is for pictures, and points have none");
+        if (is_drawing(*options.input))
+            refuse(command, {"--width", "--height"}, "is in the drawing itself; leave it away");
         refuse(
             command,
             {"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius", "--relax"},
             "says how to place dots, and a table has them already");
         refuse(command, {"--huge"}, "is for pictures");
+        if (is_drawing(*options.input)) refuse(command, {"--period"}, "is for tables");
         if (options.width.has_value() != options.height.has_value())
             throw CLI::ValidationError(options.width ? "--width" : "--height",
                                        "give both --width and --height, or neither");
@@ -108,11 +144,11 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand(
         "analyse", "Measure how even points are and whether they repeat, into a JSON, HTML or PNG file");
     command
-        ->add_option(
-            "input", options_.input,
-            "Points (.csv, .tsv, .txt: columns x_mm and y_mm, x and y, or the first two) or a picture to "
-            "stipple; without it a constant grey is")
-        ->type_name("POINTS|IMAGE");
+        ->add_option("input", options_.input,
+                     "Points (.csv, .tsv, .txt: columns x_mm and y_mm, x and y, or the first two), a drawing "
+                     "by dapple render (.json, .csv, .svg of dots: with its page's size), or a picture to "
+                     "stipple, drawings saved as pixels among them; without it a constant grey is")
+        ->type_name("POINTS|DRAWING|IMAGE");
     command
         ->add_option("-o,--output", options_.output,
                      "The report: .json the numbers, .html a page with pictures and plots, .png the spectrum")
@@ -125,21 +161,26 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
                "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
                "constant grey and window else");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
-    add_number(
-        *command, "--width", options_.width, length, "LENGTH",
-        "What the points fill, from (0, 0), in their unit; without it, their own box. Of a picture the "
-        "page's width in mm, 200 without it");
+    add_number(*command, "--width", options_.width, length, "LENGTH",
+               "What the points fill, from (0, 0), in their unit; without it, the page that a table by "
+               "dapple render "
+               "names, or their own box. Of a picture the "
+               "page's width in mm, 200 without it");
     add_number(*command, "--height", options_.height, length, "LENGTH", "The same downwards, for points");
     add_number(*command, "--period", options_.period, length, "LENGTH",
                "Of points: look for a repetition after multiples of this length");
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
     add_dot_options(*command, options_.drawing);
+    add_tone_options(*command, options_.drawing);
     command->footer(
+        "Tone is measured against the picture's own light: what the tone options change counts as an "
+        "error.\n\n"
         "Examples:\n"
         "  dapple analyse --tile paper16 --dots 40000 -o paper.html       a page to look at\n"
         "  dapple analyse --placer figure8 --scale 2500 -o spectrum.png   the paper's own, its spectrum\n"
         "  dapple analyse cat.jpg -o cat.json                             a drawing's tone and evenness\n"
+        "  dapple analyse cat.svg -o cat.html                             the same of dots that are there\n"
         "  dapple analyse points.csv --width 1 --height 1 --topology torus -o points.json");
     command->callback([this, command] {
         check_options(*command, options_.drawing);

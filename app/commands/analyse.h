@@ -15,14 +15,14 @@ class App;
 namespace dapple {
 
 struct AnalyseOptions {
-    std::optional<std::filesystem::path>
-        input;                            // a table (.csv, .tsv, .txt) or a picture; none: a constant grey
-    std::filesystem::path output;         // .json, .html or .png
-    DrawingSettings drawing;              // of a picture or a grey
-    double grey = 1;                      // its density
-    std::optional<Topology> topology;     // none: window, but torus for a grey
-    std::optional<double> width, height;  // of a table's domain; the width in mm of a picture's page
-    std::optional<double> period;         // of a table, in its unit
+    std::optional<std::filesystem::path> input;  // a table (.csv, .tsv, .txt), a drawing of ours (.json,
+                                                 // .svg) or a picture; none: a constant grey
+    std::filesystem::path output;                // .json, .html or .png
+    DrawingSettings drawing;                     // of a picture or a grey
+    double grey = 1;                             // its density
+    std::optional<Topology> topology;            // none: window, but torus for a grey
+    std::optional<double> width, height;         // of a table's domain; the width in mm of a picture's page
+    std::optional<double> period;                // of a table, in its unit
     PictureLimit limit = PictureLimit::usual;
 };
 

@@ -113,7 +113,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     LightRequest& request = options_.request;
     command
         ->add_option("map", options_.map,
-                     "A latitude-longitude map, .hdr or .exr; without one, a sky of our own")
+                     "A latitude-longitude map, .hdr or .exr; without one, a built-in sky")
         ->type_name("MAP");
     command
         ->add_option(

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <stdexcept>
 
+#include "app/files/text_file.h"
 #include "app/shown_text.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
@@ -192,12 +194,12 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         placing.count.reset();
     };
     add_text(app, "--scale", "S",
-             "Instead of --dots: a darker picture gets more dots, an all black one about 16 S", read_scale);
+             "Instead of --dots: a darker picture gets more dots, an all-black one gets about 16 S",
+             read_scale);
 
-    add_choice(
-        app, "--placer", settings.placer, {PlacerKind::exact, PlacerKind::figure8},
-        "exact: each dot once, no line lost; figure8: as the paper prints it, which emits about a quarter "
-        "of the dots twice");
+    add_choice(app, "--placer", settings.placer, {PlacerKind::exact, PlacerKind::figure8},
+               "exact: every dot once; figure8: as the paper prints it, which emits about a quarter "
+               "of the dots twice and makes about as many as --dots says");
     add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
@@ -259,7 +261,7 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
         "--blur and --invert",
         read_tone)
-        ->default_str("auto");
+        ->default_str(settings.automatic_tone ? "auto" : "true");
     add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
                "Grey that is drawn black, with all below it");
     add_number(app, "--white-point", tone.white_point, {.least = 0, .most = 1}, "0..1",
@@ -408,7 +410,6 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         throw CLI::ValidationError("--black-point", "must be below --white-point");
     }
     if (settings.placer == PlacerKind::figure8) {
-        refuse(command, {"--dots"}, "the figure8 placer makes no exact count; give --scale");
         refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
     }
 }

@@ -1,20 +1,15 @@
 #pragma once
-// dapple render: a picture to a file of dots.
+// What `dapple render` does: a picture to a file of dots.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "app/drawing_settings.h"
 #include "app/files/drawing_format.h"
 #include "app/files/picture.h"
-#include "core/output/gcode.h"
-#include "core/output/plotting_time.h"
 #include "core/output/sheet.h"
-#include "core/placing/dot_order.h"
-
-namespace CLI {
-class App;
-}
 
 namespace dapple {
 
@@ -26,28 +21,29 @@ struct RenderOptions {
     std::optional<DrawingFormat> format;  // none: what the output's name says, or SVG
     DrawingSettings drawing;
     SavingChoice saving;
-    Sheet sheet;                                  // the whole drawing, or a part of it
-    std::optional<Rectangle<double>> region;      // a part instead of a sheet
-    GcodeStyle gcode;                             // but for its lines, which the machine or the template says
-    std::optional<GcodeTemplate> gcode_template;  // instead of the saving choice's machine
+    Sheet sheet;                              // the whole drawing, or a part of it
+    std::optional<Rectangle<double>> region;  // a part instead of a sheet
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
 };
 
-/// Reads, places and saves. Throws std::runtime_error with one sentence naming the file that is wrong; what
-/// was at the output's place stays then.
-void render(const RenderOptions& options);
+/// What is written: as --format, or else the output's name, says. Throws std::runtime_error if neither does.
+DrawingFormat format_of(const RenderOptions& options);
 
-/// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
-class RenderCommand {
- public:
-    explicit RenderCommand(CLI::App& program);
-    RenderCommand(const RenderCommand&) = delete;
-    RenderCommand& operator=(const RenderCommand&) = delete;
+/// Of the picture; false where there is none, and the built-in sample is drawn.
+bool reads_standard_input(const RenderOptions& options);
+/// For messages: "cat.jpg".
+std::string name_of_image(const RenderOptions& options);
 
- private:
-    RenderOptions options_;
-    bool automatic_tone_ = true;  // before the options say another
+/// For whoever draws many: told how far one has come, 0..1, in place of the terminal's line and the report.
+struct RenderWatch {
+    std::function<void(double share)> progress;
 };
+
+struct Rendered;  // app/commands/render_report.h
+
+/// Reads, places and saves one drawing. Throws std::runtime_error with one sentence naming the file that is
+/// wrong; what was at the output's place stays then.
+Rendered render(const RenderOptions& options, const RenderWatch& watcher = {});
 
 }  // namespace dapple

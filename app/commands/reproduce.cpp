@@ -87,8 +87,8 @@ void reproduce(const ReproduceOptions& options) {
     page.paragraph(
         "The numbers and figures of A. Lagae and P. Dutré, \"Generating Well-Distributed Point Sets with a "
         "Self-Similar Hierarchical Tile\" (2006), worked out from scratch by dapple reproduce. Nothing here "
-        "is copied from the paper but the numbers in the columns headed so. What the paper does not have is "
-        "headed so too.");
+        "is copied from the paper but the numbers in the columns that say so. What the paper does not have "
+        "stands under a heading that says so.");
 
     const std::vector<ComparedNumber> printed = compare_printed_numbers();
     const std::vector<ComparedNumber> table1 = compare_table1();
@@ -160,12 +160,12 @@ ReproduceCommand::ReproduceCommand(CLI::App& program) {
         ->required();
     command
         ->add_option("--environment", options_.environments,
-                     "Latitude-longitude maps (.hdr, .exr) for figure 7; without any, a sky of our own")
+                     "Latitude-longitude maps (.hdr, .exr) for figure 7; without any, a built-in sky")
         ->type_name("MAP");
     command->footer(
         "Ends with an error if a number is not as it should be. One is known to differ: the paper prints "
         "14.00 %\n"
-        "where 13.99499 % is true. What the paper does not print is headed so.\n\n"
+        "where 13.99499 % is true. What the paper does not have stands under a heading that says so.\n\n"
         "Examples:\n"
         "  dapple reproduce -o paper\n"
         "  dapple reproduce -o paper --environment hall.hdr venice.hdr");

@@ -14,6 +14,7 @@
 #include "app/analysis/black_seams.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
@@ -31,7 +32,7 @@ constexpr std::size_t kMostPointsInWords = 64;
 StoredTile load_perhaps_unranked(const std::string& name) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(name, error)) return load_tile(name);
-    const std::string text = text_of_file(name);
+    const std::string text = text_of_file(name, kTileFile);
     try {
         if (is_tile_text(text)) return read_tile(text);
         StoredTile stored;
@@ -43,21 +44,22 @@ StoredTile load_perhaps_unranked(const std::string& name) {
     }
 }
 
-StoredTile in_new_order(StoredTile stored, const std::string& name, NewOrder order) {
-    switch (order) {
-        case NewOrder::paper:
+StoredTile ranked_anew(StoredTile stored, const std::string& name, NewRanking ranking) {
+    switch (ranking) {
+        case NewRanking::paper:
             return ranked(std::move(stored.tile), RankingMethod::paper);
-        case NewOrder::farthest:
+        case NewRanking::farthest:
             return ranked(std::move(stored.tile), RankingMethod::farthest);
-        case NewOrder::energy:
+        case NewRanking::energy:
             return ranked(std::move(stored.tile), RankingMethod::energy);
-        case NewOrder::searched:
+        case NewRanking::searched:
             stored.ranking = search_ranking(stored.tile);
-            stored.order.reset();
+            stored.method.reset();
             return stored;
-        case NewOrder::stored:
+        case NewRanking::stored:
             if (stored.ranking.tile.empty())
-                throw std::runtime_error(fmt::format("{}: has no ranks to keep; choose another order", name));
+                throw std::runtime_error(
+                    fmt::format("{}: has no ranks to keep; choose another ranking", name));
             return stored;
     }
     return stored;
@@ -72,7 +74,7 @@ nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored
                                 {"rule", rule},
                                 {"words", stored.tile.words},
                                 {"integers", nullptr},
-                                {"ranking", name_of(stored.order)},
+                                {"ranking", name_of(stored.method)},
                                 {"balanced", marks.balanced},
                                 {"letters", marks.letters},
                                 {"relative_radius", marks.relative_radius},
@@ -124,17 +126,17 @@ void add_tile_name(CLI::App& command, std::string& name, const std::string& more
 
 }  // namespace
 
-std::string_view name_of(NewOrder order) {
-    switch (order) {
-        case NewOrder::paper:
+std::string_view name_of(NewRanking ranking) {
+    switch (ranking) {
+        case NewRanking::paper:
             return "paper";
-        case NewOrder::farthest:
+        case NewRanking::farthest:
             return "farthest";
-        case NewOrder::energy:
+        case NewRanking::energy:
             return "energy";
-        case NewOrder::searched:
+        case NewRanking::searched:
             return "searched";
-        case NewOrder::stored:
+        case NewRanking::stored:
             return "stored";
     }
     return "";
@@ -153,7 +155,7 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format, 
         return;
     }
     out << fmt::format("{}: {}, ranking {}\n\n", printable(name), headline(stored.tile),
-                       name_of(stored.order));
+                       name_of(stored.method));
     for (const TileMark& mark : in_words(marks))
         out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
     out << fmt::format("  {:<24} {:<9.2f} {}\n", "seam on black", seams.worst(),
@@ -192,14 +194,13 @@ void TileCommand::add_list(CLI::App& parent) {
 
 void TileCommand::add_rules(CLI::App& parent) {
     CLI::App* const command = parent.add_subcommand("rules", "The rules that turn copies, the best first");
-    add_whole_number(*command, "--top", rules_, {.least = 1, .most = 570}, "So many of the 570 there are");
+    add_whole_number(*command, "--top", rules_, {.least = 1, .most = 570},
+                     "How many of the 570 rules to list");
     command->footer(
         "A rule says how the tile is turned in each quadrant, 0..7: turned by 0, 90, 180, 270 degrees, or\n"
-        "reflected and then turned. Highest: of tiles of one size that lie at a distance of 1 to 64, the "
-        "share\n"
-        "that is turned alike, at the distance where most are; chance is 0.125. The lower, the less a "
-        "picture\n"
-        "repeats. 0000, the paper's, has 1. Turned copies have seams instead, which show on black with dots "
+        "reflected and then turned. Highest: of tiles of one size, the share that is turned alike, at the "
+        "distance (1 to 64\ntiles) where it is highest; chance is 0.125. The lower it is, the less a picture "
+        "repeats. 0000, the\npaper's, has 1. Turned copies have seams instead, which show on black with dots "
         "as\n"
         "placed: dapple tile check tells how much.");
     command->callback([this] { list_rules(std::cout, rules_); });
@@ -212,7 +213,7 @@ void TileCommand::add_show(CLI::App& parent) {
     add_output(*command, output_, "The drawing; its name ends in .svg");
     add_ranking(*command, ranking_);
     command->callback([this] {
-        if (output_.extension() != ".svg")
+        if (ending_of(output_) != ".svg")
             throw CLI::ValidationError("--output", output_.string() + " does not end in .svg");
         check_apart(output_, {{name_, "the tile"}});
         check_can_save(output_);
@@ -224,17 +225,19 @@ void TileCommand::add_show(CLI::App& parent) {
 
 void TileCommand::add_rank(CLI::App& parent) {
     CLI::App* const command =
-        parent.add_subcommand("rank", "Order a tile's points anew and save it as a tile file");
+        parent.add_subcommand("rank", "Rank a tile's points anew and save it as a tile file");
     add_tile_name(*command, name_, ", or a file with a rule such as 3760 on its first line and words below");
-    add_choice(*command, "--order", order_,
-               {NewOrder::paper, NewOrder::farthest, NewOrder::energy, NewOrder::searched, NewOrder::stored},
-               "paper: as printed; farthest: the widest gap next; energy: the evenest tone next; searched: "
-               "evener between levels, takes a minute for 4,096 points; stored: as they are");
+    add_choice(*command, "--ranking", new_ranking_,
+               {NewRanking::paper, NewRanking::farthest, NewRanking::energy, NewRanking::searched,
+                NewRanking::stored},
+               "paper: as printed; farthest: each point in the widest gap left; energy: each where the tone "
+               "stays evenest; searched: evener between levels too, takes a minute for 4,096 points; stored: "
+               "as in the file");
     add_output(*command, output_, "The tile file");
     command->callback([this] {
         check_apart(output_, {{name_, "the tile that is ranked"}});
         check_can_save(output_);
-        const StoredTile stored = in_new_order(load_perhaps_unranked(name_), name_, order_);
+        const StoredTile stored = ranked_anew(load_perhaps_unranked(name_), name_, new_ranking_);
         save_tile(output_, stored);
     });
 }
@@ -245,7 +248,8 @@ void TileCommand::add_check(CLI::App& parent) {
     command->add_flag_callback(
         "--json", [this] { format_ = CheckFormat::json; }, "As JSON, for programs");
     command->add_flag_callback(
-        "--words", [this] { words_ = ShownWords::of_all; }, "The words of a tile of over 64 points too");
+        "--words", [this] { words_ = ShownWords::of_all; },
+        "Show the words of a tile of more than 64 points too");
     command->callback([this] { check_tile(std::cout, name_, format_, words_); });
 }
 

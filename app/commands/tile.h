@@ -16,10 +16,10 @@ class App;
 
 namespace dapple {
 
-/// How `tile rank` orders points.
-enum class NewOrder { paper, farthest, energy, searched, stored };
+/// How `tile rank` ranks points.
+enum class NewRanking { paper, farthest, energy, searched, stored };
 /// "paper", "farthest", "energy", "searched", "stored".
-std::string_view name_of(NewOrder order);
+std::string_view name_of(NewRanking ranking);
 
 enum class CheckFormat { text, json };
 
@@ -47,7 +47,7 @@ class TileCommand {
 
     std::string name_;  // TILE
     std::filesystem::path output_;
-    NewOrder order_ = NewOrder::energy;
+    NewRanking new_ranking_ = NewRanking::energy;
     std::optional<RankingMethod> ranking_;  // none: the tile's own
     CheckFormat format_ = CheckFormat::text;
     ShownWords words_ = ShownWords::of_small_tiles;

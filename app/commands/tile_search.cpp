@@ -33,6 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr TextKind kSearch{.what = "saved search"};
 constexpr std::uint64_t kMovesPerPoint = 10'000;
 // Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
 constexpr std::size_t kRulesTried = 20;
@@ -63,10 +64,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 SearchState resumed(const fs::path& file) {
     try {
-        return read_search_state(text_of_file(file));
+        return read_search_state(text_of_file(file, kSearch));
     } catch (const std::runtime_error& error) {
         const std::string reason = error.what();
-        if (reason.starts_with(file.string())) throw;
+        if (reason.starts_with(printable(file.native()))) throw;
         throw std::runtime_error(fmt::format("{}: {}", file.string(), reason));
     }
 }
@@ -76,7 +77,7 @@ void check_nothing_is_lost(const fs::path& file) {
     if (!fs::exists(file)) return;
     const std::string name = file.string();
     try {
-        if (read_search_state(text_of_file(file)).finished) return;
+        if (read_search_state(text_of_file(file, kSearch)).finished) return;
     } catch (const std::runtime_error&) {
         throw std::runtime_error(fmt::format(
             "{}: is not a saved search, but one that is stopped would be saved there; rename or delete it",
@@ -297,23 +298,22 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->type_name("identity|any|RULE")
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
-                     "identity: so many tiles, distinct up to symmetry");
+                     "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
     add_number(command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
-               "identity: stop after so long, to go on later; any: search for so long. Which tile that finds "
-               "depends "
-               "on the machine's speed; --moves finds the same one everywhere");
+               "identity: stop after so many seconds, to go on later; any: search for so many. Which tile is "
+               "found then depends on the machine's speed; with --moves it is the same on all");
     command
         .add_option_function<std::string>(
             "--moves",
             [&options](const std::string& text) {
                 options.moves = count_in("--moves", text, 1'000'000'000'000'000);
             },
-            fmt::format("any: so many moves tried in each run, {} a point without it; half of them to choose "
-                        "the rule",
+            fmt::format("any: how many moves to try in each run, half of them to choose the rule; without "
+                        "it, {} a point",
                         kMovesPerPoint))
         ->type_name("N");
     add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},
-                     "any: independent runs, the best is kept; 0 for as many as there are cores to use");
+                     "any: how many independent runs, of which the best is kept; 0 for one on each core");
     add_seed(
         command, options.seed,
         "any: the same seed, moves and runs give the same tile; to make it again on another machine, give "
@@ -322,22 +322,21 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                      "Processor cores to use, 0 for all; with --runs given, the tiles are the same");
     const NumberRange weights{.least = 0, .most = 1000};
     add_number(command, "--tone", options.tone, weights, "W",
-               "any: how much an even tone counts; these three are relative to each other, 1 as usual");
+               "any: how much an even tone counts; this and the next two are relative to each other");
     add_number(command, "--pairs", options.pairs, weights, "W",
                "any: how much it counts that no two points lie close together");
     add_number(command, "--peaks", options.peaks, weights, "W",
                "any: how much it counts that pictures don't repeat, peaks of the spectrum being low");
     command
-        .add_option("--resume", options.resume, "identity: go on with a stopped search, and keep it there")
+        .add_option("--resume", options.resume,
+                    "identity: go on with a stopped search, which stays saved in that file")
         ->type_name("FILE");
     command.add_option("-o,--output", options.output, "Save the best tile, ranked by energy")
         ->type_name("FILE");
     command.footer(
-        "Ctrl+C, and closing the terminal, stops and keeps what was found. A search for identity is saved "
-        "as\n"
-        "dapple-search-POINTS.txt, or where it was resumed, once a minute and when it stops; what is left "
-        "of\n"
-        "another there is never replaced.\n\n"
+        "Ctrl+C or closing the terminal stops the search and keeps what was found. A search for identity "
+        "is\nsaved once a minute and when it stops, in dapple-search-POINTS.txt or the file it was resumed "
+        "from.\nA file that holds another search is left as it is.\n\n"
         "Examples:\n"
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"

@@ -1,4 +1,5 @@
 #pragma once
+// A mistyped command is told from the name of a picture.
 
 #include <CLI/CLI.hpp>
 #include <optional>

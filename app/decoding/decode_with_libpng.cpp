@@ -3,11 +3,15 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <vector>
 
 #include "app/decoding/decode.h"
+#include "app/decoding/exif_orientation.h"
+#include "app/decoding/png_calls.h"
 #include "app/decoding/stored_pixels.h"
-#include "app/files/png_calls.h"
 
 namespace dapple {
 namespace {
@@ -64,35 +68,11 @@ Encoding encoding_of(png_structp png, png_infop info) {
     return {Encoding::Kind::power, static_cast<float>(1 / gamma)};
 }
 
-// The orientation in an EXIF block: a TIFF's first directory, tag 274.
-int orientation_in(std::vector<unsigned char> exif) {
-    const bool little = exif.size() >= 8 && exif[0] == 'I' && exif[1] == 'I';
-    const bool big = exif.size() >= 8 && exif[0] == 'M' && exif[1] == 'M';
-    if (!little && !big) return 1;
-    const auto number = [&](std::size_t at, std::size_t bytes) {
-        std::size_t value = 0;
-        for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | exif[at + (little ? bytes - 1 - i : i)];
-        return value;
-    };
-    constexpr std::size_t kEntry = 12, kOrientation = 274;
-    const std::size_t directory = number(4, 4);
-    if (directory > exif.size() - 2) return 1;
-    const std::size_t entries = number(directory, 2);
-    for (std::size_t i = 0; i < entries; ++i) {
-        const std::size_t at = directory + 2 + i * kEntry;
-        if (at + kEntry > exif.size()) break;
-        if (number(at, 2) != kOrientation) continue;
-        const std::size_t value = number(at + 8, 2);
-        return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
-    }
-    return 1;
-}
-
 int orientation_of(png_structp png, png_infop info) {
 #ifdef PNG_eXIf_SUPPORTED
     png_uint_32 size = 0;
     png_bytep exif = nullptr;
-    if (png_get_eXIf_1(png, info, &size, &exif) && exif) return orientation_in({exif, exif + size});
+    if (png_get_eXIf_1(png, info, &size, &exif) && exif) return orientation_in({exif, size});
 #else
     (void)png, (void)info;
 #endif
@@ -144,19 +124,22 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
                       row_values = static_cast<std::size_t>(width) * channels;
     const std::size_t kept_rows = passes > 1 ? static_cast<std::size_t>(height) : 1;
     before_pixels(row_bytes * kept_rows + row_values * sizeof(float));
-    std::vector<unsigned char> kept(row_bytes * kept_rows);
+    // As calloc() gives it: no memory is taken for rows that never come.
+    const std::unique_ptr<unsigned char, decltype(&std::free)> kept(
+        static_cast<unsigned char*>(std::calloc(kept_rows, row_bytes)), &std::free);
+    if (!kept) throw std::bad_alloc();
     for (int pass = 0; pass + 1 < passes; ++pass) {
         reader.call(
             [&] {
                 for (std::size_t y = 0; y < kept_rows; ++y)
-                    png_read_row(png, kept.data() + y * row_bytes, nullptr);
+                    png_read_row(png, kept.get() + y * row_bytes, nullptr);
             },
             "the picture is damaged");
     }
     std::vector<float> values(row_values);
     std::vector<glm::vec3> colours(static_cast<std::size_t>(width));
     for (int y = 0; y < static_cast<int>(height); ++y) {
-        unsigned char* const row = kept.data() + (passes > 1 ? static_cast<std::size_t>(y) * row_bytes : 0);
+        unsigned char* const row = kept.get() + (passes > 1 ? static_cast<std::size_t>(y) * row_bytes : 0);
         reader.call([&] { png_read_row(png, row, nullptr); }, "the picture is damaged");
         if (y == 0) sink.begin(header);
         const auto* const wide_row = reinterpret_cast<const std::uint16_t*>(row);

@@ -15,14 +15,19 @@ namespace {
 
 constexpr int kBandRows = 64;
 
-// What a codec says, without its line ends and without the descriptor that it took for the file's name.
-std::string in_brackets(std::string message, const std::string& name) {
-    for (const std::string& part : {" (\"" + name + "\")", "\"" + name + "\"", name}) {
+// `what`, and in brackets what a codec says, without its line ends and without the descriptor that it took
+// for the file's name.
+DecodeError error_of(const std::string& what, std::string message, const std::string& name) {
+    // Some codecs catch it and say its name.
+    if (message.find("bad_alloc") != message.npos) return DecodeError(kTooMuchMemory);
+    for (const std::string& part :
+         {" (\"" + name + "\")", " \"" + name + "\"", "\"" + name + "\"", " " + name, name}) {
         for (std::size_t at; (at = message.find(part)) != message.npos;) message.erase(at, part.size());
     }
     if (const std::size_t end = message.find('\n'); end != message.npos) message.resize(end);
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
-    return message.empty() ? "" : " (" + message + ")";
+    message.erase(0, message.find_first_not_of(' '));
+    return DecodeError(message.empty() ? what : what + " (" + message + ")");
 }
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format) {
@@ -32,7 +37,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureF
     // Colours as stored: dividing 8-bit colours by alpha again would lose them.
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     if (!input->open(name, spec, wishes))
-        throw DecodeError("not a picture that can be read" + in_brackets(input->geterror(), name));
+        throw error_of("not a picture that can be read", input->geterror(), name);
     // Some files begin with a header that has no picture.
     int picture = 0;
     while (input->spec().width <= 0 || input->spec().height <= 0) {
@@ -147,7 +152,7 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
         const bool complete = read_rows(*input, spec, begin, end, band.data());
         // The JPEG reader goes on after a file ends too early, but says so.
         if (!complete || input->has_error())
-            throw DecodeError("the picture is damaged" + in_brackets(input->geterror(), name));
+            throw error_of("the picture is damaged", input->geterror(), name);
         if (begin == 0) sink.begin(header);
         for (int y = begin; y < end; ++y) {
             decoder.decode({band.data() + (y - begin) * row_values, row_values}, y, colours);

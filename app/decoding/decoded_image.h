@@ -33,12 +33,16 @@ class ImageSink {
 struct DecodeRequest {
     bool over_paper = true;                   // transparent parts show white; else alpha is left out
     std::int64_t most_pixels = kUsualPixels;  // larger ones are refused before they are read
+    /// A smaller picture will do whose longer side is at least so many pixels; it is refused if the whole one
+    /// is hardly larger. 0: the whole one, which every decoder but JPEG's own gives anyway.
+    int enough_side = 0;
 };
 
 /// Why a file is no picture: a sentence without the file's name.
 struct DecodeError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+inline constexpr const char* kTooMuchMemory = "needs more memory to decode than a picture of its size should";
 /// It has more pixels than asked for.
 struct TooManyPixels : DecodeError {
     using DecodeError::DecodeError;

@@ -7,7 +7,6 @@
 namespace dapple {
 namespace {
 
-constexpr rlim_t kHeaderBytes = rlim_t{512} << 20;
 constexpr rlim_t kHeaderSeconds = 20;
 constexpr rlim_t kBytesPerSecond = 1'000'000;  // slower than any format is decoded
 constexpr rlim_t kOpenFiles = 64;
@@ -24,6 +23,7 @@ void limit(decltype(RLIMIT_DATA) resource, rlim_t most) {
 void limit_decoder_memory(std::uint64_t pixel_bytes) {
     // The sanitizers' own memory is counted too, terabytes of it.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    constexpr rlim_t kHeaderBytes = rlim_t{512} << 20;
     limit(RLIMIT_DATA, kHeaderBytes + 2 * rlim_t{pixel_bytes});
 #else
     (void)pixel_bytes;

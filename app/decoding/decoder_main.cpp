@@ -1,28 +1,34 @@
 // A decoder: a program of its own, so that what a hostile file does to a library happens there.
 //
-//     dapple-decode READER MOST-PIXELS over-paper|as-is
+//     dapple-decode READER MOST-PIXELS over-paper|as-is ENOUGH-SIDE
 //
 // reads the file that is its descriptor 3, which is in the format of OpenImageIO's reader of that name, and
 // writes it into standard output as image_pipe.h says.
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "app/decoding/decode.h"
 #include "app/decoding/decoder_limits.h"
 #include "app/decoding/image_pipe.h"
+#include "core/text/numbers.h"
 
 int main(int argc, char** argv) {
     using namespace dapple;
     constexpr int kFile = 3, kUsage = 2;
-    const auto format = argc == 4 ? format_with_reader(argv[1]) : std::nullopt;
-    if (!format) return kUsage;
+    if (argc != 5) return kUsage;
+    const auto format = format_with_reader(argv[1]);
+    const auto most_pixels = number_of<long long>(argv[2]);
+    const auto enough_side = number_of<int>(argv[4]);
+    if (!format || !most_pixels || !enough_side) return kUsage;
     const DecodeRequest request{.over_paper = std::string_view(argv[3]) == "over-paper",
-                                .most_pixels = std::strtoll(argv[2], nullptr, 10)};
+                                .most_pixels = *most_pixels,
+                                .enough_side = *enough_side};
     limit_decoder();
     ImagePipe pipe(STDOUT_FILENO);
     try {
@@ -31,10 +37,14 @@ int main(int argc, char** argv) {
             pipe.finish();
         } catch (const TooManyPixels& error) {
             pipe.fail(error.what(), true);
-        } catch (const std::bad_alloc&) {
-            pipe.fail("needs more memory to decode than a picture of its size should", false);
-        } catch (const std::exception& error) {
+        } catch (const DecodeError& error) {
             pipe.fail(error.what(), false);
+        } catch (const std::bad_alloc&) {
+            pipe.fail(kTooMuchMemory, false);
+        } catch (const std::length_error&) {
+            pipe.fail(kTooMuchMemory, false);
+        } catch (const std::exception& error) {  // of a library
+            pipe.fail(std::string("the picture is damaged (") + error.what() + ")", false);
         }
     } catch (const std::exception&) {
         // Whoever asked for the picture has gone.

@@ -9,14 +9,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <system_error>
 
 #include "app/decoding/image_pipe.h"
-#include "app/files/descriptor.h"
+#include "app/decoding/kept_input.h"
+#include "app/descriptor.h"
 
 extern char** environ;
 
@@ -25,35 +25,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kPictureFile = 3;  // where the decoder finds it
+
 std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-// What comes through a pipe is written down first: formats are told by their beginning and read from it
-// again.
-Descriptor spooled(const Descriptor& from) {
-    std::FILE* const file = std::tmpfile();
-    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
-    Descriptor copy(::fcntl(::fileno(file), F_DUPFD_CLOEXEC, 3));
-    std::fclose(file);
-    std::array<char, 1 << 16> buffer;
-    for (;;) {
-        const ssize_t got = ::read(from.get(), buffer.data(), buffer.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw DecodeError("cannot be read: " + reason(errno));
-        if (got == 0) return copy;
-        if (::write(copy.get(), buffer.data(), static_cast<std::size_t>(got)) != got)
-            throw DecodeError("cannot be kept while it is read: " + reason(errno));
-    }
+void wait_at_reading(const Descriptor& file) {
+    ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) & ~O_NONBLOCK);
 }
 
-Descriptor open_file(const fs::path& path) {
-    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+Descriptor open_file(const fs::path& path, const std::stop_token& stop = {}) {
+    // A pipe that nobody writes to yet is opened at once: waiting for that could not be stopped.
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (!file) throw DecodeError(errno == ENOENT ? "no such file" : "cannot be read: " + reason(errno));
     struct stat status {};
     ::fstat(file.get(), &status);
     if (S_ISDIR(status.st_mode)) throw DecodeError("is a folder, not a picture");
-    if (!S_ISREG(status.st_mode)) file = spooled(file);
+    if (S_ISREG(status.st_mode))
+        wait_at_reading(file);
+    else
+        file = kept_input(file.get(), stop);
     ::fstat(file.get(), &status);
     if (status.st_size == 0) throw DecodeError("the file is empty");
     return file;
@@ -63,11 +55,17 @@ PictureFormat format_in(const Descriptor& file) {
     std::array<unsigned char, kFormatBytes> beginning;
     const ssize_t got = ::pread(file.get(), beginning.data(), beginning.size(), 0);
     if (got < 0) throw DecodeError("cannot be read: " + reason(errno));
-    const auto format = format_of({beginning.data(), static_cast<std::size_t>(got)});
-    if (!format)
-        throw DecodeError("not a picture that can be read; it would have to be " + picture_formats());
+    const PictureFormat format = format_or_refusal({beginning.data(), static_cast<std::size_t>(got)});
     ::lseek(file.get(), 0, SEEK_SET);
-    return *format;
+    return format;
+}
+
+// Above the numbers that the decoder knows files by: a descriptor given as itself would be closed.
+Descriptor above(const Descriptor& file) {
+    Descriptor copy(::fcntl(file.get(), F_DUPFD_CLOEXEC, kPictureFile + 1));
+    // EINVAL: no such number is allowed.
+    if (!copy) throw DecodeError("cannot be read: " + reason(errno == EINVAL ? EMFILE : errno));
+    return copy;
 }
 
 class Actions {
@@ -95,18 +93,19 @@ class Process {
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw DecodeError("cannot be read: " + reason(errno));
         output_ = Descriptor(ends[0]);
         Descriptor input(ends[1]);
-        // Above the numbers that the decoder knows them by: a descriptor given as itself would be closed.
-        input = Descriptor(::fcntl(input.get(), F_DUPFD_CLOEXEC, 10));
-        const Descriptor given(::fcntl(file.get(), F_DUPFD_CLOEXEC, 10));
+        input = above(input);
+        const Descriptor given = above(file);
         Actions actions;
         actions.open(STDIN_FILENO, "/dev/null", O_RDONLY);
         // Libraries print there what they find wrong with a file, and it comes as a sentence too.
         actions.open(STDERR_FILENO, "/dev/null", O_WRONLY);
         actions.give(input, STDOUT_FILENO);
-        actions.give(given, 3);
+        actions.give(given, kPictureFile);
         std::string name = program.string(), format = reader, most = std::to_string(request.most_pixels),
-                    over = request.over_paper ? "over-paper" : "as-is";
-        std::array<char*, 5> arguments{name.data(), format.data(), most.data(), over.data(), nullptr};
+                    over = request.over_paper ? "over-paper" : "as-is",
+                    side = std::to_string(request.enough_side);
+        std::array<char*, 6> arguments{name.data(), format.data(), most.data(),
+                                       over.data(), side.data(),   nullptr};
         const int error =
             ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
         if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
@@ -115,11 +114,14 @@ class Process {
     Process& operator=(const Process&) = delete;
     ~Process() {
         if (id_ <= 0) return;
-        ::kill(id_, SIGKILL);
+        end();
         wait();
     }
 
     int output() const { return output_.get(); }
+
+    /// Its pipe ends soon after.
+    void end() const { ::kill(id_, SIGKILL); }
 
     /// Its status, as waitpid() tells it.
     int wait() {
@@ -145,14 +147,20 @@ class Process {
         throw DecodeError(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
                           ")");
     }
+    constexpr int kNotLoaded = 127;  // by the system
+    if (WEXITSTATUS(status) == kNotLoaded)
+        throw DecodeError(
+            "cannot be read: the system does not load its decoder; too little memory or too few open files "
+            "may be allowed here, or a library is missing");
     throw DecodeError("cannot be read: its decoder ended without a word (exit " +
                       std::to_string(WEXITSTATUS(status)) + ")");
 }
 
 }  // namespace
 
-fs::path decoder_for(PictureFormat format) {
-    const char* const name = format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode";
+namespace {
+
+fs::path decoder_named(const char* name) {
 #if defined(DAPPLE_LINUX)
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -169,20 +177,41 @@ fs::path decoder_for(PictureFormat format) {
                       places.front().string() + "; install or build dapple again");
 }
 
-namespace {
-
 void decode_open(const Descriptor& file, PictureFormat format, const fs::path& decoder,
-                 const DecodeRequest& request, ImageSink& sink) {
+                 const DecodeRequest& request, ImageSink& sink, const std::stop_token& stop = {}) {
     Process process(decoder, std::string(reader_of(format)).c_str(), request, file);
-    if (!receive_image(process.output(), request, sink)) fail_by(process.wait());
+    bool complete = false;
+    {
+        // Gone before the process is waited for: its number may then be another's.
+        const std::stop_callback ending(stop, [&process] { process.end(); });
+        complete = receive_image(process.output(), request, sink);
+    }
+    if (complete) return;
+    if (stop.stop_requested()) throw DecodeError("was not read to its end: it was stopped");
+    fail_by(process.wait());
 }
 
 }  // namespace
 
-void decode_file(const fs::path& path, const DecodeRequest& request, ImageSink& sink) {
+fs::path decoder_for(PictureFormat format) {
+    return decoder_named(format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode");
+}
+
+void decode_file(const fs::path& path, const DecodeRequest& request, ImageSink& sink, std::stop_token stop) {
+    const Descriptor file = open_file(path, stop);
+    const PictureFormat format = format_in(file);
+    decode_open(file, format, decoder_for(format), request, sink, stop);
+}
+
+void decode_file_smaller(const fs::path& path, const DecodeRequest& request, ImageSink& sink,
+                         std::stop_token stop) {
+    std::error_code ignored;
+    // What comes through a pipe can be read once only.
+    if (!fs::is_regular_file(path, ignored)) throw DecodeError("is not a file");
     const Descriptor file = open_file(path);
     const PictureFormat format = format_in(file);
-    decode_open(file, format, decoder_for(format), request, sink);
+    if (format != PictureFormat::jpeg) throw DecodeError("is read as a whole only");
+    decode_open(file, format, decoder_named("dapple-decode-jpeg"), request, sink, stop);
 }
 
 void decode_file_by(const fs::path& decoder, const fs::path& path, const DecodeRequest& request,

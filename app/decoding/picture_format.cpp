@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/decoding/decoded_image.h"
+
 namespace dapple {
 namespace {
 
@@ -112,6 +114,11 @@ std::string_view reader_of(PictureFormat format) {
 std::optional<PictureFormat> format_with_reader(std::string_view reader) {
     const auto found = std::ranges::find(kFormats, reader, &Named::reader);
     return found == kFormats.end() ? std::nullopt : std::optional(found->format);
+}
+
+PictureFormat format_or_refusal(std::span<const unsigned char> beginning) {
+    if (const auto format = format_of(beginning)) return *format;
+    throw DecodeError("not a picture that can be read; it would have to be " + picture_formats());
 }
 
 std::string picture_formats() {

@@ -31,6 +31,8 @@ inline constexpr std::size_t kFormatBytes = 32;
 
 /// From the first kFormatBytes of a file, or all where it is shorter. Nothing: none of these formats.
 std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning);
+/// The same; throws DecodeError where it is none of them.
+PictureFormat format_or_refusal(std::span<const unsigned char> beginning);
 
 /// What OpenImageIO calls its reader: "png", "openexr".
 std::string_view reader_of(PictureFormat format);

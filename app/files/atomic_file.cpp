@@ -6,14 +6,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
-#include "app/files/descriptor.h"
+#include "app/descriptor.h"
 #include "app/files/part_file.h"
 #include "app/signals.h"
 
@@ -114,9 +116,23 @@ void write_through(int descriptor, const fs::path& target, GoingBack back,
     out.flush();
 }
 
+// Waiting for the one who reads a pipe may take for ever, and nobody could stop it.
+Descriptor open_for_reader(const fs::path& target) {
+    constexpr std::chrono::milliseconds kBetweenLooks(20), kPatience(5000);
+    const auto begin = std::chrono::steady_clock::now();
+    Descriptor file;
+    while (!(file = Descriptor(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)))) {
+        if (errno != ENXIO) fail_to_write(target, errno);
+        if (std::chrono::steady_clock::now() - begin > kPatience)
+            fail(target, "cannot be written: it is a pipe, and no program reads from it");
+        std::this_thread::sleep_for(kBetweenLooks);
+    }
+    ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) & ~O_NONBLOCK);
+    return file;
+}
+
 void write_directly(const fs::path& target, const std::function<void(std::ostream&)>& write) {
-    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file) fail_to_write(target, errno);
+    Descriptor file = open_for_reader(target);
     write_through(file.get(), target, GoingBack::impossible, write);
     if (file.close() != 0) fail_to_write(target, errno);
 }

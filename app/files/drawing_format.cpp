@@ -1,6 +1,7 @@
 #include "app/files/drawing_format.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 #include <vector>

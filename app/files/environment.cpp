@@ -25,10 +25,10 @@ class RadianceSink : public ImageSink {
 
 }  // namespace
 
-EnvironmentMap read_environment(const std::filesystem::path& path) {
+EnvironmentMap read_environment(const std::filesystem::path& path, const std::stop_token& stop) {
     RadianceSink sink;
     try {
-        decode_file(path, {.over_paper = false}, sink);
+        decode_file(path, {.over_paper = false}, sink, stop);
         return EnvironmentMap(std::move(sink.radiance));
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/files/descriptor.h"
+#include "app/descriptor.h"
 #include "app/signals.h"
 
 namespace dapple {

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "app/shown_text.h"
@@ -23,20 +24,20 @@ constexpr double kMicrometresPerMm = 1000;
 constexpr double kBytesADot = 9.5;         // in a file, about
 constexpr double kShareOfGathering = 0.2;  // of the time, before the library begins to write
 
-// A page that the library makes and writes into a stream. What the stream throws is kept while the C library
+// Pages that the library makes and writes into a stream. What the stream throws is kept while the C library
 // is in between.
-class PdfPage {
+class PdfPages {
  public:
-    PdfPage(std::ostream& out, double width_pt, double height_pt, std::uint64_t dots,
-            const WritingProgress& progress)
+    PdfPages(std::ostream& out, double width_pt, double height_pt, std::uint64_t dots,
+             const WritingProgress& progress)
         : out_(out),
           progress_(progress),
           bytes_expected_(static_cast<double>(dots) * kBytesADot + 1),
-          surface_(cairo_pdf_surface_create_for_stream(&PdfPage::write, this, width_pt, height_pt)),
+          surface_(cairo_pdf_surface_create_for_stream(&PdfPages::write, this, width_pt, height_pt)),
           context_(cairo_create(surface_)) {}
-    PdfPage(const PdfPage&) = delete;
-    PdfPage& operator=(const PdfPage&) = delete;
-    ~PdfPage() {
+    PdfPages(const PdfPages&) = delete;
+    PdfPages& operator=(const PdfPages&) = delete;
+    ~PdfPages() {
         dropped_ = true;
         cairo_destroy(context_);
         cairo_surface_destroy(surface_);
@@ -44,6 +45,9 @@ class PdfPage {
 
     cairo_surface_t* surface() const { return surface_; }
     cairo_t* context() const { return context_; }
+
+    // How much of the dots was gathered before the library begins to write.
+    void gathered(double share) { report(kShareOfGathering * share); }
 
     void finish() {
         cairo_show_page(context_);
@@ -59,15 +63,14 @@ class PdfPage {
 
  private:
     static cairo_status_t write(void* self, const unsigned char* bytes, unsigned size) {
-        return static_cast<PdfPage*>(self)->put(reinterpret_cast<const char*>(bytes), size);
+        return static_cast<PdfPages*>(self)->put(reinterpret_cast<const char*>(bytes), size);
     }
     cairo_status_t put(const char* bytes, unsigned size) {
         if (dropped_ || thrown_) return CAIRO_STATUS_WRITE_ERROR;
         try {
             out_.write(bytes, static_cast<std::streamsize>(size));
             bytes_ += size;
-            const double share = std::min(bytes_ / bytes_expected_, 1.0);
-            if (progress_) progress_(kShareOfGathering + (1 - kShareOfGathering) * share);
+            report(kShareOfGathering + (1 - kShareOfGathering) * std::min(bytes_ / bytes_expected_, 1.0));
             return CAIRO_STATUS_SUCCESS;
         } catch (...) {
             thrown_ = std::current_exception();
@@ -75,9 +78,15 @@ class PdfPage {
         }
     }
 
+    // It gathers a page while it has written others.
+    void report(double share) {
+        share_ = std::max(share_, share);
+        if (progress_) progress_(share_);
+    }
+
     std::ostream& out_;
     const WritingProgress& progress_;
-    double bytes_expected_, bytes_ = 0;
+    double bytes_expected_, bytes_ = 0, share_ = 0;
     bool dropped_ = false;
     std::exception_ptr thrown_;
     cairo_surface_t* surface_;
@@ -122,6 +131,15 @@ class PdfDots {
     std::size_t count_ = 0;
 };
 
+void draw_marks(cairo_t* context, std::span<const CutMark> marks, double width_mm) {
+    cairo_set_line_width(context, width_mm * kPointsPerMm);
+    for (const CutMark& mark : marks) {
+        cairo_move_to(context, mark.from.x * kPointsPerMm, mark.from.y * kPointsPerMm);
+        cairo_line_to(context, mark.to.x * kPointsPerMm, mark.to.y * kPointsPerMm);
+        cairo_stroke(context);
+    }
+}
+
 }  // namespace
 
 void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
@@ -141,10 +159,14 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
     }
 }
 
-void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
-               const WritingProgress& progress) {
-    check_fits_pdf(page, dots.count);
-    PdfPage pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots.count, progress);
+namespace {
+
+// The page, with what draw(pdf, progress of gathering) puts on it.
+template <class Draw>
+void write_page(std::ostream& out, std::uint64_t dots, const PageSize& page, const PdfStyle& style,
+                const WritingProgress& progress, const Draw& draw) {
+    check_fits_pdf(page, dots);
+    PdfPages pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots, progress);
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_TITLE, style.title.c_str());
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATOR, "Dapple");
     // The library writes the time of day unless it is told one, and the same drawing is to be the same file.
@@ -154,22 +176,29 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
         cairo_paint(pdf.context());
     }
     set_colour(pdf.context(), style.ink);
-    PdfDots drawn(pdf.context());
-    const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
-    WritingProgress gathering;
-    if (progress) gathering = [&](double share) { progress(kShareOfGathering * share); };
-    DotsReport report(dots.count, gathering);
-    dots.for_each_piece([&](const Dots& piece) {
-        for (std::size_t i = 0; i < piece.size(); ++i) {
-            report.next();
-            const double radius_mm =
-                piece.radius.empty() ? style.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
-            drawn.add(glm::dvec2(piece.x[i], piece.y[i]) * pt_per_unit, radius_mm);
-        }
-        return true;
-    });
-    drawn.draw();
+    draw(pdf, [&](double share) { pdf.gathered(share); });
     pdf.finish();
+}
+
+}  // namespace
+
+void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
+               const WritingProgress& progress) {
+    write_page(out, dots.count, page, style, progress, [&](PdfPages& pdf, const WritingProgress& gathering) {
+        PdfDots drawn(pdf.context());
+        const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
+        DotsReport report(dots.count, gathering);
+        dots.for_each_piece([&](const Dots& piece) {
+            for (std::size_t i = 0; i < piece.size(); ++i) {
+                report.next();
+                const double radius_mm =
+                    piece.radius.empty() ? style.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
+                drawn.add(glm::dvec2(piece.x[i], piece.y[i]) * pt_per_unit, radius_mm);
+            }
+            return true;
+        });
+        drawn.draw();
+    });
 }
 
 }  // namespace dapple

@@ -4,10 +4,12 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "core/image/colour.h"
 #include "core/output/progress.h"
+#include "core/output/sheet.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 
@@ -21,8 +23,8 @@ inline constexpr std::uint64_t kMostPdfDots = 20'000'000;
 struct PdfStyle {
     double dot_radius_mm = 0;  // where dots have none of their own; rounded to 0.001 mm, which is the least
     glm::vec3 ink = kBlack;
-    std::optional<glm::vec3> background;  // a rectangle under everything
-    std::string title = {};               // UTF-8
+    std::optional<glm::vec3> background;      // a rectangle under everything
+    std::string title = {};                   // UTF-8
 };
 
 /// Throws std::runtime_error if a PDF cannot have such a page, or so many dots.

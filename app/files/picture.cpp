@@ -29,16 +29,26 @@ class PictureSink : public ImageSink {
 
 }  // namespace
 
-Picture read_picture(const std::filesystem::path& path, PictureLimit limit) {
+Picture read_picture(const std::filesystem::path& path, PictureLimit limit, std::stop_token stop) {
     PictureSink sink;
     const auto most = limit == PictureLimit::usual ? kUsualPixels : kAnyPixels;
     try {
-        decode_file(path, {.over_paper = true, .most_pixels = most}, sink);
+        decode_file(path, {.over_paper = true, .most_pixels = most}, sink, stop);
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; --huge reads it all the same");
     } catch (const DecodeError& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
+    }
+    return sink.finish();
+}
+
+std::optional<Picture> read_first_look(const std::filesystem::path& path, std::stop_token stop) {
+    PictureSink sink;
+    try {
+        decode_file_smaller(path, {.over_paper = true, .enough_side = kFirstLookSide}, sink, stop);
+    } catch (const DecodeError&) {
+        return std::nullopt;
     }
     return sink.finish();
 }

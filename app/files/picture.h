@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <glm/gtc/type_precision.hpp>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -35,8 +37,15 @@ enum class PictureLimit {
 /// time.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
-/// damaged, too large, or has pixels that are NaN or infinite.
-Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual);
+/// damaged, too large, has pixels that are NaN or infinite, or reading was stopped.
+Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
+                     std::stop_token stop = {});
+
+/// A first look at a large JPEG, in a fraction of the time: smaller, its longer side kFirstLookSide pixels or
+/// up to twice as many, and described as the whole is. Nothing of a picture that is small or of another kind,
+/// or cannot be read: read_picture() says why.
+std::optional<Picture> read_first_look(const std::filesystem::path& path, std::stop_token stop = {});
+inline constexpr int kFirstLookSide = 800;
 
 /// A PNG in memory, such as the built-in sample. Throws std::runtime_error if it is none.
 Picture decode_png(std::string_view bytes);

@@ -1,10 +1,11 @@
 #include "app/files/png_file.h"
 
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <stdexcept>
 
-#include "app/files/png_calls.h"
+#include "app/decoding/png_calls.h"
 
 namespace dapple {
 namespace {
@@ -59,10 +60,36 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-}  // namespace
+// Rows of the file from rows of pixels. PNG has the high byte of 16 bits first.
+template <class Channel>
+class PngRows {
+ public:
+    PngRows(int width, bool grey)
+        : grey_(grey), bytes_(static_cast<std::size_t>(width) * (grey ? 1 : 3) * sizeof(Channel)) {}
 
-void write_png(std::ostream& out, const PngHeader& header,
-               const std::function<void(const PixelSink&)>& draw) {
+    const png_byte* row(const glm::vec<3, Channel>* colours) {
+        if constexpr (sizeof(Channel) == 1)
+            if (!grey_) return &colours->x;
+        png_byte* to = bytes_.data();
+        for (const glm::vec<3, Channel>* colour = colours; to != bytes_.data() + bytes_.size(); ++colour) {
+            for (int i = 0; i < (grey_ ? 1 : 3); ++i) {
+                const Channel value = (*colour)[i];
+                if constexpr (sizeof(Channel) == 2) *to++ = static_cast<png_byte>(value >> 8);
+                *to++ = static_cast<png_byte>(value & 0xff);
+            }
+        }
+        return bytes_.data();
+    }
+
+ private:
+    bool grey_;
+    std::vector<png_byte> bytes_;
+};
+
+template <class Channel>
+void write_pixels_as_png(
+    std::ostream& out, const PngHeader& header,
+    const std::function<void(const std::function<void(const Grid<glm::vec<3, Channel>>&)>&)>& draw) {
     PngWriter file(out);
     png_structp const png = file.png();
     png_infop const info = file.info();
@@ -73,8 +100,9 @@ void write_png(std::ostream& out, const PngHeader& header,
     file.call([&] {
         // libpng's own limit is a million.
         png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-        png_set_IHDR(png, info, width, height, 8, grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
-                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_IHDR(png, info, width, height, 8 * sizeof(Channel),
+                     grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
         if (!header.settings.empty()) {
@@ -90,16 +118,26 @@ void write_png(std::ostream& out, const PngHeader& header,
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
         png_write_info(png, info);
     });
-    std::vector<png_byte> greys(grey ? static_cast<std::size_t>(header.width) : 0);
-    draw([&](const Grid<glm::u8vec3>& band) {
+    PngRows<Channel> rows(header.width, grey);
+    draw([&](const Grid<glm::vec<3, Channel>>& band) {
         for (int y = 0; y < band.height; ++y) {
-            const glm::u8vec3* const colours = band.row(y);
-            for (std::size_t x = 0; x < greys.size(); ++x) greys[x] = colours[x].x;
-            const png_byte* const row = grey ? greys.data() : &colours->x;
+            const png_byte* const row = rows.row(band.row(y));
             file.call([&] { png_write_row(png, row); });
         }
     });
     file.call([&] { png_write_end(png, nullptr); });
+}
+
+}  // namespace
+
+void write_png(std::ostream& out, const PngHeader& header,
+               const std::function<void(const PixelSink&)>& draw) {
+    write_pixels_as_png<std::uint8_t>(out, header, draw);
+}
+
+void write_png_16(std::ostream& out, const PngHeader& header,
+                  const std::function<void(const PixelSink16&)>& draw) {
+    write_pixels_as_png<std::uint16_t>(out, header, draw);
 }
 
 }  // namespace dapple

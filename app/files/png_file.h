@@ -30,4 +30,10 @@ using PixelSink = std::function<void(const Grid<glm::u8vec3>& band)>;
 /// too large for PNG; what `draw` or the stream throw passes through.
 void write_png(std::ostream& out, const PngHeader& header, const std::function<void(const PixelSink&)>& draw);
 
+using PixelSink16 = std::function<void(const Grid<glm::u16vec3>& band)>;
+
+/// The same with 16 bits a channel.
+void write_png_16(std::ostream& out, const PngHeader& header,
+                  const std::function<void(const PixelSink16&)>& draw);
+
 }  // namespace dapple

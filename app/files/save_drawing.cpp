@@ -13,7 +13,6 @@
 #include "core/output/dots_json.h"
 #include "core/output/dxf.h"
 #include "core/output/hpgl.h"
-#include "core/output/progress.h"
 #include "core/output/raster.h"
 #include "core/output/svg.h"
 
@@ -27,65 +26,22 @@ bool is_grey(glm::vec3 colour) {
 // Thrown from within a writer to leave it.
 struct Stopped {};
 
-using WriteImage = void (*)(std::ostream& out, const PngHeader& header,
-                            const std::function<void(const PixelSink&)>& draw);
-
-void write_pixels(std::ostream& out, WriteImage write_image, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const WritingProgress& progress) {
+// By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
+void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
+                  const WritingProgress& progress, const auto& write_image, const auto& colours) {
     const RasterSize size = raster_size(drawing.page, drawing.dpi);
     const RasterRequest request{
         .dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi, .threads = settings.placing.threads};
     const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
     const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb,
                            drawing.settings};
-    write_image(out, header, [&](const PixelSink& pixels) {
-        rasterise(drawing.dots, drawing.page, request, [&](int first_row, const Grid<float>& coverage) {
-            progress(static_cast<double>(first_row) / size.height);
-            pixels(ink_on_paper(coverage, settings.ink, settings.paper));
-        });
+    write_image(header, [&](const auto& pixels) {
+        const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
+            if (progress) progress(static_cast<double>(first_row) / size.height);
+            pixels(colours(coverage, settings.ink, settings.paper));
+        };
+        rasterise(drawing.dots, drawing.page, request, sink);
     });
-}
-
-// Into the stream; the dots in their final order.
-void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                   const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
-    const double radius = drawing.dot_radius_mm;
-    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size};
-    std::optional<glm::vec3> background;
-    if (settings.background) background = settings.paper;
-    switch (format) {
-        case DrawingFormat::svg:
-            return write_svg(out, drawing.dots, drawing.page,
-                             {.dot_radius_mm = radius,
-                              .ink = settings.ink,
-                              .background = background,
-                              .tiles = drawing.tiles,
-                              .picture = drawing.picture,
-                              .settings = drawing.settings},
-                             progress);
-        case DrawingFormat::pdf:
-            return write_pdf(
-                out, drawing.dots, drawing.page,
-                {.dot_radius_mm = radius, .ink = settings.ink, .background = background, .title = title},
-                progress);
-        case DrawingFormat::png:
-            return write_pixels(out, &write_png, settings, drawing, progress);
-        case DrawingFormat::tiff:
-            return write_pixels(out, &write_tiff, settings, drawing, progress);
-        case DrawingFormat::gcode: {
-            GcodeStyle style = drawing.gcode;
-            style.dot_radius_mm = radius;
-            return write_gcode(out, drawing.dots, drawing.page, style, progress);
-        }
-        case DrawingFormat::hpgl:
-            return write_hpgl(out, drawing.dots, drawing.page, progress);
-        case DrawingFormat::dxf:
-            return write_dxf(out, drawing.dots, drawing.page, radius, progress);
-        case DrawingFormat::csv:
-            return write_csv(out, drawing.dots, drawing.page, columns, progress);
-        case DrawingFormat::json:
-            return write_dots_json(out, drawing.dots, drawing.page, columns, progress);
-    }
 }
 
 }  // namespace
@@ -93,6 +49,10 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
     if (!is_plotted(format) || dots > kMostSortedDots) return DotOrder::recursion;
     return dots <= kMostRoutedDots ? DotOrder::shortest : DotOrder::space;
+}
+
+bool has_order(DrawingFormat format) {
+    return !has_pixels(format);
 }
 
 Machine usual_machine(DrawingFormat format, GcodeTool tool) {
@@ -110,6 +70,59 @@ Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& wa
     sort_dots(all, order);
     if (order == DotOrder::shortest) shorten_way(all, watch);
     return all;
+}
+
+void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
+                   const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
+    const double radius = drawing.dot_radius_mm;
+    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size};
+    std::optional<glm::vec3> background;
+    if (settings.background) background = settings.paper;
+    const PageSize& page = drawing.page;
+    const auto pixels = [&](const auto& write_image, const auto& colours) {
+        write_pixels(settings, drawing, progress, write_image, colours);
+    };
+    const auto in_8_bits = [](const auto&... layers) { return ink_on_paper<std::uint8_t>(layers...); };
+    const auto in_16_bits = [](const auto&... layers) { return ink_on_paper<std::uint16_t>(layers...); };
+    switch (format) {
+        case DrawingFormat::svg: {
+            const SvgStyle style{.dot_radius_mm = radius,
+                                 .ink = settings.ink,
+                                 .background = background,
+                                 .tiles = drawing.tiles,
+                                 .picture = drawing.picture,
+                                 .settings = drawing.settings};
+            return write_svg(out, drawing.dots, page, style, progress);
+        }
+        case DrawingFormat::pdf: {
+            const PdfStyle style{.dot_radius_mm = radius,
+                                 .ink = settings.ink,
+                                 .background = background,
+                                 .title = title};
+            return write_pdf(out, drawing.dots, page, style, progress);
+        }
+        case DrawingFormat::png:
+            if (drawing.bits == 16)
+                return pixels([&](const auto&... image) { write_png_16(out, image...); }, in_16_bits);
+            return pixels([&](const auto&... image) { write_png(out, image...); }, in_8_bits);
+        case DrawingFormat::tiff:
+            if (drawing.bits == 16)
+                return pixels([&](const auto&... image) { write_tiff_16(out, image...); }, in_16_bits);
+            return pixels([&](const auto&... image) { write_tiff(out, image...); }, in_8_bits);
+        case DrawingFormat::gcode: {
+            GcodeStyle style = drawing.gcode;
+            style.dot_radius_mm = radius;
+            return write_gcode(out, drawing.dots, page, style, progress);
+        }
+        case DrawingFormat::hpgl:
+            return write_hpgl(out, drawing.dots, page, progress);
+        case DrawingFormat::dxf:
+            return write_dxf(out, drawing.dots, page, radius, progress);
+        case DrawingFormat::csv:
+            return write_csv(out, drawing.dots, page, columns, progress);
+        case DrawingFormat::json:
+            return write_dots_json(out, drawing.dots, page, columns, progress);
+    }
 }
 
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,

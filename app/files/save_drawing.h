@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -13,6 +14,8 @@
 #include "app/files/drawing_format.h"
 #include "core/image/rectangle.h"
 #include "core/output/gcode.h"
+#include "core/output/progress.h"
+#include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
@@ -30,6 +33,9 @@ inline constexpr std::uint64_t kMostRoutedDots = 50'000;
 /// to kMostSortedDots; else as placed.
 DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
 
+/// Whether the order of the dots shows in such a file.
+bool has_order(DrawingFormat format);
+
 /// The machine that such a file is most often for.
 Machine usual_machine(DrawingFormat format, GcodeTool tool);
 
@@ -40,11 +46,12 @@ Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& wa
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
-    double dot_radius_mm = 0;                // of all, or of the largest where they have radii of their own
-    std::span<const PlacedTile> tiles = {};  // outlines, for SVG; none, no layer
+    double dot_radius_mm = 0;                 // of all, or of the largest where they have radii of their own
+    std::span<const PlacedTile> tiles = {};   // outlines, for SVG; none, no layer
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
     double dpi = 300;                               // of pixels
+    int bits = 8;                                   // a channel of them: 8 or 16
     std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
     GcodeStyle gcode = {};               // its radius is the one above
     std::optional<DrawingFormat> format = {};  // none: what the name's ending says
@@ -59,6 +66,15 @@ struct SavingWatch {
 
 /// What stands for the standard input and the standard output in place of a file's name.
 inline constexpr const char* kStandardStream = "-";
+inline bool is_standard_stream(const std::filesystem::path& path) {
+    return path == kStandardStream;
+}
+
+/// Into the stream, the dots in the order they come in. A PDF has that title. A TIFF is written by going back
+/// in the stream. Throws if the format cannot hold such a drawing.
+void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
+                   const DrawingToSave& drawing, const std::string& title,
+                   const WritingProgress& progress = {});
 
 /// Writes what the format or the name's ending says; to the standard output if the name is kStandardStream,
 /// which needs a format and takes no TIFF. Returns false if stopped. Throws what drawing_format() and

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <vector>
 
+#include "app/decoding/decoded_image.h"
+#include "app/decoding/kept_input.h"
 #include "app/files/part_file.h"
 #include "app/shown_text.h"
 
@@ -27,26 +27,12 @@ std::string words_of(int error) {
     return std::generic_category().message(error);
 }
 
-void write_whole(int descriptor, const char* bytes, std::size_t size, const fs::path& folder) {
-    while (size > 0) {
-        const ssize_t written = ::write(descriptor, bytes, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0)
-            fail_input(fmt::format("cannot be kept in {}: {}", folder.string(), words_of(errno)));
-        bytes += written;
-        size -= static_cast<std::size_t>(written);
-    }
-}
-
-void copy_standard_input(int descriptor, const fs::path& folder) {
+void copy_standard_input(int descriptor) {
     if (::isatty(STDIN_FILENO)) fail_input("is a terminal; send a picture to it, as in < cat.jpg");
-    std::vector<char> buffer(std::size_t{1} << 18);
-    for (;;) {
-        const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail_input(fmt::format("cannot be read: {}", words_of(errno)));
-        if (count == 0) return;
-        write_whole(descriptor, buffer.data(), static_cast<std::size_t>(count), folder);
+    try {
+        keep_input(STDIN_FILENO, descriptor);
+    } catch (const DecodeError& error) {
+        fail_input(error.what());
     }
 }
 
@@ -61,11 +47,9 @@ std::optional<PartFile> part_in(const fs::path& folder) {
 }  // namespace
 
 Picture read_picture_from_standard_input(PictureLimit limit) {
-    std::error_code error;
-    fs::path folder = fs::temp_directory_path(error);
-    if (error) folder = "/tmp";
+    const fs::path folder = temporary_folder();
     const std::optional<PartFile> copy = part_in(folder);
-    copy_standard_input(copy->descriptor(), folder);
+    copy_standard_input(copy->descriptor());
     try {
         return read_picture(copy->path(), limit);
     } catch (const std::runtime_error& failure) {

@@ -1,12 +1,25 @@
 #pragma once
-// A whole file as it is.
+// A whole file of text as it is.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace dapple {
 
-/// Throws std::runtime_error with one sentence if the file is missing, a folder, or cannot be read.
-std::string text_of_file(const std::filesystem::path& file);
+/// What is expected of a file.
+struct TextKind {
+    const char* what = "table";  // "a tile": in "..., as no tile is"
+    std::uintmax_t most_bytes = 2'000'000'000;
+    /// Pipes and devices too, which may have one wait for whoever writes into them: where a person names what
+    /// is to be read, as by a shell's <(...). Else nothing is waited for.
+    bool may_wait = false;
+    /// Only so many bytes are wanted, whatever they are, of a file of any size.
+    bool beginning = false;
+};
+
+/// Throws std::runtime_error with one sentence if the file is missing, a folder, larger, no text, or cannot
+/// be read.
+std::string text_of_file(const std::filesystem::path& file, const TextKind& kind);
 
 }  // namespace dapple

@@ -110,7 +110,8 @@ class TiffWriter {
     void set(std::uint32_t tag, Value... value) {
         stream_.check(TIFFSetField(tiff_, tag, value...));
     }
-    void row(std::vector<std::uint8_t>& samples, std::uint32_t y) {
+    template <class Channel>
+    void row(std::vector<Channel>& samples, std::uint32_t y) {
         stream_.check(TIFFWriteScanline(tiff_, samples.data(), y) == 1);
     }
     std::uint32_t usual_strip() { return TIFFDefaultStripSize(tiff_, 0); }
@@ -121,21 +122,19 @@ class TiffWriter {
     TIFF* tiff_ = nullptr;
 };
 
-}  // namespace
-
-void write_tiff(std::ostream& out, const PngHeader& header,
-                const std::function<void(const PixelSink&)>& draw) {
+template <class Channel>
+void write_tiff_of(std::ostream& out, const PngHeader& header, const auto& draw) {
     if (out.tellp() != std::ostream::pos_type(0)) {
         throw std::runtime_error(
             "a TIFF is not written from its beginning to its end, which this needs; choose a file or PNG");
     }
     const bool grey = header.colours == PngColours::grey;
     const int channels = grey ? 1 : 3;
-    const double bytes = static_cast<double>(header.width) * header.height * channels;
+    const double bytes = static_cast<double>(header.width) * header.height * channels * sizeof(Channel);
     TiffWriter file(out, bytes > kMostClassicBytes);
     file.set(TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(header.width));
     file.set(TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(header.height));
-    file.set(TIFFTAG_BITSPERSAMPLE, 8);
+    file.set(TIFFTAG_BITSPERSAMPLE, static_cast<int>(8 * sizeof(Channel)));
     file.set(TIFFTAG_SAMPLESPERPIXEL, channels);
     file.set(TIFFTAG_PHOTOMETRIC, grey ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
     file.set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
@@ -146,12 +145,11 @@ void write_tiff(std::ostream& out, const PngHeader& header,
     file.set(TIFFTAG_YRESOLUTION, header.dpi);
     file.set(TIFFTAG_SOFTWARE, "Dapple");
     file.set(TIFFTAG_ROWSPERSTRIP, std::max(file.usual_strip(), std::uint32_t{1}));
-    std::vector<std::uint8_t> samples(static_cast<std::size_t>(header.width) *
-                                      static_cast<std::size_t>(channels));
+    std::vector<Channel> samples(static_cast<std::size_t>(header.width) * static_cast<std::size_t>(channels));
     std::uint32_t next_row = 0;
-    draw([&](const Grid<glm::u8vec3>& band) {
+    draw([&](const Grid<glm::vec<3, Channel>>& band) {
         for (int y = 0; y < band.height; ++y) {
-            const glm::u8vec3* const colours = band.row(y);
+            const glm::vec<3, Channel>* const colours = band.row(y);
             std::size_t at = 0;
             for (int x = 0; x < band.width; ++x)
                 for (int c = 0; c < channels; ++c) samples[at++] = colours[x][c];
@@ -159,6 +157,18 @@ void write_tiff(std::ostream& out, const PngHeader& header,
         }
     });
     file.finish();
+}
+
+}  // namespace
+
+void write_tiff(std::ostream& out, const PngHeader& header,
+                const std::function<void(const PixelSink&)>& draw) {
+    write_tiff_of<std::uint8_t>(out, header, draw);
+}
+
+void write_tiff_16(std::ostream& out, const PngHeader& header,
+                   const std::function<void(const PixelSink16&)>& draw) {
+    write_tiff_of<std::uint16_t>(out, header, draw);
 }
 
 }  // namespace dapple

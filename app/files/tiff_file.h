@@ -14,4 +14,8 @@ namespace dapple {
 void write_tiff(std::ostream& out, const PngHeader& header,
                 const std::function<void(const PixelSink&)>& draw);
 
+/// The same with 16 bits a channel.
+void write_tiff_16(std::ostream& out, const PngHeader& header,
+                   const std::function<void(const PixelSink16&)>& draw);
+
 }  // namespace dapple

@@ -52,7 +52,7 @@ bool is_words_text(const std::string& text) {
 }
 
 StoredTile read_tile_file(const std::string& name) {
-    const std::string text = text_of_file(name);
+    const std::string text = text_of_file(name, kTileFile);
     if (!is_tile_text(text) && is_words_text(text)) {
         throw std::runtime_error(fmt::format(
             "{}: has words but no ranks; dapple tile rank {} -o FILE makes a tile file of them", name, name));
@@ -108,9 +108,9 @@ StoredTile load_tile(const std::string& name) {
                     fmt::join(built_in_tile_names(), ", ")));
 }
 
-RankedTile tile_named(const std::string& name, std::optional<RankingMethod> order) {
+RankedTile tile_named(const std::string& name, std::optional<RankingMethod> method) {
     StoredTile stored = load_tile(name);
-    if (order && *order != stored.order) return {std::move(stored.tile), *order};
+    if (method && *method != stored.method) return {std::move(stored.tile), *method};
     return {std::move(stored.tile), stored.ranking};
 }
 

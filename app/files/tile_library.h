@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/text_file.h"
 #include "core/placing/stipple.h"
 #include "core/tile/tile_file.h"
 
@@ -28,6 +29,8 @@ std::span<const char* const> built_in_tile_names();
 
 /// What the name of a tile file usually ends in.
 inline constexpr const char* kTileEnding = ".tile";
+/// For text_of_file(): many times the size of any.
+inline constexpr TextKind kTileFile{"tile", 16'000'000};
 /// Whether it does, in small letters or capitals.
 bool ends_as_tile(const std::filesystem::path& file);
 
@@ -42,9 +45,9 @@ std::string short_tile_name(const std::string& name);
 /// line that is wrong.
 StoredTile load_tile(const std::string& name);
 
-/// The same, ready for placing. If the stored ranking is not of the order given here, the tile is ranked
+/// The same, ready for placing. If the stored ranking is not by the method given here, the tile is ranked
 /// anew.
-RankedTile tile_named(const std::string& name, std::optional<RankingMethod> order = {});
+RankedTile tile_named(const std::string& name, std::optional<RankingMethod> method = {});
 
 /// Saves a tile as a file with its criteria as comments, `more` last. Throws as save_atomically().
 void save_tile(const std::filesystem::path& file, const StoredTile& tile,

@@ -1,5 +1,6 @@
 #include "app/settings/drawing_fields.h"
 
+#include "app/files/gcode_choice.h"
 #include "core/image/exposure.h"
 #include "core/relaxing/relax.h"
 
@@ -98,14 +99,26 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.flag("show_tiles", show_tiles);
 }
 
+static void describe(Fields& fields, OwnTemplate& own) {
+    auto& [text, file] = own;
+    fields.text("text", text, [&text = text](const std::string& read) {
+        if (!read.empty()) static_cast<void>(parse_gcode_template(read));
+        text = read;
+    });
+    fields.text("file", file, [&file = file](const std::string& read) { file = read; });
+}
+
 void describe(Fields& fields, SavingChoice& saving) {
-    auto& [order, dpi, tool, machine] = saving;
+    auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s] = saving;
     fields.choice("order", order,
                   {DotOrder::recursion, DotOrder::priority, DotOrder::space, DotOrder::shortest});
     fields.number("dpi", dpi, {1, 100'000});
     fields.choice("gcode_tool", tool, {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser});
-    fields.choice("machine", machine,
-                  {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::grbl_pen, Machine::grbl_laser});
+    fields.choice("machine", machine, kMachines);
+    fields.choice("bits", bits, {NamedValue{"8", 8}, NamedValue{"16", 16}});
+    fields.group("gcode_template", gcode_template);
+    fields.number("feed_mm_per_min", feed_mm_per_min, {kSlowestFeed, kFastestFeed});
+    fields.number("dwell_s", dwell_s, {0, kLongestDwellS});
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "app/files/file_ending.h"
 #include "app/files/png_file.h"
+#include "app/files/text_file.h"
 #include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
 #include "app/shown_text.h"
@@ -20,17 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Ours come first in both kinds of files, and are short.
-constexpr std::size_t kMostBytes = 1'000'000;
-
-std::string beginning_of(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return {};
-    std::ifstream in(file, std::ios::binary);
-    std::string bytes(kMostBytes, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(in.gcount()));
-    return bytes;
-}
+constexpr TextKind kDrawing{.what = "drawing", .most_bytes = 1'000'000, .beginning = true};
 
 // Programs that save an SVG again may write a quote so.
 std::string without_entities(std::string_view text) {
@@ -75,6 +65,16 @@ std::optional<std::string> settings_in_png(std::string_view bytes) {
     return std::nullopt;
 }
 
+bool is_drawing(const fs::path& file) {
+    const std::string ending = ending_of(file);
+    return ending == ".svg" || ending == ".png";
+}
+
+std::optional<std::string> settings_in_drawing(const fs::path& file) {
+    const std::string bytes = text_of_file(file, kDrawing);
+    return ending_of(file) == ".svg" ? settings_in_svg(bytes) : settings_in_png(bytes);
+}
+
 }  // namespace
 
 std::string embedded_settings(const fs::path& drawing_file, const DrawingSettings& drawing,
@@ -91,10 +91,11 @@ std::string embedded_settings(const fs::path& drawing_file, const DrawingSetting
 }
 
 std::optional<std::string> settings_inside(const fs::path& file) {
-    const std::string ending = ending_of(file);
-    if (ending == ".svg") return settings_in_svg(beginning_of(file));
-    if (ending == ".png") return settings_in_png(beginning_of(file));
-    return std::nullopt;
+    try {
+        return is_drawing(file) ? settings_in_drawing(file) : std::nullopt;
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
 }
 
 SavedSettings settings_from(const fs::path& file) {
@@ -102,15 +103,17 @@ SavedSettings settings_from(const fs::path& file) {
     const Describe describe_it = [&](Fields& fields) {
         describe_drawing(fields, settings.drawing, settings.saving);
     };
-    if (const auto inside = settings_inside(file))
-        read_settings(*inside, {file}, describe_it);
-    else if (const std::string ending = ending_of(file); ending == ".svg" || ending == ".png")
+    if (!is_drawing(file)) {
+        read_settings(text_of_settings(file), {file}, describe_it);
+        return settings;
+    }
+    const std::optional<std::string> inside = settings_in_drawing(file);
+    if (!inside)
         throw std::runtime_error(
             printable(file.native()) +
             ": there are no settings of Dapple's in it; projects and drawings that Dapple "
             "made have some");
-    else
-        read_settings(text_of_settings(file), {file}, describe_it);
+    read_settings(*inside, {file}, describe_it);
     return settings;
 }
 

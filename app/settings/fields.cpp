@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "core/image/colour.h"
 #include "core/text/numbers.h"
@@ -38,22 +39,13 @@ std::string range_in_words(const char* kind, FieldRange range) {
     return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
 }
 
-bool is_utf8(const std::string& text) {
-    try {
-        static_cast<void>(Json(text).dump());
-        return true;
-    } catch (const Json::exception&) {
-        return false;
-    }
-}
-
 bool file_is_there(const fs::path& file) {
     std::error_code ignored;
     return !file.empty() && fs::exists(file, ignored);
 }
 
 fs::path folder_holding(const fs::path& file) {
-    return fs::absolute(file).lexically_normal().parent_path();
+    return whole_path(file).parent_path();
 }
 
 }  // namespace
@@ -89,6 +81,13 @@ double Fields::number_in(const char* name, const Json& value, FieldRange range) 
     const double number = value.is_number() ? value.get<double>() : NAN;
     if (!(number >= range.least && number <= range.most))
         refuse_value(name, value, range_in_words("a number", range));
+    return number;
+}
+
+double Fields::whole_in(const char* name, const Json& value, FieldRange range, const char* or_else) const {
+    const double number = value.is_number() ? value.get<double>() : NAN;
+    if (!(number >= range.least && number <= range.most && number == std::floor(number)))
+        refuse_value(name, value, range_in_words("a whole number", range) + or_else);
     return number;
 }
 
@@ -136,10 +135,7 @@ void Fields::whole(const char* name, std::optional<std::uint64_t>& value, std::u
         value.reset();
         if (found->is_null()) return;
         const FieldRange range{static_cast<double>(least), static_cast<double>(most)};
-        const double number = found->is_number() ? found->get<double>() : NAN;
-        if (!(number >= range.least && number <= range.most && number == std::floor(number)))
-            refuse_value(name, *found, range_in_words("a whole number", range) + ", or null");
-        value = static_cast<std::uint64_t>(number);
+        value = static_cast<std::uint64_t>(whole_in(name, *found, range, ", or null"));
     }
 }
 
@@ -159,10 +155,7 @@ void Fields::whole(const char* name, int& value, FieldRange range) {
     if (way_ == Way::write) {
         written(name) = value;
     } else if (const Json* const found = read(name)) {
-        const double number = found->is_number() ? found->get<double>() : NAN;
-        if (!(number >= range.least && number <= range.most && number == std::floor(number)))
-            refuse_value(name, *found, range_in_words("a whole number", range));
-        value = static_cast<int>(number);
+        value = static_cast<int>(whole_in(name, *found, range));
     }
 }
 
@@ -180,7 +173,7 @@ void Fields::colour(const char* name, glm::vec3& value) {
 }
 
 Json Fields::file_of(const char* name, const fs::path& file) const {
-    const fs::path whole = fs::absolute(file).lexically_normal();
+    const fs::path whole = whole_path(file);
     if (!is_utf8(whole.string())) {
         refuse(name,
                fmt::format("is {}, whose name is not UTF-8, as all names in it have to be; rename that file",
@@ -210,6 +203,20 @@ fs::path Fields::file_in(const char* name, const Json& value) const {
     refuse(name, fmt::format("cannot be found, {}; put that file back, or name another", printable(where)));
 }
 
+void Fields::text(const char* name, const std::string& value,
+                  const std::function<void(const std::string& text)>& take) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        if (!found->is_string()) refuse_value(name, *found, "a text in quotes");
+        try {
+            take(found->get<std::string>());
+        } catch (const std::runtime_error& error) {
+            refuse(name, fmt::format("is wrong: {}", error.what()));
+        }
+    }
+}
+
 void Fields::tile(const char* name, std::string& value) {
     if (way_ == Way::write) {
         written(name) = is_tile_file_name(value) ? file_of(name, value) : Json(value);
@@ -226,6 +233,25 @@ void Fields::file(const char* name, std::optional<fs::path>& value) {
         value.reset();
         if (!found->is_null()) value = file_in(name, *found);
     }
+}
+
+void Fields::remembered_files(const char* name, std::vector<fs::path>& value, std::size_t most) {
+    if (way_ == Way::write) {
+        Json& list = written(name) = Json::array();
+        for (const fs::path& file : value)
+            if (list.size() < most && is_utf8(file.string())) list.push_back(file.string());
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    value.clear();
+    const auto is_file = [](const Json& each) {
+        return each.is_string() && fs::path(each.get<std::string>()).is_absolute() &&
+               each.get<std::string>().find('\0') == std::string::npos;
+    };
+    if (!found->is_array() || found->size() > most || !std::ranges::all_of(*found, is_file))
+        refuse_value(name, *found, fmt::format("a list of at most {} whole names of files", most));
+    for (const Json& each : *found) value.emplace_back(each.get<std::string>());
 }
 
 void Fields::word(const char* name, std::optional<std::size_t>& chosen,

@@ -72,10 +72,16 @@ class Fields {
     void whole(const char* name, std::optional<std::uint64_t>& value, std::uint64_t least,
                std::uint64_t most);
     void colour(const char* name, glm::vec3& value);
+    /// A text that `take` understands, or else throws std::runtime_error saying what is wrong with it.
+    void text(const char* name, const std::string& value,
+              const std::function<void(const std::string& text)>& take);
     /// A name for tile_named(). Of a tile's file, its path.
     void tile(const char* name, std::string& value);
     /// A file; none is null.
     void file(const char* name, std::optional<std::filesystem::path>& value);
+    /// Absolute names of files that may be gone meanwhile, at most so many; those that are not UTF-8 are left
+    /// out.
+    void remembered_files(const char* name, std::vector<std::filesystem::path>& value, std::size_t most);
 
     template <class Value>
     void choice(const char* name, Value& value, std::initializer_list<NamedValue<Value>> values) {
@@ -146,6 +152,8 @@ class Fields {
     /// Null if it isn't there, or writing.
     const nlohmann::ordered_json* read(const char* name) const;
     nlohmann::ordered_json& written(const char* name);
+    double whole_in(const char* name, const nlohmann::ordered_json& value, FieldRange range,
+                    const char* or_else = "") const;
     double number_in(const char* name, const nlohmann::ordered_json& value, FieldRange range) const;
     [[noreturn]] void refuse_value(const char* name, const nlohmann::ordered_json& value,
                                    const std::string& wanted) const;

@@ -3,21 +3,27 @@
 #include <memory>
 
 #include "app/files/tile_library.h"
+#include "app/settings/xdg_folders.h"
 #include "app/viewer/shell/drawing_document.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/shell.h"
 
 namespace dapple {
 
+static Memory memory_of_person(bool fresh) {
+    return fresh ? Memory() : Memory(config_folder(), state_folder());
+}
+
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status);
-    return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile));
+    Shell shell(options.log_status, memory_of_person(options.fresh));
+    return shell.run(
+        std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view));
 }
 
 int run_viewer(const LightViewerOptions& options) {
     load_tile(options.settings.tile);
-    Shell shell(options.log_status);
+    Shell shell(options.log_status, memory_of_person(options.fresh));
     return shell.run(std::make_unique<LightsDocument>(options.map, options.settings));
 }
 

@@ -15,12 +15,14 @@ struct ViewerOptions {
     /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes: see
     /// status_log.h. For tests and scripts that drive the window from outside.
     bool log_status = false;
+    bool fresh = false;  // neither reads nor writes what is remembered between runs: see memory.h
 };
 
 struct LightViewerOptions {
     std::optional<std::filesystem::path> map;  // none: a sky of our own
     LightsSettings settings;
     bool log_status = false;
+    bool fresh = false;
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the

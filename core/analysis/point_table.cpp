@@ -101,6 +101,27 @@ std::vector<glm::dvec2> parse_point_table(std::string_view text, const std::stri
     return points;
 }
 
+std::optional<glm::dvec2> page_of_table(std::string_view text) {
+    std::vector<std::string_view> names, fields;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.empty() || line.starts_with('#')) continue;
+        split(line, names.empty() ? names : fields);
+        if (!fields.empty()) break;
+    }
+    const auto side = [&](std::string_view name) -> std::optional<double> {
+        const auto column = std::size_t(std::ranges::find(names, name) - names.begin());
+        if (column >= std::min(names.size(), fields.size())) return {};
+        const std::optional<double> length = number(fields[column]);
+        return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
+    };
+    const auto width = side("page_width_mm"), height = side("page_height_mm");
+    if (!width || !height) return {};
+    return glm::dvec2(*width, *height);
+}
+
 PlacedPoints in_their_own_box(std::vector<glm::dvec2> points, Topology topology, const std::string& name) {
     if (points.empty()) throw std::runtime_error(name + ": there are no points in it");
     glm::dvec2 low = points.front(), high = low;

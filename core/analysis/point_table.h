@@ -2,6 +2,7 @@
 // Points from a table of text: this program's own CSV, or two columns from elsewhere.
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,10 @@ namespace dapple {
 /// Throws std::runtime_error with the number of the line if a field is missing or is no finite number, or if
 /// a header names no x and y; without a number if there is no point.
 std::vector<glm::dvec2> parse_point_table(std::string_view text, const std::string& name = "points");
+
+/// What the points fill, where a first line of words names page_width_mm and page_height_mm: as this
+/// program's own CSV says it, by the first line of numbers. Both over 0.
+std::optional<glm::dvec2> page_of_table(std::string_view text);
 
 struct PlacedPoints {
     Domain domain;

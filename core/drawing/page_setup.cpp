@@ -97,8 +97,13 @@ glm::dvec2 room_on(glm::dvec2 page, const Margins& margins) {
     return page - glm::dvec2(margins.left + margins.right, margins.top + margins.bottom);
 }
 
+// Pixels.
+glm::dvec2 unit_of(const Crop& crop, glm::ivec2 picture) {
+    return crop.unit == Crop::Unit::percent ? glm::dvec2(picture) / 100.0 : glm::dvec2(1);
+}
+
 Rectangle<int> cropped(const Crop& crop, glm::ivec2 picture) {
-    const glm::dvec2 unit = crop.unit == Crop::Unit::percent ? glm::dvec2(picture) / 100.0 : glm::dvec2(1);
+    const glm::dvec2 unit = unit_of(crop, picture);
     const auto [low, high] = crop.box;
     // Half a pixel of rounding is forgiven.
     if (glm::any(glm::greaterThan(high * unit, glm::dvec2(picture) + 0.5)))
@@ -275,6 +280,15 @@ Crop parse_crop(std::string_view text) {
     crop.box = {{x, y}, {x + width, y + height}};
     if (percents) crop.unit = Crop::Unit::percent;
     return crop;
+}
+
+void check_crop(const Crop& crop, glm::ivec2 picture) {
+    const glm::dvec2 size = crop.box.size() * unit_of(crop, picture);
+    if (size.x >= 0.5 && size.y >= 0.5) return;
+    throw std::runtime_error(
+        fmt::format("the part is {:.3g} x {:.3g} pixels of the picture's {} x {}; make it one pixel wide and "
+                    "high, or more",
+                    size.x, size.y, picture.x, picture.y));
 }
 
 }  // namespace dapple

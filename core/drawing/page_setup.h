@@ -140,4 +140,7 @@ std::string text_of(const Margins& margins);
 /// "100,50,640x480" in pixels, "10%,10%,50%x80%". Throws std::runtime_error.
 Crop parse_crop(std::string_view text);
 
+/// Throws std::runtime_error if it is less than half a pixel wide or high, which are drawn as one.
+void check_crop(const Crop& crop, glm::ivec2 picture);
+
 }  // namespace dapple

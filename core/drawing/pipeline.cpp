@@ -124,6 +124,10 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     return density_;
 }
 
+double DrawingPlan::dots_for_tone() const {
+    return expected_dots(*density, scale_of_radius(radius(0), full_load));
+}
+
 // Density, count or scale, for the steps that the plan has.
 void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const int width = plain_ ? plain_->width() : framed_light().width;

@@ -44,6 +44,11 @@ struct DrawingPlan {
 
     /// The page, and where on it the picture lies, of a drawing that came to that scale.
     PageLayout layout(double scale) const;
+
+    /// Where dots have a fixed radius: about so many of them give the picture's tone.
+    double dots_for_tone() const;
+    /// And the radius, in page units, with which a drawing that came to that scale gives it.
+    double radius_for_its_tone(double scale) const { return radius_for_tone(scale, full_load); }
 };
 
 /// The dots of a whole page, kept.

@@ -97,7 +97,7 @@ void Density::build_pyramid() {
         Level& level = pyramid_[depth];
         level.width = static_cast<std::int64_t>(std::ceil(values_.width * squares / longer_));
         level.height = static_cast<std::int64_t>(std::ceil(values_.height * squares / longer_));
-        level.squares.resize(level.width * level.height);
+        level.squares.resize(level.at(0, level.height));
     }
 
     // The base: minimum and maximum down the columns of a row of squares, then along them.
@@ -126,8 +126,8 @@ void Density::build_pyramid() {
                 bounds.max = std::max(bounds.max, high[column]);
             }
             if (below_picture || left + side > values_.width) bounds.min = 0;
-            base.squares[y * base.width + x] = {bounds.min * (1 - kRelativeSlack),
-                                                bounds.max * (1 + kRelativeSlack)};
+            base.squares[base.at(x, y)] = {bounds.min * (1 - kRelativeSlack),
+                                           bounds.max * (1 + kRelativeSlack)};
         }
     });
 
@@ -140,11 +140,11 @@ void Density::build_pyramid() {
                 for (int q = 0; q < 4; ++q) {
                     const std::int64_t cx = 2 * x + (q & 1), cy = 2 * y + (q >> 1);
                     const bool outside = cx >= finer.width || cy >= finer.height;
-                    const Bounds child = outside ? Bounds{} : finer.squares[cy * finer.width + cx];
+                    const Bounds child = outside ? Bounds{} : finer.squares[finer.at(cx, cy)];
                     include(bounds, child.min);
                     include(bounds, child.max);
                 }
-                level.squares[y * level.width + x] = bounds;
+                level.squares[level.at(x, y)] = bounds;
             }
         }
     }

@@ -83,7 +83,7 @@ class Density {
         const Level& level = pyramid_[square.depth];
         const bool outside =
             square.x < 0 || square.y < 0 || square.x >= level.width || square.y >= level.height;
-        return outside ? Bounds{} : level.squares[square.y * level.width + square.x];
+        return outside ? Bounds{} : level.squares[level.at(square.x, square.y)];
     }
 
     /// Squares of this depth and more are small: a few pixels and less.
@@ -103,6 +103,10 @@ class Density {
     struct Level {
         std::int64_t width = 0, height = 0;
         std::vector<Bounds> squares;
+
+        std::size_t at(std::int64_t x, std::int64_t y) const {
+            return static_cast<std::size_t>(y * width + x);
+        }
     };
 
     void build_pyramid();

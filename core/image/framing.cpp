@@ -27,4 +27,18 @@ Grid<float> framed(const Grid<float>& picture, const Framing& framing) {
     return result;
 }
 
+glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed) {
+    const glm::dvec2 low(framing.pixels.low), high(framing.pixels.high);
+    switch (framing.quarter_turns) {
+        case 1:
+            return {low.x + framed.y, high.y - framed.x};
+        case 2:
+            return high - framed;
+        case 3:
+            return {high.x - framed.y, low.y + framed.x};
+        default:
+            return low + framed;
+    }
+}
+
 }  // namespace dapple

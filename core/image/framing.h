@@ -27,6 +27,10 @@ inline Framing whole_picture(glm::ivec2 size) {
     return {{{0, 0}, size}, 0};
 }
 
+/// Where a point of the framed picture lies on the picture as it was opened, both in pixels from the upper
+/// left corner.
+glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed);
+
 /// The picture's pixels, moved and none changed. Needs a rectangle within the picture that is not empty.
 Grid<float> framed(const Grid<float>& picture, const Framing& framing);
 

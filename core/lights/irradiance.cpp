@@ -24,6 +24,30 @@ std::vector<DistantLight> texel_lights(const EnvironmentMap& map) {
     return lights;
 }
 
+std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side) {
+    const auto block = [&](int left, int top) {
+        glm::dvec3 weight{}, moment{};
+        for (int y = top; y < std::min(top + texels_a_side, map.height()); ++y) {
+            for (int x = left; x < std::min(left + texels_a_side, map.width()); ++x) {
+                const glm::dvec3 light = glm::dvec3(map.radiance().at(x, y)) * map.solid_angle(y);
+                const glm::dvec2 uv{(x + 0.5) / map.width(), (y + 0.5) / map.height()};
+                weight += light;
+                moment += luminance(light) * direction_of(uv, SphereConvention::openexr);
+            }
+        }
+        return DistantLight{moment, weight};
+    };
+    std::vector<DistantLight> lights;
+    for (int y = 0; y < map.height(); y += texels_a_side) {
+        for (int x = 0; x < map.width(); x += texels_a_side) {
+            const DistantLight light = block(x, y);
+            if (light.direction == glm::dvec3{}) continue;
+            lights.push_back({glm::normalize(light.direction), light.weight});
+        }
+    }
+    return lights;
+}
+
 std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights,
                                    std::span<const glm::dvec3> normals) {
     std::vector<glm::dvec3> result(normals.size());

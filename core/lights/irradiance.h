@@ -19,6 +19,10 @@ struct DistantLight {
 /// OpenEXR; black ones left out.
 std::vector<DistantLight> texel_lights(const EnvironmentMap& map);
 
+/// A light for each block of so many texels a side, with all their light, from its centre of gravity: for
+/// maps whose texels are far finer than anything that a surface shows of them.
+std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side);
+
 /// Sum of weight * max(0, direction . normal), for each normal (unit vectors). The result does not depend on
 /// the number of cores.
 std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals);

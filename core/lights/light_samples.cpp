@@ -19,6 +19,8 @@ namespace dapple {
 
 namespace {
 
+constexpr double kPlacingShare = 0.4;  // of the time that samples take: most of it for the density
+
 class Stopwatch {
  public:
     double ms() const {
@@ -31,8 +33,11 @@ class Stopwatch {
 
 // Of the dots that Figure 8 emits, each place once, and of these the `count` that appear first as its scale
 // grows.
-std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& density, std::uint64_t count) {
-    const Dots dots = place_figure8_count(density, tile.tile(), tile.own_ranks(), count)->dots;
+std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& density, std::uint64_t count,
+                                     const std::stop_token& stop) {
+    const auto placed = place_figure8_count(density, tile.tile(), tile.own_ranks(), count, stop);
+    if (!placed) return {};
+    const Dots& dots = placed->dots;
     struct Place {
         float x, y;
         double critical;
@@ -47,14 +52,16 @@ std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& dens
     const auto alike = [](const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; };
     places.erase(std::unique(places.begin(), places.end(), alike), places.end());
     std::ranges::stable_sort(places, {}, &Place::critical);
-    std::vector<glm::dvec2> chosen(count);
+    std::vector<glm::dvec2> chosen(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < count; ++i) chosen[i] = {places[i].x, places[i].y};
     return chosen;
 }
 
-std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request) {
+std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, const LightRequest& request,
+                                   const std::stop_token& stop) {
     DotPieces dots;
-    tile.placer().place(density, {.count = request.count, .threads = request.threads}, dots);
+    if (!tile.placer().place(density, {.count = request.count, .threads = request.threads}, dots, stop))
+        return {};
     std::vector<glm::dvec2> places;
     places.reserve(dots.size());
     for_each_position(dots, [&](float x, float y) { places.emplace_back(x, y); });
@@ -79,7 +86,8 @@ std::string_view name_of(SampleRadiance radiance) {
     return radiance == SampleRadiance::mean ? "mean" : "point";
 }
 
-std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request) {
+std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                                   const std::stop_token& stop) {
     if (request.count < 1 || request.count > kMostLightSamples) {
         throw std::runtime_error(
             fmt::format("{} samples are not possible; ask for 1 to {}", request.count, kMostLightSamples));
@@ -90,8 +98,8 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
             : static_cast<int>(Random(request.seed).below(static_cast<std::size_t>(map.width())));
     const Density density = light_density(map, request.importance, turn);
     std::vector<glm::dvec2> places = request.placer == PlacerKind::figure8
-                                         ? figure8_dots(tile, density, request.count)
-                                         : exact_dots(tile, density, request);
+                                         ? figure8_dots(tile, density, request.count, stop)
+                                         : exact_dots(tile, density, request, stop);
     for (glm::dvec2& p : places) {
         p.x += static_cast<double>(turn) / map.width();
         if (p.x >= 1) p.x -= 1;
@@ -100,17 +108,22 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
     return places;
 }
 
-LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request) {
+LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                           const LightWatch& watch) {
     LightSamples result;
     result.total_flux = map.total_flux();
     const Stopwatch placing;
-    const std::vector<glm::dvec2> dots = light_dots(map, tile, request);
+    const std::vector<glm::dvec2> dots = light_dots(map, tile, request, watch.stop);
+    if (!watch.goes_on(kPlacingShare)) return result;
     result.place_ms = placing.ms();
 
     const Stopwatch sharing;
     const bool drawn = request.position == SamplePosition::random;
+    const LightWatch while_sharing{
+        watch.stop, [&watch](double share) { watch.goes_on(kPlacingShare + (1 - kPlacingShare) * share); }};
     const std::vector<LightRegion> regions =
-        share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt);
+        share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt, while_sharing);
+    if (regions.empty()) return result;
     result.samples.resize(dots.size());
     for (std::size_t i = 0; i < dots.size(); ++i) {
         const LightRegion& region = regions[i];

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/image/environment.h"
+#include "core/lights/light_watch.h"
 #include "core/placing/stipple.h"
 
 namespace dapple {
@@ -69,11 +70,14 @@ struct LightSamples {
 };
 
 /// Throws std::runtime_error if the count is out of range, if the tile cannot be used by the placer asked
-/// for, or if Figure 8 does not find so many places, as on a map whose light it loses.
-LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request);
+/// for, or if Figure 8 does not find so many places, as on a map whose light it loses. If stopped there are
+/// no samples.
+LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                           const LightWatch& watch = {});
 
-/// The dots of that request on the map: u and v.
-std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request);
+/// The dots of that request on the map: u and v. None if stopped.
+std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                                   const std::stop_token& stop = {});
 
 /// Whether copies of a tile side by side, as they meet where u = 0 and 1, are one of its legal
 /// neighbourhoods, so that dots keep their distance there too. Always so if its children are not turned.

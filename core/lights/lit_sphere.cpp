@@ -1,5 +1,7 @@
 #include "core/lights/lit_sphere.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -56,20 +58,23 @@ double difference(const IrradianceMap& found, const IrradianceMap& exact) {
 Grid<glm::u8vec4> sphere_picture(const IrradianceMap& light, const SphereLook& look) {
     Grid<glm::u8vec4> picture(look.size, look.size);
     const double radius = look.size / 2.0 - 1;
-    for (int j = 0; j < look.size; ++j) {
+    tbb::parallel_for(0, look.size, [&](int j) {
         for (int i = 0; i < look.size; ++i) {
-            const double right = (i + 0.5 - look.size / 2.0) / radius;
-            const double up = (look.size / 2.0 - j - 0.5) / radius;
+            double right = (i + 0.5 - look.size / 2.0) / radius;
+            double up = (look.size / 2.0 - j - 0.5) / radius;
             const double away = std::hypot(right, up);
             const double covered = std::clamp((1 - away) * radius + 0.5, 0.0, 1.0);
-            if (covered == 0) continue;
+            if (away > 1) {
+                right /= away;
+                up /= away;
+            }
             const double towards = std::sqrt(std::max(0.0, 1 - away * away));
             const glm::dvec3 normal =
                 turned_about_up({-right, up, -towards}, -look.turn_degrees, SphereConvention::openexr);
             const glm::u8vec3 colour = tone_mapped(light.at(normal) / std::numbers::pi, look.exposure);
             picture.at(i, j) = glm::u8vec4(colour, static_cast<glm::u8>(255 * covered + 0.5));
         }
-    }
+    });
     return picture;
 }
 

@@ -34,7 +34,8 @@ struct SphereLook {
     double exposure = 1;      // the factor on radiance; the sphere reflects all of its light
 };
 
-/// sRGB-encoded, transparent around the sphere. Seen by one who looks towards the map's centre, +Z, from far
+/// sRGB-encoded, transparent around the sphere, where its rim's colours go on: who enlarges the picture mixes
+/// no others into it. Seen by one who looks towards the map's centre, +Z, from far
 /// away: the light of the map's left falls on the sphere's left.
 Grid<glm::u8vec4> sphere_picture(const IrradianceMap& light, const SphereLook& look);
 

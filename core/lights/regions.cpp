@@ -14,6 +14,7 @@ namespace dapple {
 namespace {
 
 constexpr std::int32_t kNobody = -1;
+constexpr double kOwnersShare = 0.5;  // of the time that sharing takes
 
 // A map's patches: column i lies between texel columns i - 1 and i, row j between texel rows j - 1 and j; the
 // outermost rows are half as high.
@@ -72,10 +73,11 @@ double azimuth(double u) {
     return 2 * std::numbers::pi * (0.5 - u);
 }
 
-// Hands owners on until every patch has one.
+// Hands owners on until every patch has one, or somebody who watches gives up.
 class Owners {
  public:
-    Owners(const PatchGrid& grid, std::span<const glm::dvec2> dots, const DotsByPatch& by_patch)
+    Owners(const PatchGrid& grid, std::span<const glm::dvec2> dots, const DotsByPatch& by_patch,
+           const LightWatch& watch)
         : grid_(grid),
           owner_(grid.size(), kNobody),
           distance_(grid.size(), std::numeric_limits<float>::max()) {
@@ -94,10 +96,12 @@ class Owners {
             distance_[p] = -1;  // a patch with dots keeps them
         }
         const int last = grid.rows() - 1;
+        const double a_row = kOwnersShare / (2 * grid.rows());
         spread_along(0);
-        for (int row = 1; row <= last; ++row) spread_from(row - 1, row);
+        for (int row = 1; row <= last && watch.goes_on(row * a_row); ++row) spread_from(row - 1, row);
         spread_along(last);
-        for (int row = last - 1; row >= 0; --row) spread_from(row + 1, row);
+        for (int row = last - 1; row >= 0 && watch.goes_on((2 * last - row) * a_row); --row)
+            spread_from(row + 1, row);
     }
 
     std::int32_t at(int column, int row) const { return owner_[grid_.index(column, row)]; }
@@ -252,15 +256,16 @@ void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByP
 }  // namespace
 
 std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                     std::optional<std::uint64_t> seed) {
+                                     std::optional<std::uint64_t> seed, const LightWatch& watch) {
     const PatchGrid grid{map.width(), map.height()};
     const DotsByPatch by_patch(grid, dots);
-    const Owners owners(grid, dots, by_patch);
+    const Owners owners(grid, dots, by_patch, watch);
     const TexelPairs pairs(map);
 
     std::vector<LightRegion> regions(dots.size());
     std::vector<Pair> above(grid.width), below(grid.width);
     for (int j = 0; j < grid.rows(); ++j) {
+        if (!watch.goes_on(kOwnersShare + (1 - kOwnersShare) * j / grid.rows())) return {};
         RowPart upper, lower;
         std::swap(above, below);
         if (j > 0) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/image/environment.h"
+#include "core/lights/light_watch.h"
 
 namespace dapple {
 
@@ -27,8 +28,8 @@ struct LightRegion {
 };
 
 /// One for each dot (u in [0, 1), v in [0, 1]). Dots at the same place share alike. Places are drawn if there
-/// is a seed.
+/// is a seed. Nothing if stopped.
 std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                     std::optional<std::uint64_t> seed = {});
+                                     std::optional<std::uint64_t> seed = {}, const LightWatch& watch = {});
 
 }  // namespace dapple

@@ -29,7 +29,7 @@ Step step_at(std::span<const double> cumulative, double value) {
 }
 
 std::vector<DistantLight> uniform_lights(const EnvironmentMap& map, std::uint64_t count, Random& random) {
-    std::vector<DistantLight> lights(count);
+    std::vector<DistantLight> lights(static_cast<std::size_t>(count));
     for (DistantLight& light : lights) {
         const glm::dvec2 uv(random.unit(), std::acos(1 - 2 * random.unit()) / std::numbers::pi);
         const int x = std::min(static_cast<int>(uv.x * map.width()), map.width() - 1);

@@ -24,9 +24,11 @@ struct TableRow {
 /// The i-th dot of a piece, which has to have thresholds.
 TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const CsvColumns& columns);
 
-/// A line x_mm,y_mm,radius_mm,level,rank,critical_scale and a line a dot, in the order given. Numbers have as
-/// many digits as it takes to read back the very same: x_mm / mm_per_page_unit, rounded to float, is the
-/// dot's x. Needs Dots::threshold and Dots::critical, and the memory of a piece and a buffer.
+/// A line x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm and a line a dot, in the
+/// order given. Numbers have as many digits as it takes to read back the very same: x_mm / mm_per_page_unit,
+/// rounded to float, is the dot's x. The page's size is in every line: a comment or a line of its own would
+/// be taken for a dot by many readers of tables, and an empty field is an error to some. Needs
+/// Dots::threshold and Dots::critical, and the memory of a piece and a buffer.
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress = {});
 

@@ -8,7 +8,7 @@
 namespace dapple {
 
 /// {"page": {"width_mm": 200, "height_mm": 150}, "unit": "mm", "columns": ["x_mm", ...], "dots": [[...],
-/// ...]}: the page's size, then the table that write_csv() writes, an array for each dot on a line of its
+/// ...]}: the page's size, then the table of table_row(), an array for each dot on a line of its
 /// own, with the same numbers. Needs what write_csv() needs.
 void write_dots_json(std::ostream& out, const DotStream& dots, const PageSize& page,
                      const CsvColumns& columns, const WritingProgress& progress = {});

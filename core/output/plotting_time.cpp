@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/length.h"
+
 namespace dapple {
 namespace {
-
-constexpr double kMmPerInch = 25.4;
 
 // Of an AxiDraw's servo over 30 % of its travel, at a rate in percent.
 double axidraw_lift_s(double rate) {
@@ -24,6 +24,8 @@ std::string_view name_of(Machine machine) {
             return "axidraw-v3";
         case Machine::axidraw_se_a3:
             return "axidraw-se-a3";
+        case Machine::idraw:
+            return "idraw";
         case Machine::grbl_pen:
             return "grbl-pen";
         case Machine::grbl_laser:
@@ -38,6 +40,8 @@ std::string_view words_for(Machine machine) {
             return "an AxiDraw V3";
         case Machine::axidraw_se_a3:
             return "an AxiDraw SE/A3";
+        case Machine::idraw:
+            return "an iDraw";
         case Machine::grbl_pen:
             return "a pen plotter with GRBL's own settings";
         case Machine::grbl_laser:
@@ -54,14 +58,31 @@ MachineSpeeds speeds_of(Machine machine) {
             return {.top_speed = 75.0 / 110 * 8.6979 * kMmPerInch,
                     .acceleration = 0.75 * 60 * kMmPerInch,
                     .lower_s = axidraw_lift_s(50),
-                    .raise_s = axidraw_lift_s(75)};
+                    .raise_s = axidraw_lift_s(75),
+                    .drawing_speed = 25.0 / 110 * 8.6979 * kMmPerInch,
+                    .drawing_acceleration = 0.75 * 40 * kMmPerInch};
+        case Machine::idraw: {
+            const double full = 24950 / 2032.0 * kMmPerInch / 110, ramp_s = 0.2, lift_s = 20 / 150.0;
+            return {.top_speed = 75 * full,
+                    .acceleration = 75 * full / ramp_s,
+                    .lower_s = lift_s,
+                    .raise_s = lift_s,
+                    .drawing_speed = 25 * full,
+                    .drawing_acceleration = 25 * full / ramp_s};
+        }
         case Machine::grbl_pen:
             return {.top_speed = grbl_speed,
                     .acceleration = grbl_acceleration,
                     .lower_s = axidraw_lift_s(100),
-                    .raise_s = axidraw_lift_s(100)};
+                    .raise_s = axidraw_lift_s(100),
+                    .drawing_speed = grbl_speed,
+                    .drawing_acceleration = grbl_acceleration};
         case Machine::grbl_laser:
-            return {.top_speed = grbl_speed, .acceleration = grbl_acceleration, .dot_s = 0.1};
+            return {.top_speed = grbl_speed,
+                    .acceleration = grbl_acceleration,
+                    .dot_s = 0.1,
+                    .drawing_speed = grbl_speed,
+                    .drawing_acceleration = grbl_acceleration};
     }
     return {};
 }
@@ -99,6 +120,7 @@ std::string time_in_words(double seconds) {
 }
 
 std::string_view what_takes_longest(const PlottingTime& time) {
+    if (time.drawing_s > std::max({time.moving_s, time.dots_s, time.lifting_s})) return "mostly drawing";
     if (time.lifting_s >= std::max(time.moving_s, time.dots_s)) return "mostly pen raising and lowering";
     return time.moving_s >= time.dots_s ? "mostly moves between the dots" : "mostly burning the dots";
 }

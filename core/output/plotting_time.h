@@ -9,9 +9,12 @@
 
 namespace dapple {
 
-enum class Machine { axidraw_v3, axidraw_se_a3, grbl_pen, grbl_laser };
+enum class Machine { axidraw_v3, axidraw_se_a3, idraw, grbl_pen, grbl_laser };
 
-/// "axidraw-v3", "axidraw-se-a3", "grbl-pen", "grbl-laser".
+inline constexpr auto kMachines = {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::idraw,
+                                   Machine::grbl_pen, Machine::grbl_laser};
+
+/// "axidraw-v3", "axidraw-se-a3", "idraw", "grbl-pen", "grbl-laser".
 std::string_view name_of(Machine machine);
 
 /// "an AxiDraw V3".
@@ -22,7 +25,8 @@ struct MachineSpeeds {
     double top_speed = 0;     // pen up, mm/s
     double acceleration = 0;  // pen up, mm/s^2
     double lower_s = 0, raise_s = 0;
-    double dot_s = 0;  // on the paper, or the laser burning
+    double dot_s = 0;                                    // on the paper, or the laser burning
+    double drawing_speed = 0, drawing_acceleration = 0;  // of lines, pen down
 };
 
 /// The defaults of each machine's own program.
@@ -31,7 +35,12 @@ struct MachineSpeeds {
 /// speed 75/110 of speed_lim_xy_hr = 8.6979 in/s, acceleration 75 % of accel_rate_pu = 60 in/s^2; pen
 /// positions 60 and 30 %, raised at a rate of 75 % and lowered at 50 %. A lift takes the fourth-power mean of
 /// servo_move_slope (2.69 ms per %) x 30 + servo_move_min (45 ms) and servo_sweep_time (200 ms) x 30 / rate.
-/// The two sizes share all of these, so they take the same time.
+/// The two sizes share all of these, so they take the same time. Lines: 25/110 of that speed, and 75 % of
+/// accel_rate = 40 in/s^2.
+///
+/// iDraw, whose program was made from the AxiDraw's first version (1.0): that one's axidraw_conf.py (1.3) has
+/// 24,950 steps/s of 1/2032 in as the speed of 110 %, of which 75 % with the pen up and 25 % down, reached in
+/// 0.2 s on moves below an inch; pen positions 60 and 40 % at a rate of 150 % a second.
 ///
 /// GRBL, from its own settings in defaults.h, DEFAULTS_GENERIC: 500 mm/min ($110) and 10 mm/s^2 ($120). Most
 /// machines are tuned to be faster. A pen's servo is taken as the AxiDraw's with full rates (its program has
@@ -42,8 +51,10 @@ struct PlottingTime {
     double moving_s = 0;
     double lifting_s = 0;  // raising and lowering
     double dots_s = 0;     // on the paper
+    double drawing_s = 0;  // lines, pen down
 
-    double total_s() const { return moving_s + lifting_s + dots_s; }
+    double total_s() const { return moving_s + lifting_s + dots_s + drawing_s; }
+    bool operator==(const PlottingTime&) const = default;
 };
 
 /// Seconds for a straight move from rest to rest: a trapezium of speed over time, or a triangle where the top

@@ -27,36 +27,33 @@ std::uint64_t overlapping_unequal(const Dots& dots) {
     return count;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double kRounding = 1e-3;  // mm
+
+double least_inside(const Rectangle<double>& area, glm::dvec2 p) {
+    return std::min({p.x - area.low.x, p.y - area.low.y, area.high.x - p.x, area.high.y - p.y});
+}
 
 }  // namespace
 
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,
-                    const std::optional<Rectangle<double>>& within_margins) {
+                    const std::optional<Rectangle<double>>& within_margins, glm::dvec2 corner_mm) {
     const glm::dvec2 size(page.width_mm, page.height_mm);
     std::vector<glm::dvec2> places(dots.size());
     for (std::size_t i = 0; i < dots.size(); ++i) {
         // Rounded to float, one can lie a hair beyond the page.
-        places[i] = glm::clamp(glm::dvec2(dots.x[i], dots.y[i]) * page.mm_per_page_unit, glm::dvec2(0), size);
+        const glm::dvec2 place = glm::dvec2(dots.x[i], dots.y[i]) * page.mm_per_page_unit;
+        places[i] = glm::clamp(place + corner_mm, glm::dvec2(0), size);
     }
     Preflight result{.nearest_mm = std::numeric_limits<double>::infinity()};
     for (std::size_t i = 1; i < places.size(); ++i)
         result.pen_up_m += glm::distance(places[i - 1], places[i]) / 1000;
-    for (const glm::dvec2 p : places) {
-        const double inside = std::min({p.x, p.y, size.x - p.x, size.y - p.y});
-        result.over_edge += inside < dot_radius_mm;
-    }
-    const Rectangle<double> area = within_margins.value_or(Rectangle<double>{{0, 0}, size});
+    const Rectangle<double> whole{{0, 0}, size}, within = within_margins.value_or(whole);
+    double radii_mm = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const glm::dvec2 p = places[i];
         const double radius = dots.radius.empty() ? dot_radius_mm : dots.radius[i] * page.mm_per_page_unit;
-        const double inside =
-            std::min({p.x - area.low.x, p.y - area.low.y, area.high.x - p.x, area.high.y - p.y});
-        result.outside_margins += inside < radius - kRounding;
+        result.over_edge += least_inside(whole, places[i]) < radius - kRounding;
+        result.outside_margins += least_inside(within, places[i]) < radius - kRounding;
+        radii_mm += radius;
     }
     const Domain domain{size.x, size.y, Topology::window};
     for (const double distance : nearest_distances(places, domain)) {
@@ -65,14 +62,30 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
         result.nearer_than_saxi += distance < kSaxiJoins;
         result.nearer_than_axidraw += distance < kAxiDrawJoins;
     }
-    double radii_mm = static_cast<double>(dots.size()) * dot_radius_mm;
-    if (!dots.radius.empty()) {
-        result.overlapping = overlapping_unequal(dots);
-        radii_mm = 0;
-        for (const float radius : dots.radius) radii_mm += radius * page.mm_per_page_unit;
-    }
+    if (!dots.radius.empty()) result.overlapping = overlapping_unequal(dots);
     result.rings_m = 2 * std::numbers::pi * radii_mm / 1000;
     return result;
+}
+
+Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page) {
+    const double unit = page.mm_per_page_unit, usual = inked.radius_mm;
+    Dots all;
+    all.reserve(dots.count, false);
+    bool alike = true;
+    std::vector<float> reaches;
+    dots.for_each_piece([&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const double reach = piece.radius.empty() ? inked.radius_mm : piece.radius[i] * unit;
+            all.x.push_back(piece.x[i]);
+            all.y.push_back(piece.y[i]);
+            reaches.push_back(static_cast<float>(reach / unit));
+            // Radii are kept as floats.
+            alike = alike && std::abs(reach - usual) < 1e-6 * usual;
+        }
+        return true;
+    });
+    if (!alike) all.radius.assign(reaches.begin(), reaches.end());
+    return all;
 }
 
 }  // namespace dapple

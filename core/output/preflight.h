@@ -1,10 +1,13 @@
 #pragma once
-// What a pen plotter will make of a drawing, told before it is plotted.
+// What becomes of a drawing's dots on paper, measured before it is plotted: how near they are to each other
+// and to the edges. core/output/findings.h says what of it someone should know.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "core/image/rectangle.h"
+#include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 
@@ -21,17 +24,38 @@ struct Preflight {
     std::uint64_t nearer_than_axidraw = 0;
     std::uint64_t overlapping = 0;      // dots that reach into others; of unequal radii into near ones
     double rings_m = 0;                 // all dots' outlines, in metres: what a plotter traces of circles
-    std::uint64_t over_edge = 0;        // dots of that radius that reach over the page's edge
+    std::uint64_t over_edge = 0;        // dots that reach over the page's edge, each as far as its own radius
     std::uint64_t outside_margins = 0;  // dots with a part outside of what the margins leave
 
     bool operator==(const Preflight&) const = default;
 };
 
-/// Dots, of that radius or of their own, as seen from the page's corner, in the order of plotting. The
-/// margins leave that rectangle, in millimetres; none: all of the page. What reaches over it by less than a
-/// thousandth of a millimetre, which is as much as files round to, is within. A million take a fraction of a
-/// second.
+/// Dots, of that radius or of their own, in the order of plotting, as seen from `corner_mm` on the page, in
+/// millimetres. The margins leave that rectangle of the page; none: all of it. What reaches over it by less
+/// than a thousandth of a millimetre, which is as much as files round to, is within. A million take a
+/// fraction of a second.
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,
-                    const std::optional<Rectangle<double>>& within_margins = {});
+                    const std::optional<Rectangle<double>>& within_margins = {},
+                    glm::dvec2 corner_mm = glm::dvec2(0));
+
+/// How a drawing's dots come onto the paper.
+enum class DotsAs {
+    printed,  // pixels, or what a printer fills
+    rings,    // a plotter follows the outlines of circles
+    touches,  // the pen goes down and up
+    listed,   // not at all: a table
+};
+
+/// How far the ink of dots reaches.
+struct InkedDot {
+    DotsAs as = DotsAs::printed;
+    double radius_mm = 0;  // of dots that have none of their own
+
+    bool operator==(const InkedDot&) const = default;
+};
+
+/// All dots of a stream, each as large as the disc that its ink lies in: `radius` is left empty where all are
+/// alike, and InkedDot::radius_mm is theirs.
+Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page);
 
 }  // namespace dapple

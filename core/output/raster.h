@@ -44,7 +44,8 @@ void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest&
 /// All bands in one, of dots in memory.
 Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request);
 
-/// sRGB-encoded pixels of that coverage. The colours are sRGB-encoded too.
-Grid<glm::u8vec3> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
+/// sRGB-encoded pixels of that coverage, of 8 or 16 bits a channel. The colours are sRGB-encoded too.
+template <class Channel = std::uint8_t>
+Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
 
 }  // namespace dapple

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <string_view>
+#include <vector>
 
 #include "core/image/rectangle.h"
 #include "core/placing/page.h"
@@ -38,5 +39,12 @@ Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_co
 /// Regions with a common edge join as sheets do. A tenth of a millimetre over the page's edge is cut off:
 /// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
 Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dvec2 picture_corner_mm = {});
+
+/// A line in millimetres from a sheet's upper left corner.
+struct CutMark {
+    glm::dvec2 from, to;
+
+    bool operator==(const CutMark&) const = default;
+};
 
 }  // namespace dapple

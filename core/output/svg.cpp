@@ -24,6 +24,16 @@ void begin_layer(TextBuffer& text, int number, std::string_view label) {
          << R"(" id="layer)" << std::int64_t{number} << '"';
 }
 
+void write_marks(TextBuffer& text, std::span<const CutMark> marks) {
+    for (const CutMark& mark : marks) {
+        text << R"(<path d="M)";
+        text.fixed(mark.from.x * kPxPerMm, 3) << ' ';
+        text.fixed(mark.from.y * kPxPerMm, 3) << 'L';
+        text.fixed(mark.to.x * kPxPerMm, 3) << ' ';
+        text.fixed(mark.to.y * kPxPerMm, 3) << "\"/>\n";
+    }
+}
+
 void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                 const WritingProgress& progress) {
     const int decimals = decimals_for(dots.count, page);
@@ -63,7 +73,7 @@ Rectangle<double> outline_of(const PlacedTile& tile, double px_per_unit) {
 }
 
 void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page,
-                 const Rectangle<double>& area) {
+                 const Rectangle<double>& area, int layer) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     // Tiles cover a square, the picture need not be one and a part of it may be on the page: what lies over
     // the edges is cut off, and an outline that lies all around is none.
@@ -76,7 +86,7 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
             by_level[tile.level].push_back(
                 {glm::max(outline.low, area.low), glm::min(outline.high, area.high)});
     }
-    begin_layer(text, 2, "Tiles");
+    begin_layer(text, layer, "Tiles");
     text << R"( fill="none" stroke-width="0.3">)" << '\n';
     // Finest first: the coarse ones lie on top, so that every line shows the coarsest level that it bounds.
     for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
@@ -98,10 +108,10 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
     text << "</g>\n";
 }
 
-}  // namespace
-
-void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
-               const WritingProgress& progress) {
+// The file, with what write_ink() puts into its first layers.
+template <class WriteInk>
+void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& style,
+                    const WriteInk& write_ink) {
     TextBuffer text(out);
     text
         << R"(<?xml version="1.0" encoding="UTF-8"?>)"
@@ -123,10 +133,19 @@ void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, c
     if (style.background) {
         text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
     }
-    write_dots(text, dots, page, style, progress);
-    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture));
+    write_ink(text);
+    const int layer = 2;
+    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture), layer);
     text << "</svg>\n";
     text.flush();
+}
+
+}  // namespace
+
+void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
+               const WritingProgress& progress) {
+    write_svg_file(out, page, style,
+                   [&](TextBuffer& text) { write_dots(text, dots, page, style, progress); });
 }
 
 }  // namespace dapple

@@ -14,6 +14,7 @@
 #include "core/image/colour.h"
 #include "core/image/rectangle.h"
 #include "core/output/progress.h"
+#include "core/output/sheet.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
@@ -30,7 +31,7 @@ struct SvgStyle {
     std::optional<glm::vec3> background;     // a rectangle under everything
     std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
     std::optional<Rectangle<double>> picture =
-        {};  // page units: outlines end at its edges; none: at the page's
+        {};                                   // page units: outlines end at its edges; none: at the page's
     std::string_view settings =
         {};  // text without <, > and & for whoever opens the drawing again; empty: no <metadata>
 };

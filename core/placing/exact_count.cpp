@@ -66,7 +66,7 @@ class Cutter {
 
 // Where a drawing ends in which `kept` dots of the tail stay; one or more.
 template <class Trial>
-CountCut cut_among(const Trial& trial, std::size_t kept, PlacerMemory& memory) {
+CountCut cut_among(const Trial& trial, std::uint64_t kept, PlacerMemory& memory) {
     std::vector<float>& criticals = memory.criticals;
     criticals.clear();
     trial.for_each_in_tail([&](float critical, const auto&) { criticals.push_back(critical); });

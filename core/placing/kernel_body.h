@@ -57,7 +57,7 @@ inline void list_tail(Mask tail, Mask exists, Lanes threshold, Lanes density, co
     }
 }
 
-template <Source kSource, bool kThresholds, bool kLate>
+template <Source kSource, bool kThresholds, bool kTail>
 inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& output) {
     const KernelSquare s = square;  // copies: no store can change them, so that they stay in registers
     const KernelOutput out = output;
@@ -83,7 +83,7 @@ inline PlacedCount place_points(const KernelSquare& square, const KernelOutput& 
         Mask exists = density * Lanes(s.ranks_per_density) > rank;
         if (s.at_edge) exists = both(exists, in_edges(s, x, y));
         const Lanes threshold = rank * Lanes(s.threshold_per_rank);
-        if (kLate) {
+        if (kTail) {
             const Mask tail = without(exists, density * Lanes(s.tail_per_density) > rank);
             if (bits_of(tail) != 0) list_tail(tail, exists, threshold, density, out, placed);
         }
@@ -127,15 +127,15 @@ CertainPoints place_certain(const KernelSquare& square, const KernelOutput& outp
     }
 }
 
-template <bool kThresholds, bool kLate>
+template <bool kThresholds, bool kTail>
 inline PlacedCount place_square(const KernelSquare& s, const KernelOutput& out) {
     switch (s.source) {
         case Source::block:
-            return place_points<Source::block, kThresholds, kLate>(s, out);
+            return place_points<Source::block, kThresholds, kTail>(s, out);
         case Source::picture:
-            return place_points<Source::picture, kThresholds, kLate>(s, out);
+            return place_points<Source::picture, kThresholds, kTail>(s, out);
         case Source::clamped:
-            return place_points<Source::clamped, kThresholds, kLate>(s, out);
+            return place_points<Source::clamped, kThresholds, kTail>(s, out);
     }
     return {};
 }

@@ -15,7 +15,7 @@ RankedTile::RankedTile(Tile tile, const Ranking& ranking)
     if (tile_.rule == Rule{}) own_ranks_ = farthest_point_ranks(tile_);
 }
 
-RankedTile::RankedTile(Tile tile, RankingMethod order) : RankedTile(tile, rank(tile, order)) {}
+RankedTile::RankedTile(Tile tile, RankingMethod method) : RankedTile(tile, rank(tile, method)) {}
 
 bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const PlacingRequest& request,
              Stippling& result, std::stop_token stop) {

@@ -31,7 +31,7 @@ std::string_view name_of(PlacerKind kind);
 class RankedTile {
  public:
     RankedTile(Tile tile, const Ranking& ranking);
-    RankedTile(Tile tile, RankingMethod order);
+    RankedTile(Tile tile, RankingMethod method);
 
     const Tile& tile() const { return tile_; }
     const std::vector<int>& own_ranks() const { return own_ranks_; }  // for Figure 8; none if it can't be

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
+#include "core/text/base64.h"
+#include "core/text/xml_text.h"
 
 namespace dapple {
 namespace {
@@ -12,80 +13,18 @@ body { font: 16px/1.5 sans-serif; color: #222; background: #fff; max-width: 66re
 h1 { font-size: 1.7rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ccc; }
 .side { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-start; }
 .side figure { margin: 0; flex: 1 1 18rem; } .side svg { flex: 1 1 24rem; max-width: 48rem; height: auto; }
-.one figure { max-width: 44rem; }
+.one figure { max-width: 44rem; } .four figure { flex: 1 1 26rem; } .many figure { flex: 0 1 20rem; }
 img { max-width: 100%; width: 100%; height: auto; border: 1px solid #ccc; } img.pixels { image-rendering: pixelated; }
 figcaption { font-size: 0.85rem; } .say { color: #333; max-width: 48rem; }
 table { border-collapse: collapse; margin: 0.6rem 0; } th, td { text-align: left; padding: 0.2rem 0.8rem 0.2rem 0; border-bottom: 1px solid #ddd; vertical-align: top; }
+td:not(:first-child):not(:last-child) { white-space: nowrap; }
 tr.good td:last-child { color: #0a6b2b; } tr.bad td { color: #a30000; font-weight: bold; }
 )";
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-// The length of the UTF-8 character that text begins with, 0 if it begins with none.
-std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xF0 && first < 0xF5   ? 4
-                               : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xC2 && first < 0xE0 ? 2
-                                                               : 0;
-    if (length == 0 || length > text.size()) return 0;
-    std::uint32_t code = first & (0x7Fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-        code = code << 6 | (byte(i) & 0x3Fu);
-    }
-    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    const bool no_character =
-        (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF || code == 0xFFFE || code == 0xFFFF;
-    return overlong || no_character ? 0 : length;
-}
-
 }  // namespace
 
-std::string xml_text(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = character_length(text);
-        const char c = text.front();
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else if (c == '\'')
-            result += "&#39;";
-        else if (length == 0)
-            result += kReplacement;
-        else if (length == 1 && static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
-            result += kReplacement;
-        else
-            result += text.substr(0, length);
-        text.remove_prefix(length == 0 ? 1 : length);
-    }
-    return result;
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string result;
-    result.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            result += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63] : '=';
-    }
-    return result;
-}
-
 std::string data_address(std::string_view media_type, std::string_view bytes) {
-    return fmt::format("data:{};base64,{}", media_type, base64(bytes));
+    return fmt::format("data:{};base64,{}", media_type, base64_of(bytes));
 }
 
 HtmlPage::HtmlPage(std::string_view title) : title_(xml_text(title)) {
@@ -101,7 +40,11 @@ void HtmlPage::paragraph(std::string_view text) {
 }
 
 void HtmlPage::pictures(std::span<const Picture> pictures, std::string_view sentence) {
-    body_ += fmt::format("<div class=\"side{}\">\n", pictures.size() == 1 ? " one" : "");
+    const char* const kind = pictures.size() == 1   ? " one"
+                             : pictures.size() == 4 ? " four"
+                             : pictures.size() > 4  ? " many"
+                                                    : "";
+    body_ += fmt::format("<div class=\"side{}\">\n", kind);
     for (const Picture& picture : pictures) {
         body_ += fmt::format("<figure><img{} src=\"{}\" alt=\"{}\"/>",
                              picture.pixelated ? " class=\"pixels\"" : "",

@@ -9,13 +9,6 @@
 
 namespace dapple {
 
-/// Text with <, >, &, and both quotes written so that it stays text. Characters that XML has no place for
-/// become U+FFFD, and so do bytes that are not UTF-8.
-std::string xml_text(std::string_view text);
-
-/// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
-
 /// Bytes as an address: "data:image/png;base64,...".
 std::string data_address(std::string_view media_type, std::string_view bytes);
 

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/image/colour.h"
-#include "core/reports/html.h"
+#include "core/text/xml_text.h"
 
 namespace dapple {
 namespace {

@@ -212,8 +212,9 @@ void Figure::write_ranks(const Panel& panel) {
         }
     }
     text_ << "</g>\n";
-    // A tile can be ranked in several orders, of which the paper's is one.
-    caption(panel, fmt::format("ranks ({}): {}", name_of(stored_.order), numbers ? "0 first" : "dark first"));
+    // A tile can be ranked in several ways, of which the paper's is one.
+    caption(panel,
+            fmt::format("ranks ({}): {}", name_of(stored_.method), numbers ? "0 first" : "dark first"));
 }
 
 void Figure::write_first(const Panel& panel, int quarters) {

@@ -17,7 +17,7 @@ namespace {
 // parts of them round costs more.
 constexpr std::size_t kWindow = 10'000;
 // Rounds of windows, each shifted by half a window.
-constexpr int kRounds = 2;
+constexpr int kPasses = 2;
 // Longest row of dots that is carried elsewhere.
 constexpr int kLongestRow = 3;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
@@ -292,7 +292,7 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
     std::vector<std::uint32_t> order(x.size());
     std::iota(order.begin(), order.end(), 0u);
     if (order.size() < 3) return order;
-    const int rounds = order.size() > kWindow ? kRounds : 1;
+    const int rounds = order.size() > kWindow ? kPasses : 1;
     std::size_t done = 0;  // dots, over all rounds
     std::mutex telling;
     for (int round = 0; round < rounds && !watch.stop.stop_requested(); ++round) {

@@ -27,8 +27,9 @@ struct RoutingWatch {
 /// McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
 ///
 /// Many dots are improved in windows of consecutive ones, side by side in threads, and then again in windows
-/// half a step on. The result depends on the dots alone: not on time, nor on the number of threads. Throws
-/// nothing of its own; when stopped, what was reached is returned.
+/// half a step on. The result depends on the dots alone: not on time, nor on the number of threads, so that
+/// window and command, and every machine, write the same file. That is why there is no limit in seconds:
+/// whoever cannot wait stops it. Throws nothing of its own; when stopped, what was reached is returned.
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
                                      const RoutingWatch& watch = {});
 

@@ -7,10 +7,10 @@
 
 namespace dapple {
 
-std::optional<double> millimetres_of(std::string_view text) {
+std::optional<double> millimetres_of(std::string_view text, LengthUnit bare) {
     constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
-        {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}}};
-    double unit = 1;
+        {{"mm", 1}, {"cm", 10}, {"in", kMmPerInch}, {"pt", kMmPerInch / 72}}};
+    double unit = bare == LengthUnit::inch ? kMmPerInch : 1;
     for (const auto& [name, millimetres] : kUnits) {
         if (!text.ends_with(name)) continue;
         unit = millimetres;

@@ -95,8 +95,8 @@ std::vector<float> half_way(const std::vector<int>& ranks, float first) {
 
 }  // namespace
 
-std::string_view name_of(RankingMethod order) {
-    switch (order) {
+std::string_view name_of(RankingMethod method) {
+    switch (method) {
         case RankingMethod::paper:
             return "paper";
         case RankingMethod::farthest:
@@ -125,7 +125,7 @@ std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> 
     return ranks;
 }
 
-Ranking rank(const Tile& tile, RankingMethod order) {
+Ranking rank(const Tile& tile, RankingMethod method) {
     const auto neighbours = legal_neighbours(tile.rule);
     const auto own = positions_of(tile);
     const auto newborns = newborns_of(tile);
@@ -133,13 +133,13 @@ Ranking rank(const Tile& tile, RankingMethod order) {
     for (const Newborn& n : newborns) born.push_back(to_unit_square(n.position));
     const float count = static_cast<float>(tile.size());
 
-    if (order == RankingMethod::energy) {
+    if (method == RankingMethod::energy) {
         return {half_way(energy_order({}, own, neighbours), 0),
                 half_way(energy_order(own, born, neighbours), count)};
     }
     const std::vector<int> ranks = farthest_order({}, own, neighbours);
     Ranking ranking{half_way(ranks, 0), {}};
-    if (order == RankingMethod::farthest) {
+    if (method == RankingMethod::farthest) {
         ranking.newborn = half_way(farthest_order(own, born, neighbours), count);
     } else {
         ranking.newborn = paper_newborn_ranks(tile, ranking.tile);

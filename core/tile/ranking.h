@@ -2,7 +2,7 @@
 // The order in which a tile's points, and then its children's, appear as the density rises.
 //
 // A rank is a place in that order: with n = density in dots per tile, a tile shows its points of rank < n.
-// Birth 0..N belongs to the tile's own N points, N..4N to the 3 N newborn ones of its four children, where
+// Rank 0..N belongs to the tile's own N points, N..4N to the 3 N newborn ones of its four children, where
 // the children together are the complete tile of the next level. On level l of a subdivision a dot of rank b
 // needs scale * density > 4^l * b / 16.
 
@@ -22,7 +22,7 @@ enum class RankingMethod {
 };
 
 /// "paper", "farthest", "energy".
-std::string_view name_of(RankingMethod order);
+std::string_view name_of(RankingMethod method);
 
 struct Ranking {
     std::vector<float> tile;     // N ranks of the tile's points
@@ -30,7 +30,7 @@ struct Ranking {
 };
 
 /// Ranks a tile. Distances and energies are over all legal neighbours of the tile's rule.
-Ranking rank(const Tile& tile, RankingMethod order);
+Ranking rank(const Tile& tile, RankingMethod method);
 
 /// The paper's newborn ranks from the ranks of a tile's own points: a child of density 1..4 parents shows
 /// the ranks below N (n / N - 1) / 3 of its own.

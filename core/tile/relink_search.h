@@ -64,8 +64,8 @@ struct RelinkResult {
     std::uint64_t moves = 0;  // tried
 };
 
-/// Cools by the share of the moves that are tried, or by that of the time that is over: then the tile depends
-/// on how fast the machine is, and no other search finds the same. At least some moves are tried.
+/// Cools as moves are used up, or as time is: then the tile depends on how fast the machine is, and another
+/// search finds another one. At least some moves are tried.
 /// Throws std::runtime_error if `points` or `start` cannot be a tile.
 RelinkResult relink_search(const RelinkSettings& settings);
 

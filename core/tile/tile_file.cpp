@@ -79,15 +79,15 @@ std::string_view read_words(TextLines& lines, const Rule& rule, int points, Tile
     return line;
 }
 
-std::optional<RankingMethod> read_order(const TextLines& lines, std::string_view line) {
+std::optional<RankingMethod> read_method(const TextLines& lines, std::string_view line) {
     const std::string_view name = lines.value_of(line, "ranking");
     if (name == kOwn) return std::nullopt;
-    for (const RankingMethod order : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
-        if (name == name_of(order)) return order;
+    for (const RankingMethod method : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
+        if (name == name_of(method)) return method;
     lines.fail(fmt::format("the ranking '{}' is not known; there are paper, farthest, energy, own", name));
 }
 
-// Births first + rank + 1/2; ranks are a permutation.
+// Each rank with first + 1/2 added; ranks are a permutation.
 std::vector<float> read_ranks(TextLines& lines, std::size_t count, float first) {
     std::vector<float> ranks;
     std::vector<bool> taken(count);
@@ -123,13 +123,13 @@ void append_ranks(std::string& text, std::span<const float> ranks, float first) 
 
 }  // namespace
 
-std::string_view name_of(std::optional<RankingMethod> order) {
-    return order ? name_of(*order) : kOwn;
+std::string_view name_of(std::optional<RankingMethod> method) {
+    return method ? name_of(*method) : kOwn;
 }
 
-StoredTile ranked(Tile tile, RankingMethod order) {
-    Ranking ranking = rank(tile, order);
-    return {std::move(tile), order, std::move(ranking)};
+StoredTile ranked(Tile tile, RankingMethod method) {
+    Ranking ranking = rank(tile, method);
+    return {std::move(tile), method, std::move(ranking)};
 }
 
 std::string write_tile(const StoredTile& stored, std::span<const std::string> comments) {
@@ -140,9 +140,9 @@ std::string write_tile(const StoredTile& stored, std::span<const std::string> co
     for (const Orientation g : tile.rule.child) text += fmt::format(" {}", g.index);
     text += fmt::format("\npoints {}\nwords\n", tile.size());
     for (const std::string& word : tile.words) text += word + '\n';
-    text += fmt::format("ranking {}\nranks\n", name_of(stored.order));
+    text += fmt::format("ranking {}\nranks\n", name_of(stored.method));
     append_ranks(text, stored.ranking.tile, 0);
-    if (stored.order != RankingMethod::paper) {
+    if (stored.method != RankingMethod::paper) {
         text += "newborn ranks\n";
         append_ranks(text, stored.ranking.newborn, static_cast<float>(tile.size()));
     }
@@ -159,11 +159,11 @@ StoredTile read_tile(std::string_view text) {
 
     StoredTile stored;
     const std::string_view ranking_line = read_words(lines, rule, points, stored.tile);
-    stored.order = read_order(lines, ranking_line);
+    stored.method = read_method(lines, ranking_line);
     expect(lines, lines.next_content(), "ranks");
     const std::size_t count = stored.tile.size();
     stored.ranking.tile = read_ranks(lines, count, 0);
-    if (stored.order == RankingMethod::paper) {
+    if (stored.method == RankingMethod::paper) {
         stored.ranking.newborn = paper_newborn_ranks(stored.tile, stored.ranking.tile);
     } else {
         expect(lines, lines.next_content(), "newborn ranks");

@@ -32,15 +32,15 @@ namespace dapple {
 /// A tile with its ranking and where that comes from.
 struct StoredTile {
     Tile tile;
-    std::optional<RankingMethod> order;  // none: an order of its own
+    std::optional<RankingMethod> method;  // none: ranks of its own
     Ranking ranking;
 };
 
 /// "own" for none.
-std::string_view name_of(std::optional<RankingMethod> order);
+std::string_view name_of(std::optional<RankingMethod> method);
 
-/// A tile ranked by one of the orders.
-StoredTile ranked(Tile tile, RankingMethod order);
+/// A tile ranked by one of the methods.
+StoredTile ranked(Tile tile, RankingMethod method);
 
 /// The text of a tile. `comments` are lines to stand below the first one, without their #.
 std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});

@@ -8,7 +8,7 @@
 
 namespace dapple {
 
-bool CameraMouse::move(Camera& camera, const CanvasPlace& place) {
+bool CameraMouse::move(Camera& camera, const CanvasPlace& place, bool left_taken) {
     const ImGuiIO& io = ImGui::GetIO();
     const glm::vec2 pointer{io.MousePos.x, io.MousePos.y};
     const auto inside = [&](glm::vec2 p) {
@@ -17,6 +17,7 @@ bool CameraMouse::move(Camera& camera, const CanvasPlace& place) {
     };
     bool held = false, moved = false;
     for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Middle}) {
+        if (left_taken && button == ImGuiMouseButton_Left) continue;
         held |= ImGui::IsMouseDown(button);
         const glm::vec2 press{io.MouseClickedPos[button].x, io.MouseClickedPos[button].y};
         if (ImGui::IsMouseClicked(button) && !io.WantCaptureMouse && inside(press)) held_at_ = press;

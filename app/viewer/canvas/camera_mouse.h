@@ -19,7 +19,8 @@ class CameraMouse {
     /// Moves the camera as the mouse of this frame asks, unless ImGui's windows want it or it is elsewhere: a
     /// drag begins where the button went down, however far the pointer came in the frame before. True if it
     /// moved.
-    bool move(Camera& camera, const CanvasPlace& place);
+    /// `left_taken`: the left button is somebody else's.
+    bool move(Camera& camera, const CanvasPlace& place, bool left_taken = false);
 
  private:
     std::optional<glm::vec2> held_at_;  // while dragging: where the pointer was, in points

@@ -59,6 +59,11 @@ void Canvas::zoom(double factor) {
     fitted_ = false;
 }
 
+void Canvas::pan(glm::dvec2 sides) {
+    camera_ = dragged(camera_, sides * std::min(camera_.canvas.x, camera_.canvas.y));
+    fitted_ = false;
+}
+
 Camera Canvas::fitted_to_sheet(glm::dvec2 canvas) const {
     return sheet_ ? fitted(canvas, sheet_->size(), sheet_->low) : fitted(canvas, page_size_);
 }
@@ -67,8 +72,8 @@ double Canvas::enlargement() const {
     return camera_.pixels_per_unit / fitted_to_sheet(camera_.canvas).pixels_per_unit;
 }
 
-void Canvas::handle_mouse(const CanvasPlace& place) {
-    if (mouse_.move(camera_, place)) fitted_ = false;
+void Canvas::handle_mouse(const CanvasPlace& place, bool left_taken) {
+    if (mouse_.move(camera_, place, left_taken)) fitted_ = false;
 }
 
 std::optional<double> Canvas::seconds_to_next_frame() const {

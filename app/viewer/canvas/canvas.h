@@ -12,7 +12,7 @@
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/renderer.h"
 #include "app/viewer/model/frame_budget.h"
-#include "app/viewer/model/workbench.h"
+#include "app/viewer/model/placed_drawing.h"
 
 namespace dapple {
 
@@ -45,12 +45,14 @@ class Canvas {
     /// So many pixels for the page's longer side, about the middle.
     void zoom_to(double pixels_per_unit);
     void zoom(double factor);
+    /// Moved as when the page is dragged by so many of the canvas's shorter sides.
+    void pan(glm::dvec2 sides);
     const Camera& camera() const { return camera_; }
     /// How many times larger than fitted.
     double enlargement() const;
 
-    /// Wheel and drag, unless ImGui's windows want the mouse.
-    void handle_mouse(const CanvasPlace& place);
+    /// Wheel and drag, unless ImGui's windows want the mouse. See CameraMouse.
+    void handle_mouse(const CanvasPlace& place, bool left_taken = false);
 
     /// The frame before took so many seconds, all in all: how long it may draw in the next goes by that.
     void learn(double last_frame);

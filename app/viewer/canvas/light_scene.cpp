@@ -17,7 +17,7 @@
 namespace dapple {
 namespace {
 
-constexpr int kSphereSize = 256;
+constexpr float kLargestSphere = 1024;  // pixels: larger ones are enlarged
 
 Grid<glm::u8vec4> tone_mapped_picture(const Grid<glm::vec3>& preview, double exposure) {
     Grid<glm::u8vec4> pixels(preview.width, preview.height);
@@ -45,14 +45,15 @@ float marker_radius(std::size_t samples, glm::vec2 map_size) {
 
 }  // namespace
 
-void LightScene::draw_textures(const LightsShown& shown) {
+void LightScene::draw_textures(const LightsShown& shown, int sphere_pixels) {
     const LightsSettings& settings = shown.settings;
-    const Drawn wanted{shown.map_number, shown.samplings, settings.stops, settings.turn_degrees};
+    const Drawn wanted{shown.map_number, shown.samplings, settings.stops, settings.turn_degrees,
+                       sphere_pixels};
     if (drawn_ == wanted) return;
     const double exposure = shown.lit.natural_exposure * std::exp2(settings.stops);
     if (!drawn_ || drawn_->map_number != wanted.map_number || drawn_->stops != wanted.stops)
         map_texture_.write(tone_mapped_picture(shown.lit.preview, exposure));
-    const SphereLook look{kSphereSize, settings.turn_degrees, exposure};
+    const SphereLook look{sphere_pixels, settings.turn_degrees, exposure};
     spheres_[0].write(sphere_picture(*shown.samples.found, look));
     spheres_[1].write(sphere_picture(shown.lit.exact, look));
     drawn_ = wanted;
@@ -63,10 +64,13 @@ LightLayout light_layout(glm::vec2 corner, glm::vec2 size) {
     const float width = std::max(std::min(size.x - 2 * air, (size.y - 3 * air) * 1.35f), 1.0f);
     LightLayout layout;
     layout.map = {{corner.x + (size.x - width) / 2, corner.y + air}, {width, width / 2}};
-    const float top = layout.map.corner.y + layout.map.size.y + air;
-    layout.sphere_side = std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f);
-    const float middle = corner.x + size.x / 2;
-    layout.spheres = {{{middle - layout.sphere_side - air, top}, {middle + air, top}}};
+    const float top = std::floor(layout.map.corner.y + layout.map.size.y + air);
+    // Whole, so that their pixels are the screen's.
+    layout.sphere_side =
+        std::floor(std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f));
+    const float middle = std::floor(corner.x + size.x / 2);
+    layout.spheres = {
+        {{std::floor(middle - layout.sphere_side - air), top}, {std::floor(middle + air), top}}};
     return layout;
 }
 
@@ -111,7 +115,8 @@ void LightScene::show_samples(const CanvasPlace& place, const Camera& camera, co
 }
 
 void LightScene::show(const LightLayout& layout, const Camera& camera, const LightsShown& shown) {
-    draw_textures(shown);
+    const float pixels = layout.sphere_side * ImGui::GetIO().DisplayFramebufferScale.x;
+    draw_textures(shown, static_cast<int>(std::lround(std::clamp(pixels, 8.0f, kLargestSphere))));
     show_map(layout.map, camera, shown.settings);
     if (shown.settings.samples_shown) show_samples(layout.map, camera, shown);
 

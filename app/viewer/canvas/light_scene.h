@@ -38,7 +38,7 @@ class LightScene {
     void show(const LightLayout& layout, const Camera& camera, const LightsShown& shown);
 
  private:
-    void draw_textures(const LightsShown& shown);
+    void draw_textures(const LightsShown& shown, int sphere_pixels);
     void show_map(const CanvasPlace& place, const Camera& camera, const LightsSettings& settings) const;
     static void show_samples(const CanvasPlace& place, const Camera& camera, const LightsShown& shown);
 
@@ -46,6 +46,7 @@ class LightScene {
         int map_number = 0;
         std::uint64_t samplings = 0;
         double stops = 0, turn_degrees = 0;
+        int sphere_pixels = 0;
         bool operator==(const Drawn&) const = default;
     };
     std::optional<Drawn> drawn_;

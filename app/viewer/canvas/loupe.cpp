@@ -125,7 +125,7 @@ void Loupe::fold(const LoupeView& view, const LoupeSquare& square) {
 }
 
 void Loupe::draw(const LoupeView& view, const Camera& camera, const CanvasPlace& place) {
-    facts_.reset();
+    info_.reset();
     const glm::vec2 mouse{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     const glm::vec2 in_canvas = mouse - place.corner;
     const bool inside =
@@ -135,7 +135,7 @@ void Loupe::draw(const LoupeView& view, const Camera& camera, const CanvasPlace&
     const auto square = loupe_square(view.shown, view.tile_size, at, view.step);
     if (!square) return;
     fold(view, *square);
-    facts_ = LoupeInfo{repetition_, square->across * square->across, square->level};
+    info_ = LoupeInfo{repetition_, square->across * square->across, square->level};
     const float unit = ImGui::GetFontSize() / 15;
     const Box box = on_screen(*square, camera, place);
     ImGui::GetForegroundDrawList()->PushClipRect(

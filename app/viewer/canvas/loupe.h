@@ -29,8 +29,8 @@ class Loupe {
     void draw(const LoupeView& view, const Camera& camera, const CanvasPlace& place);
 
     /// Of the lens drawn last; none if there was none.
-    const std::optional<LoupeInfo>& info() const { return facts_; }
-    void hide() { facts_.reset(); }
+    const std::optional<LoupeInfo>& info() const { return info_; }
+    void hide() { info_.reset(); }
 
  private:
     struct Key {
@@ -45,7 +45,7 @@ class Loupe {
     GlTexture picture_;
     std::optional<Key> folded_;
     double repetition_ = 0;
-    std::optional<LoupeInfo> facts_;
+    std::optional<LoupeInfo> info_;
 };
 
 /// What the eye sees in the lens, in a sentence.

@@ -81,14 +81,20 @@ void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLu
     glVertexAttribDivisor(location, divisor);
 }
 
-/// Every n-th number of a part of a column.
-void take(FloatBuffer& to, const FloatBuffer& from, std::size_t first, std::size_t count, std::size_t every) {
-    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
-    if (every == 1) {
-        to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
-        return;
-    }
-    for (std::size_t i = 0; i < count; i += every) to.push_back(from[first + i]);
+void colour_column(GLuint location, const GlStreamBuffer& buffer, GLuint divisor) {
+    buffer.bind();
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+    glVertexAttribDivisor(location, divisor);
+}
+
+void take(FloatBuffer& to, const FloatBuffer& from, std::span<const std::size_t> places) {
+    for (const std::size_t i : places) to.push_back(from[i]);
+}
+
+void take(FloatBuffer& to, const FloatBuffer& from, const DotBlock& block) {
+    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(block.first);
+    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(block.count));
 }
 
 // The same shader with a few words defined, after its first line, which says the version.
@@ -126,7 +132,7 @@ Renderer::Renderer()
     column(2, dot_critical_, 1, 1);
     tile_array_.bind();
     column(0, tiles_, 4, 1);
-    column(1, tile_facts_, 2, 1);
+    column(1, tile_looks_, 2, 1);
     std::array<float, 2> sizes{1, 1};
     float step = 1;
     glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
@@ -144,6 +150,7 @@ Renderer::Renderer()
 void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window) {
     job_.reset();
     dots_shown_ = &dots;
+    part_.reset();
     blocks_ = blocks;
     colours_ = {};
     has_colours_ = false;
@@ -388,11 +395,23 @@ void Renderer::attach_columns() {
             glDisableVertexAttribArray(kDotColour);
             continue;
         }
-        dot_colour_.bind();
-        glEnableVertexAttribArray(kDotColour);
-        glVertexAttribPointer(kDotColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
-        glVertexAttribDivisor(kDotColour, divisor);
+        colour_column(kDotColour, dot_colour_, divisor);
     }
+}
+
+// Which dots of a block stand for all of them.
+void Renderer::choose(const Job& job, const DotBlock& block) {
+    taken_.clear();
+    const std::size_t end = block.first + block.count;
+    if (!part_) part_.emplace(*dots_shown_);
+    if (!part_->is_known()) {
+        for (std::size_t i = block.first; i < end; i += job.every) taken_.push_back(i);
+        return;
+    }
+    const float limit = part_->limit(static_cast<double>(job.every));
+    const FloatBuffer& critical = dots_shown_->pieces[block.piece].critical;
+    for (std::size_t i = block.first; i < end; ++i)
+        if (critical[i] <= limit) taken_.push_back(i);
 }
 
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
@@ -407,14 +426,24 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     for (; job.next_block < job.blocks.size() && dots.size() < most; ++job.next_block) {
         const DotBlock& block = blocks_[job.blocks[job.next_block]];
         const Dots& from = dots_shown_->pieces[block.piece];
-        take(dots.x, from.x, block.first, block.count, job.every);
-        take(dots.y, from.y, block.first, block.count, job.every);
+        const auto take_of = [&](FloatBuffer& to, const FloatBuffer& column) {
+            if (job.every == 1)
+                take(to, column, block);
+            else
+                take(to, column, taken_);
+        };
+        if (job.every > 1) choose(job, block);
+        take_of(dots.x, from.x);
+        take_of(dots.y, from.y);
         // Not looked at if it isn't there, but the column must be as long as the others.
-        take(dots.critical, has_critical_ ? from.critical : from.x, block.first, block.count, job.every);
-        if (has_radii_) take(dots.radius, from.radius, block.first, block.count, job.every);
-        if (has_colours_)
-            for (std::size_t i = 0; i < block.count; i += job.every)
-                colours_handed_over_.push_back(colours_[block.index + i]);
+        take_of(dots.critical, has_critical_ ? from.critical : from.x);
+        if (has_radii_) take_of(dots.radius, from.radius);
+        if (!has_colours_) continue;
+        const auto colours = colours_.subspan(block.index, block.count);
+        if (job.every == 1)
+            colours_handed_over_.insert(colours_handed_over_.end(), colours.begin(), colours.end());
+        else
+            for (const std::size_t i : taken_) colours_handed_over_.push_back(colours[i - block.first]);
     }
     dot_x_.write(std::as_bytes(std::span(dots.x)));
     dot_y_.write(std::as_bytes(std::span(dots.y)));
@@ -462,14 +491,14 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
 
 // The part of it that is wholly on the sheet, which is most of it, by a program that does only what is needed
 // there, and the rest about it.
-void Renderer::draw_page(const Job& job, const PixelBox& box) {
+void Renderer::draw_page(const Job& job, const Rectangle<int>& box) {
     const Camera& camera = job.camera;
     const int height = static_cast<int>(camera.canvas.y);
     const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
     const glm::vec2 page_low = sheet.low, page_high = sheet.high;
     // The page may reach further than integers do.
     const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
-    const PixelBox inner{
+    const Rectangle<int> inner{
         glm::clamp(glm::ivec2(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y))),
                    box.low, box.high),
         glm::clamp(glm::ivec2(column(std::floor(page_high.x)), height - column(std::ceil(page_low.y))),
@@ -483,8 +512,8 @@ void Renderer::draw_page(const Job& job, const PixelBox& box) {
     draw_page(job, {{inner.high.x, inner.low.y}, {box.high.x, inner.high.y}}, page_);
 }
 
-void Renderer::draw_page(const Job& job, const PixelBox& box, const GlProgram& program) {
-    const glm::ivec2 size_of_box = box.high - box.low;
+void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program) {
+    const glm::ivec2 size_of_box = box.size();
     if (size_of_box.x <= 0 || size_of_box.y <= 0) return;
     glScissor(box.low.x, box.low.y, size_of_box.x, size_of_box.y);
     const Camera& camera = job.camera;
@@ -542,7 +571,7 @@ void Renderer::draw_tiles(Job& job, std::size_t most) {
     }
     job.tiles -= count;
     tiles_.write(std::as_bytes(std::span(boxes)));
-    tile_facts_.write(std::as_bytes(std::span(info)));
+    tile_looks_.write(std::as_bytes(std::span(info)));
     tile_.use();
     set_transform(tile_, {.offset = to_canvas(job.camera, PagePoint{tile_window_.x, tile_window_.y}),
                           .scale = job.camera.pixels_per_unit,

@@ -20,6 +20,7 @@
 #include "app/viewer/model/camera.h"
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_samples.h"
+#include "app/viewer/model/even_part.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
@@ -66,8 +67,8 @@ class Renderer {
 
     // What is set with these three is looked at again whenever it is drawn: it has to stay until the next.
 
-    /// Positions are relative to the window's corner. Dots::critical is needed for fading in only. All pieces
-    /// have it or none, and so it is with Dots::radius. The blocks are dot_blocks() of them.
+    /// Positions are relative to the window's corner. Dots::critical is for fading in and for a part of the
+    /// dots. All pieces have it or none, and so it is with Dots::radius. The blocks are dot_blocks() of them.
     void set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window = {});
     /// One colour a dot, or none for the ink; until the next set_dots().
     void set_dot_colours(std::span<const glm::u8vec4> colours);
@@ -84,8 +85,9 @@ class Renderer {
     Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                   Fineness fineness = Fineness::full, Columns columns = {});
 
-    /// The same quickly: of more dots than can be drawn in about that time (seconds), every n-th, so much
-    /// larger that the page is as dark as with all of them.
+    /// The same quickly: of more dots than can be drawn in about that time (seconds), one in n, so much
+    /// larger that the page is as dark as with all of them: an EvenPart, or every n-th where the dots do not
+    /// say when they appear.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                           Columns columns, double seconds);
 
@@ -105,11 +107,6 @@ class Renderer {
         int samples;           // of a pixel's side; 0: there are no dots to be seen
     };
 
-    /// Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
-    struct PixelBox {
-        glm::ivec2 low, high;
-    };
-
     /// A drawing under way: dots, then the page with them, then tiles.
     struct Job {
         Camera camera;
@@ -118,7 +115,7 @@ class Renderer {
         DotGrid grid{};
         std::vector<std::size_t> blocks{};  // in view
         std::size_t in_view = 0;            // dots in them
-        std::size_t every = 1;              // n-th dot is drawn
+        std::size_t every = 1;              // one dot in so many is drawn
         std::size_t tiles = 0;              // still to be drawn: the first ones
         std::size_t next_block = 0;
         int next_row = 0;
@@ -132,14 +129,16 @@ class Renderer {
     GlFramebuffer& dots_of(const Job& job);
     void prepare_dots(const Job& job);
     void draw_dots(Job& job, std::size_t most);
-    void draw_page(const Job& job, const PixelBox& box);
-    void draw_page(const Job& job, const PixelBox& box, const GlProgram& program);
+    void choose(const Job& job, const DotBlock& block);
+    // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
+    void draw_page(const Job& job, const Rectangle<int>& box);
+    void draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program);
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
     GlProgram page_, sheet_, sheet_with_picture_, dot_, tile_;  // the first three: see page.frag
     GlVertexArray empty_, dot_array_, dot_quad_array_, tile_array_;
-    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, tiles_, tile_facts_;
+    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, tiles_, tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
@@ -152,6 +151,8 @@ class Renderer {
     std::span<const PlacedTile> tiles_shown_;
     Dots handed_over_;  // to OpenGL, when dots are drawn
     std::vector<glm::u8vec4> colours_handed_over_;
+    std::vector<std::size_t> taken_;  // of a block, to be handed over
+    std::optional<EvenPart> part_;    // of the dots; none: not asked for yet
     std::optional<Job> job_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;

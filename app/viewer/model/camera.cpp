@@ -41,9 +41,12 @@ glm::dvec2 in_page_units(PagePoint point) {
     return glm::dvec2(point) / kUnits;
 }
 
+glm::dvec2 way_between(PagePoint from, PagePoint to) {
+    return glm::dvec2(difference(to.x, from.x), difference(to.y, from.y)) / kUnits;
+}
+
 glm::dvec2 to_canvas(const Camera& camera, PagePoint point) {
-    const glm::dvec2 from_centre(difference(point.x, camera.centre.x), difference(point.y, camera.centre.y));
-    return from_centre * (camera.pixels_per_unit / kUnits) + camera.canvas * 0.5;
+    return way_between(camera.centre, point) * camera.pixels_per_unit + camera.canvas * 0.5;
 }
 
 PagePoint point_at(const Camera& camera, glm::dvec2 canvas_point) {

@@ -18,6 +18,9 @@ using PagePoint = glm::i64vec2;
 /// Rounded; what is out of range goes to its end.
 PagePoint page_point(glm::dvec2 page_units);
 glm::dvec2 in_page_units(PagePoint point);
+/// In page units, exact where they are near each other. Points may be so far apart that a PagePoint does not
+/// reach from one to the other.
+glm::dvec2 way_between(PagePoint from, PagePoint to);
 
 struct Camera {
     glm::dvec2 canvas{1, 1};                 // size in pixels

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/drawing_settings.h"
-#include "app/viewer/model/workbench.h"
+#include "app/viewer/model/dots_request.h"
 
 namespace dapple {
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kDeepest = 62;  // a page coordinate's binary digits
 constexpr int kMostLevels = 64;
 
-glm::u8vec4 packed(glm::vec3 colour) {
+glm::u8vec4 opaque(glm::vec3 colour) {
     return {glm::u8vec3(glm::round(glm::clamp(colour, 0.0f, 1.0f) * 255.0f)), 255};
 }
 
@@ -74,7 +74,7 @@ bool needs_thresholds(const DotColourChoice& choice) {
 std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
                                                std::size_t tile_size, int deepest, glm::vec3 ink) {
     if (deepest >= kDeepestStep) return colours;
-    if (colours.empty()) colours.assign(dots.size(), packed(ink));
+    if (colours.empty()) colours.assign(dots.size(), opaque(ink));
     colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
         if (tile_rank_of(piece.threshold[i], tile_size).level > deepest) colour.a = 0;
     });
@@ -109,9 +109,9 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
     colours.resize(dots.size());
     const TileWalk walk(origins.rule);
     std::array<glm::u8vec4, kMostLevels> of_level;
-    for (int level = 0; level < kMostLevels; ++level) of_level[level] = packed(level_colour(level));
+    for (int level = 0; level < kMostLevels; ++level) of_level[level] = opaque(level_colour(level));
     std::array<glm::u8vec4, 8> of_orientation;
-    for (const Orientation g : all_orientations()) of_orientation[g.index] = packed(orientation_colour(g));
+    for (const Orientation g : all_orientations()) of_orientation[g.index] = opaque(orientation_colour(g));
     const auto on_page = [](std::int64_t corner, float offset) {
         return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
     };
@@ -120,7 +120,7 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
         if (colouring == DotColouring::level) {
             colour = of_level[std::min(at.level, kMostLevels - 1)];
         } else if (colouring == DotColouring::rank) {
-            colour = packed(rank_colour(rank_share(at, origins.tile_size)));
+            colour = opaque(rank_colour(rank_share(at, origins.tile_size)));
         } else {
             const Orientation tile = walk.at(on_page(origins.window.x, piece.x[i]),
                                              on_page(origins.window.y, piece.y[i]), at.level);

@@ -12,10 +12,9 @@
 namespace dapple {
 namespace {
 
-// A dot is three floats in the drawing shown, in the one being placed and in one kept for its memory, three
-// and a quarter of them more with the graphics driver, which may hold the old ones and the new, and four
-// bytes of colour in each; all that twice in a split view, and once more while it is saved. Relaxing one
-// needs 44 bytes a dot for the while.
+// A dot is five floats and four bytes of colour in the drawing shown, in the one being placed and in one kept
+// for its memory; all that twice in a split view, and once more while it is saved. Relaxing one needs 44
+// bytes a dot for the while. The graphics driver gets them by and by.
 constexpr std::uint64_t kBytesPerDot = 250;
 constexpr std::uint64_t kShare = 2;  // one part in so many is for dots
 constexpr std::uint64_t kFewest = 1'000'000;

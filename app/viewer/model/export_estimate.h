@@ -1,40 +1,44 @@
 #pragma once
-// How large a file would be, told before it is written.
+// What a file would come to, told before it is written: how large it is, how long it takes to plot, and what
+// someone should know of it.
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/files/save_drawing.h"
 #include "app/viewer/model/pane.h"
+#include "core/output/findings.h"
 
 namespace dapple {
 
-/// What would be written, as save_drawing() gets it; dots in memory.
-struct EstimatedDrawing {
-    const DotPieces& dots;
-    double scale = 0;
-    PageSize page;
-    double dot_radius_mm = 0;
-    std::span<const PlacedTile> tiles = {};
-    std::size_t tile_size = 16;
-    double dpi = 300;
-    GcodeTool tool = GcodeTool::pen;
+struct PlottingEstimate {
+    PlottingTime time;
+    double way_m = 0;         // from dot to dot, in metres,
+    double way_before_m = 0;  // and along the Hilbert curve, before it is shortened
 };
 
-/// Bytes, about: the format's own writer writes some of the dots, or some of the pixels, and the rest is
-/// taken to be like them. Throws std::runtime_error as the writer would.
-double estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
-                       const EstimatedDrawing& drawing);
+/// Of a placed drawing, the blocks of dots that an estimate of its pixels looks at: few of many.
+DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
+
+/// How long a machine would plot such a file in that order, about. Some of the dots, drawn nearer together,
+/// are put in order, and the rest is taken to be like them; as placed, it is some that follow each other, and
+/// by priority some that lie anywhere.
+PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order,
+                                    const MachineSpeeds& speeds);
 
 /// What saving would write.
 struct ExportInfo {
     std::uint64_t dots = 0;
-    std::optional<double> bytes;  // about; none if it cannot be written
-    std::string trouble;          // why not
-    double area_mm2 = 0;          // of the page
+    std::optional<double> bytes;              // about; none if it cannot be written
+    std::string trouble;                      // why not
+    PlottingTime plotting = {};               // about, of the machine chosen
+    double way_m = 0;                         // of the pen, about,
+    std::optional<double> way_before_m = {};  // and before it is shortened, if it is
+    std::vector<Finding> findings = {};
 };
 
 /// Estimates anew only when something changed.
@@ -47,12 +51,33 @@ class ExportEstimate {
         std::uint64_t placings = 0;
         DrawingFormat format{};
         DrawingSettings drawing;
-        double dpi = 0;
-        GcodeTool tool{};
+        SavingChoice saving;
+        bool operator==(const Key&) const = default;
+    };
+    /// Of the dots on the page, which are measured anew only when they or the pen changed.
+    Preflight measured(const Pane& pane, const InkedDot& ink);
+
+    std::optional<Key> key_;
+    ExportInfo info_;
+    std::optional<std::pair<std::uint64_t, InkedDot>> measured_key_;
+    Preflight measured_;
+};
+
+/// How long the drawing on the page takes to plot, for the line below the canvas. Found anew when the
+/// drawing has settled; until then it is the last one's.
+class PlottingClock {
+ public:
+    std::optional<PlottingTime> time(const Pane& pane, const ViewerSettings& settings);
+
+ private:
+    struct Key {
+        std::uint64_t placings = 0;
+        DrawingSettings drawing;
+        SavingChoice saving;
         bool operator==(const Key&) const = default;
     };
     std::optional<Key> key_;
-    ExportInfo facts_;
+    std::optional<PlottingTime> time_;
 };
 
 }  // namespace dapple

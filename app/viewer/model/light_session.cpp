@@ -1,5 +1,6 @@
 #include "app/viewer/model/light_session.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -13,11 +14,38 @@ namespace dapple {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Who waits for longer wants to know for what.
+constexpr std::chrono::milliseconds kLong(500);
+
+template <class Result>
+bool is_long(const Background<Result>& work) {
+    const auto since = work.since();
+    return since && std::chrono::steady_clock::now() - *since > kLong;
+}
+
+template <class Task>
+LightWatch watch_of(const Task& todo) {
+    return {todo.stop(), [&todo](double share) { todo.report_share(share); }};
+}
+
+std::string shown(const fs::path& map) {
+    return map.empty() ? "the sky" : printable(map.filename().native());
+}
+
+bool same_samples(const std::optional<LightsSettings>& a, const LightsSettings& b) {
+    return a && a->request == b.request && a->tile == b.tile;
+}
+
+}  // namespace
+
 LightSession::LightSession(const LightsSettings& first, std::function<void()> wake)
     : settings(first), history_(first), tiles_(first.tile), reading_(wake), sampling_(wake), saving_(wake) {}
 
 void LightSession::open(const fs::path& map) {
     to_read_ = map;
+    reading_.stop();
     read_next();
 }
 
@@ -27,9 +55,17 @@ void LightSession::open_sky() {
 
 void LightSession::read_next() {
     if (!to_read_ || reading_.busy()) return;
-    reading_.begin([path = *to_read_](const auto&) {
-        return std::optional(
-            ReadMap{path, std::make_shared<const LitMap>(path.empty() ? sky_map() : read_environment(path))});
+    reading_path_ = *to_read_;
+    reading_.begin([path = *to_read_](const auto& todo) -> std::optional<ReadMap> {
+        const std::stop_token& stop = todo.stop();
+        try {
+            EnvironmentMap map = path.empty() ? sky_map() : read_environment(path, stop);
+            if (stop.stop_requested()) return std::nullopt;
+            return ReadMap{path, std::make_shared<const LitMap>(std::move(map))};
+        } catch (const std::exception&) {
+            if (stop.stop_requested()) return std::nullopt;
+            throw;
+        }
     });
     to_read_.reset();
 }
@@ -53,11 +89,46 @@ void LightSession::take_dropped(const fs::path& file) {
 void LightSession::save(const fs::path& file) {
     if (!lit_ || saving()) return;
     const LightSaving style{settings.convention, settings.turn_degrees, name_, settings.stops};
-    saving_.begin([file, style, lit = lit_, asked = settings](const auto&) {
+    saving_path_ = file;
+    saving_.begin([file, style, lit = lit_, asked = settings](const auto& todo) -> std::optional<fs::path> {
         RankedTile tile = tile_named(asked.tile, RankingMethod::energy);
-        save_lights(file, lit->map, light_samples(lit->map, tile, asked.request), style);
-        return std::optional(file);
+        const LightSamples lights = light_samples(lit->map, tile, asked.request, watch_of(todo));
+        if (lights.samples.empty()) return std::nullopt;
+        save_lights(file, lit->map, lights, style);
+        return file;
     });
+}
+
+std::optional<LongLightWork> LightSession::long_work() const {
+    if (!lit_) return std::nullopt;
+    if (is_long(reading_)) return LongLightWork{LightWork::reading, reading_path_, std::nullopt};
+    if (is_long(saving_)) return LongLightWork{LightWork::saving, saving_path_, saving_.share()};
+    if (is_long(sampling_)) return LongLightWork{LightWork::sampling, {}, sampling_.share()};
+    return std::nullopt;
+}
+
+void LightSession::stop(LightWork work) {
+    switch (work) {
+        case LightWork::reading:
+            to_read_.reset();
+            banner = {BannerKind::notice, "Stopped: not all of " + shown(reading_path_) + " was read"};
+            return reading_.stop();
+        case LightWork::sampling:
+            return stop_sampling();
+        case LightWork::saving:
+            // If that is too late, it says so instead.
+            banner = {BannerKind::notice, "Cancelled: " + saving_path_.string() + " was not written"};
+            return saving_.stop();
+    }
+}
+
+void LightSession::stop_sampling() {
+    if (!shown_with_) return;  // nothing to go back to
+    settings.request = shown_with_->request;
+    settings.tile = shown_with_->tile;
+    asked_with_ = shown_with_;
+    sampling_.stop();
+    banner = {BannerKind::notice, "Stopped: the samples and their settings are as before"};
 }
 
 void LightSession::take_events() {
@@ -73,7 +144,9 @@ void LightSession::take_map() {
             name_ = read->path.empty() ? "Sky" : printable(read->path.filename().native());
             map_path_ = read->path;
             saved_path_.clear();
-            sampled_with_.reset();
+            asked_with_.reset();
+            shown_with_.reset();
+            sampling_.stop();
             samples_ = {};
             ++maps_;
             banner = {};
@@ -88,21 +161,25 @@ void LightSession::take_map() {
 void LightSession::take_samples() {
     if (!lit_) return;
     try {
-        std::optional<SampledMap> result = sampling_.result();
-        if (result && sampled_with_) {  // otherwise they are of the map before
-            samples_ = std::move(*result);
+        std::optional<Sampling> result = sampling_.result();
+        // Otherwise they are of the map before, or were given up when they were as good as taken.
+        if (result && same_samples(asked_with_, result->with)) {
+            samples_ = std::move(result->samples);
+            shown_with_ = std::move(result->with);
             ++samplings_;
         }
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }
-    const bool asked =
-        sampled_with_ && sampled_with_->request == settings.request && sampled_with_->tile == settings.tile;
-    if (asked || sampling_.busy()) return;
-    sampling_.begin([lit = lit_, asked_with = settings](const auto&) {
-        return std::optional(sampled(*lit, asked_with));
+    if (same_samples(asked_with_, settings)) return;
+    if (is_long(sampling_)) sampling_.stop();
+    if (sampling_.busy()) return;
+    sampling_.begin([lit = lit_, with = settings](const auto& todo) -> std::optional<Sampling> {
+        std::optional<SampledMap> samples = sampled(*lit, with, watch_of(todo));
+        if (!samples) return std::nullopt;
+        return Sampling{with, std::move(*samples)};
     });
-    sampled_with_ = settings;
+    asked_with_ = settings;
 }
 
 void LightSession::take_saved() {

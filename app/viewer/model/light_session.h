@@ -18,13 +18,23 @@
 
 namespace dapple {
 
+/// What an environment map's window does in the background.
+enum class LightWork { reading, sampling, saving };
+
+/// Work that someone may tire of waiting for.
+struct LongLightWork {
+    LightWork work;
+    std::filesystem::path file;   // read or saved; empty: the sky, or none
+    std::optional<double> share;  // 0..1; none: nobody knows
+};
+
 class LightSession {
  public:
     /// `wake` is called from other threads whenever there is an event.
     LightSession(const LightsSettings& first, std::function<void()> wake);
 
     /// Reads a map in the background; the one shown stays until then, or if it fails. Of several that are
-    /// opened meanwhile the last one counts.
+    /// opened the last one counts, and what is being read before it is given up.
     void open(const std::filesystem::path& map);
     void open_sky();
 
@@ -63,6 +73,13 @@ class LightSession {
     /// They are being taken anew.
     bool sampling() const { return sampling_.busy(); }
 
+    bool at_work() const { return reading_.busy() || sampling() || saving(); }
+    /// Once there is a map: what takes longer than half a second, and is to be told.
+    std::optional<LongLightWork> long_work() const;
+    /// Gives that up: the map before stays, the settings are again those of the samples that are shown, or
+    /// the file stays as it was.
+    void stop(LightWork work);
+
     /// Where the samples were saved last; empty: nowhere.
     const std::filesystem::path& saved_path() const { return saved_path_; }
 
@@ -75,6 +92,12 @@ class LightSession {
         std::shared_ptr<const LitMap> lit;
     };
 
+    struct Sampling {
+        LightsSettings with;
+        SampledMap samples;
+    };
+
+    void stop_sampling();
     void read_next();
     void take_map();
     void take_samples();
@@ -85,13 +108,15 @@ class LightSession {
     std::filesystem::path map_path_, saved_path_;
     int maps_ = 0;
     std::optional<std::filesystem::path> to_read_;
-    std::optional<LightsSettings> sampled_with_;  // none: nothing of this map
+    std::filesystem::path reading_path_, saving_path_;
+    // Of this map: what samples were asked for last, and what those are that are shown.
+    std::optional<LightsSettings> asked_with_, shown_with_;
     SampledMap samples_;
     std::uint64_t samplings_ = 0;
     History<LightsSettings> history_;
     TileChoices tiles_;
     Background<ReadMap> reading_;
-    Background<SampledMap> sampling_;
+    Background<Sampling> sampling_;
     Background<std::filesystem::path> saving_;
 };
 

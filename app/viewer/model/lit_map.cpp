@@ -12,8 +12,19 @@ namespace {
 
 constexpr int kPreviewWidth = 2048;
 
+// So many texels a side of a large map become one.
+int texels_in_one(const EnvironmentMap& map) {
+    return (map.width() + kPreviewWidth - 1) / kPreviewWidth;
+}
+
+// Every texel's own takes minutes and gigabytes where there are hundreds of millions.
+std::vector<DistantLight> lights_of(const EnvironmentMap& map) {
+    const int times = texels_in_one(map);
+    return times > 1 ? block_lights(map, times) : texel_lights(map);
+}
+
 Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
-    const int times = (map.width() + kPreviewWidth - 1) / kPreviewWidth;
+    const int times = texels_in_one(map);
     Grid<glm::vec3> preview(std::max(map.width() / times, 1), std::max(map.height() / times, 1));
     for (int y = 0; y < preview.height; ++y) {
         for (int x = 0; x < preview.width; ++x) {
@@ -30,13 +41,15 @@ Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
 
 LitMap::LitMap(EnvironmentMap environment)
     : map(std::move(environment)),
-      exact(texel_lights(map)),
+      exact(lights_of(map)),
       natural_exposure(dapple::natural_exposure(map)),
       preview(preview_of(map)) {}
 
-SampledMap sampled(const LitMap& lit, const LightsSettings& settings) {
+std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings,
+                                  const LightWatch& watch) {
     RankedTile tile = tile_named(settings.tile, RankingMethod::energy);
-    const LightSamples lights = light_samples(lit.map, tile, settings.request);
+    const LightSamples lights = light_samples(lit.map, tile, settings.request, watch);
+    if (lights.samples.empty()) return std::nullopt;
     SampledMap result;
     std::vector<DistantLight> distant;
     glm::dvec3 sum{};

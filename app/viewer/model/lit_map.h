@@ -10,6 +10,7 @@
 #include "app/viewer/model/lights_settings.h"
 #include "core/image/environment.h"
 #include "core/image/grid.h"
+#include "core/lights/light_watch.h"
 #include "core/lights/lit_sphere.h"
 
 namespace dapple {
@@ -37,7 +38,8 @@ struct SampledMap {
     std::optional<IrradianceMap> found;  // none: there are no samples yet
     LightsInfo info;
 };
-/// Throws std::runtime_error if the tile or its samples cannot be had.
-SampledMap sampled(const LitMap& lit, const LightsSettings& settings);
+/// Nothing if stopped. Throws std::runtime_error if the tile or its samples cannot be had.
+std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings,
+                                  const LightWatch& watch = {});
 
 }  // namespace dapple

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/viewer/model/camera.h"
-#include "app/viewer/model/workbench.h"
+#include "app/viewer/model/placed_drawing.h"
 #include "core/analysis/folding.h"
 
 namespace dapple {

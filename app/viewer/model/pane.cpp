@@ -63,7 +63,7 @@ void Pane::take(DotsPlaced& event) {
         if (event.picture) shows_close_ = false;
         std::swap(page_, event.drawing);
         page_placed_ = event.request;
-        if (close_requested_) close_requested_->close = CloseView{};  // to be ordered again
+        if (close_requested_) close_requested_->close = CloseView{};  // to be requested again
     }
     worker_.recycle(std::move(event.drawing));
     ++version_;

@@ -1,5 +1,6 @@
 #pragma once
-// The dots of one side of the canvas: what was ordered of a worker, what came back, and what of it is shown.
+// The dots of one side of the canvas: what was requested of its worker, what came back, and what of it is
+// shown.
 
 #include <algorithm>
 #include <cstddef>
@@ -33,8 +34,9 @@ class Pane {
     Worker& worker() { return worker_; }
     const Worker& worker() const { return worker_; }
 
-    /// Orders the page or, once that is there and the zoom is so deep that the whole page would be too coarse
-    /// or too much, what is in view of it. True if it ordered something: nothing twice, unless told to.
+    /// Requests the page or, once that is there and the zoom is so deep that the whole page would be too
+    /// coarse or too much, what is in view of it. True if it requested something: nothing twice, unless told
+    /// to.
     bool request(DotsRequest page, const Zoom& zoom, RequestAgain again);
 
     /// Takes drawing and tile out of the event.
@@ -48,7 +50,7 @@ class Pane {
     const PlacedDrawing& shown() const { return shows_close_ ? close_ : page_; }
     bool shows_close() const { return shows_close_; }
 
-    /// What the whole page was ordered with last.
+    /// What the whole page was requested with last.
     const std::optional<DotsRequest>& page_requested() const { return page_requested_; }
 
     /// What the whole page was placed for last; none before the first.

@@ -5,13 +5,12 @@
 
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
-#include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
-#include "app/settings/embedded_settings.h"
+#include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/change_words.h"
+#include "app/viewer/model/drawing_file.h"
 #include "app/viewer/model/viewer_fields.h"
-#include "core/output/sheet.h"
 
 namespace dapple {
 namespace {
@@ -31,6 +30,11 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       most_dots_(most_dots),
       tiles_(drawing.tile),
       pane_(wake_) {}
+
+void Session::begin_with(const ViewerSettings& begin) {
+    settings = begin;
+    history_ = History(settings);
+}
 
 void Session::remember(bool editing) {
     history_.observe(settings, editing);
@@ -60,6 +64,11 @@ void Session::name_changes() {
 DotsRequest Session::page_request() const {
     DotsRequest request = dots_request(settings);
     request.drawing.most_dots = most_dots_;
+    if (cropping) {
+        // All of the picture: filling the paper would cut its edges off, and the frame's with them.
+        request.drawing.page.crop.reset();
+        request.drawing.page.fit = PageFit::inside;
+    }
     request.settled_only = settings.every_frame;
     return request;
 }
@@ -70,8 +79,14 @@ void Session::open_sample() {
 }
 
 void Session::open(const fs::path& path) {
-    pane_.worker().open(
-        printable(path.filename().native()), [path] { return read_picture(path); }, path);
+    Opening opening{.whole = [path](const std::stop_token& stop) {
+        return read_picture(path, PictureLimit::usual, stop);
+    }};
+    // A crop in pixels is one of the whole picture.
+    const std::optional<Crop>& crop = settings.drawing.page.crop;
+    if (!crop || crop->unit == Crop::Unit::percent)
+        opening.first_look = [path](const std::stop_token& stop) { return read_first_look(path, stop); };
+    pane_.worker().open(printable(path.filename().native()), std::move(opening), path);
     picture_path_ = path;
     project_ = {};
     project_path_.clear();
@@ -99,7 +114,7 @@ void Session::load_project(const fs::path& file) {
     else
         open_sample();
     project_ = std::move(project);
-    project_path_ = fs::absolute(file).lexically_normal();
+    project_path_ = whole_path(file);
 }
 
 void Session::open_project(const fs::path& file) {
@@ -130,7 +145,7 @@ void Session::save_project(const fs::path& file) {
     if (!picture_.file.empty()) project.picture = picture_.file;
     try {
         dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
-        project_path_ = fs::absolute(file).lexically_normal();
+        project_path_ = whole_path(file);
         banner = {BannerKind::notice, "Saved " + file.string()};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
@@ -149,43 +164,18 @@ void Session::take_dropped(const fs::path& file) {
 }
 
 void Session::save(const fs::path& path) {
-    DrawingSettings drawn = settings.drawing;
-    DensityChoice choice = settings.density;
-    const SavingChoice saving = settings.saving;
-    const std::uint64_t most = most_dots_;
-    const auto prepare = [=](Workbench& bench, std::stop_token stop) -> WriteFile {
-        const DrawingFormat format = drawing_format(path);
+    DrawingFile file{.path = path, .settings = settings.drawing, .saving = settings.saving};
+    const auto prepare = [file, choice = settings.density, most = most_dots_](
+                             Workbench& bench, std::stop_token stop) mutable -> WriteFile {
         PlacedDrawing drawing;
-        DotsRequest request = dots_request(drawn, choice);
+        DotsRequest request = dots_request(file.settings, choice);
         request.drawing.most_dots = most;
-        request.drawing.placing.thresholds =
-            is_table(format) || (!has_pixels(format) && saving.order == DotOrder::priority);
+        request.drawing.placing.thresholds = needs_thresholds(file);
+        request.in_part = false;
         if (!bench.place(request, drawing, stop)) return {};
-        // The whole page, seen from its own corner rather than the picture's.
-        const PageLayout& layout = drawing.layout;
-        const Excerpt excerpt = sheet_of(layout.page, {}, layout.picture.low);
-        for (Dots& piece : drawing.stippling.dots.pieces) cut_to(excerpt.part, piece);
-        move_to(excerpt.part, drawing.outlines);
-        const glm::dvec2 corner(-excerpt.part.across.offset, -excerpt.part.down.offset);
-        const Rectangle<double> picture{corner, corner + drawing.page_size};
-        const PageSize page = excerpt.size;
-        const std::size_t tile_size = bench.pipeline().tile().tile().size();
-        const double dpi = saving.dpi;
-        const auto order_wanted = has_pixels(format) ? std::optional(DotOrder::recursion) : saving.order;
-        const GcodeStyle gcode{.lines = parse_gcode_template(gcode_template_of(saving.tool))};
-        return [=, drawing = std::move(drawing)](const SavingWatch& watch) {
-            return save_drawing(path, drawn,
-                                {.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
-                                 .page = page,
-                                 .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
-                                 .tiles = drawing.outlines,
-                                 .picture = picture,
-                                 .tile_size = tile_size,
-                                 .dpi = dpi,
-                                 .order = order_wanted,
-                                 .gcode = gcode,
-                                 .settings = embedded_settings(path, drawn, saving)},
-                                watch);
+        file.tile_size = bench.pipeline().tile().tile().size();
+        return [file, drawing = std::move(drawing)](const SavingWatch& watch) mutable {
+            return save_placed(file, drawing, watch);
         };
     };
     pane_.worker().save(path, prepare);
@@ -249,7 +239,10 @@ void Session::take_right(DotsPlaced& event) {
 }
 
 void Session::take(DotsPlaced& event) {
-    if (event.picture) {
+    if (event.picture) ++previews_;
+    if (event.picture && event.picture->refines) {
+        picture_ = std::move(*event.picture);
+    } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
         saved_path_.clear();  // it shows another picture
@@ -281,6 +274,10 @@ void Session::take(DrawingSaved& event) {
 
 void Session::take(SavingCancelled& event) {
     banner = {BannerKind::notice, "Cancelled: " + event.path.string() + " was not written"};
+}
+
+void Session::take(OpeningStopped& event) {
+    banner = {BannerKind::notice, "Stopped: not all of " + event.name + " was read"};
 }
 
 DrawnInfo Session::drawn(const Pane& pane) const {

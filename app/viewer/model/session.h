@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/drawn_info.h"
@@ -24,6 +25,9 @@ class Session {
     /// `wake` is called from other threads whenever there is an event. A drawing has at most `most_dots`
     /// dots, whatever the settings ask for.
     Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots = kMostDots);
+
+    /// Other settings to begin with, before anything is opened: undo does not go back behind them.
+    void begin_with(const ViewerSettings& begin);
 
     void open_sample();
     void open(const std::filesystem::path& path);
@@ -49,13 +53,16 @@ class Session {
     /// The tiles to choose from.
     std::span<const std::string> tiles() const { return tiles_.names(); }
 
-    /// Takes what the workers have to tell, waiting up to `patience` for a placing under way. Throws
+    /// Takes the events of the workers, waiting up to `patience` for a placing under way. Throws
     /// std::runtime_error if the first picture could not be read.
     void take_events(std::chrono::milliseconds patience);
 
-    /// Orders what the settings ask for and waits a moment for it, so that dots and slider move in the same
+    /// Requests what the settings ask for and waits a moment for it, so that dots and slider move in the same
     /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
     void request_dots(const Zoom& zoom);
+
+    /// Gives up the reading of a picture: the one before stays, or what there is of a first look.
+    void stop_opening() { pane_.worker().stop_opening(); }
 
     /// Gives up a placing under way: the settings are again those of the drawing that is shown.
     void stop_placing();
@@ -69,6 +76,8 @@ class Session {
     const std::optional<std::string>& redo_words() const { return redo_words_; }
 
     ViewerSettings settings;  // the panels edit them
+    // Tools, and so neither saved nor undone.
+    bool cropping = false;  // all of the picture is shown, for a frame over it
     Banner banner;
 
     /// The drawing: what is edited and saved; the left side of the split view.
@@ -79,8 +88,9 @@ class Session {
     bool placed_once() const { return pane_.placings() > 0; }
 
     const OpenedPicture& picture() const { return picture_; }
-    /// How many were opened.
+    /// How many were opened, and how many there were to see: a first look is another.
     int pictures() const { return pictures_; }
+    int previews() const { return previews_; }
     const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
@@ -91,7 +101,7 @@ class Session {
     DrawnInfo drawn(const Pane& pane) const;
 
  private:
-    /// What the whole page is ordered with.
+    /// What the whole page is requested with.
     DotsRequest page_request() const;
     void name_changes();
     void request_right(const Zoom& zoom, RequestAgain again);
@@ -101,8 +111,9 @@ class Session {
     void take(TaskFailed& event);
     void take(DrawingSaved& event);
     void take(SavingCancelled& event);
+    void take(OpeningStopped& event);
 
-    // Of the page ordered last, and of the one placed last.
+    // Of the page requested last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
     int changes_named_ = 0;  // of the history, by the words
@@ -116,7 +127,7 @@ class Session {
     bool placing_failed_ =
         false;  // the last one: what the banner says of it goes with the next that does not
     OpenedPicture picture_;
-    int pictures_ = 0;
+    int pictures_ = 0, previews_ = 0;
     std::filesystem::path picture_path_, saved_path_;
     Project project_;
     std::filesystem::path project_path_;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/viewer/model/workbench.h"
+#include "app/viewer/model/placed_drawing.h"
 
 namespace dapple {
 
@@ -12,7 +12,6 @@ class SpareDrawings {
  public:
     /// Takes no time, however large it is.
     void give_back(PlacedDrawing drawing) { given_back_.push_back(std::move(drawing)); }
-    bool has_unsorted() const { return !given_back_.empty(); }
 
     /// One of them, or an empty one.
     PlacedDrawing take();

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "app/files/tile_library.h"
+#include "app/settings/working_folder.h"
 
 namespace dapple {
 
@@ -16,7 +17,7 @@ TileChoices::TileChoices(const std::string& first) {
 
 std::string TileChoices::open(const fs::path& file) {
     // The whole path, so that the same file has the same name however it was found.
-    const std::string name = fs::absolute(file).lexically_normal().string();
+    const std::string name = whole_path(file).string();
     load_tile(name);
     add(name);
     return name;
@@ -28,7 +29,7 @@ void TileChoices::add(const std::string& name) {
 
 fs::path folder_of_tiles(const std::string& tile_in_use) {
     std::error_code ignored;
-    return fs::is_regular_file(tile_in_use, ignored) ? fs::path(tile_in_use) : fs::current_path();
+    return fs::is_regular_file(tile_in_use, ignored) ? fs::path(tile_in_use) : working_folder();
 }
 
 }  // namespace dapple

@@ -25,6 +25,7 @@ glm::vec2 corner_of_cell(std::size_t index, int depth) {
     return corner;
 }
 
+// The tile's own points, then the newborn ones.
 std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
     std::vector<std::pair<float, glm::vec2>> born;
     const auto side = std::ldexp(1.0f, -table.cell_depth);
@@ -33,7 +34,6 @@ std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
         const CellPoints& points = table.cells[c].all;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const CellPoint point = points[i];
-            if (point.rank >= static_cast<float>(table.tile_size)) break;  // newborn
             born.emplace_back(point.rank, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
         }
     }
@@ -46,9 +46,11 @@ std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
 }  // namespace
 
 TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
-    return {std::move(name), tile.tile().rule,
-            placer == PlacerKind::figure8 ? points_by_rank(tile.tile(), tile.own_ranks())
-                                          : points_by_rank(tile.placer().table())};
+    if (placer == PlacerKind::figure8)
+        return {std::move(name), tile.tile().rule, points_by_rank(tile.tile(), tile.own_ranks())};
+    std::vector<glm::vec2> points = points_by_rank(tile.placer().table());
+    const auto own = points.begin() + static_cast<std::ptrdiff_t>(tile.tile().size());
+    return {std::move(name), tile.tile().rule, {points.begin(), own}, {own, points.end()}};
 }
 
 }  // namespace dapple

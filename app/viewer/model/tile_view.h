@@ -13,6 +13,9 @@ struct TileView {
     std::string name;
     Rule rule;                      // how the tile is turned in each of its quadrants
     std::vector<glm::vec2> points;  // in the unit square, y down, in the order in which they appear
+    /// The same of those that its children add to it, after which all of their points are there; Figure 8 has
+    /// no such order.
+    std::vector<glm::vec2> newborn = {};
 };
 
 /// The tile's own points in the order that the placer gives them; Figure 8 has one of its own.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <glm/common.hpp>
+#include <limits>
 #include <utility>
 
 #include "core/reports/spectrum_picture.h"
@@ -17,16 +18,33 @@ constexpr int kPictureSide = 640;          // pixels at most
 constexpr double kSamePlace = 1e-3;        // in mean spacings
 constexpr std::size_t kCounted = 1 << 16;  // dots looked at to guess how many lie in a rectangle
 
-bool holds(const ViewRectangle& view, double x, double y) {
-    return x >= view.corner.x && y >= view.corner.y && x <= view.corner.x + view.size.x &&
-           y <= view.corner.y + view.size.y;
+bool holds(const Rectangle<double>& view, double x, double y) {
+    return x >= view.low.x && y >= view.low.y && x <= view.high.x && y <= view.high.y;
 }
 
-ViewRectangle shrunk(const ViewRectangle& view, double factor) {
-    return {view.corner + view.size * ((1 - factor) / 2), view.size * factor};
+Rectangle<double> shrunk(const Rectangle<double>& view, double factor) {
+    const glm::dvec2 cut = view.size() * ((1 - factor) / 2);
+    return {view.low + cut, view.high - cut};
 }
 
-double guessed_count(const DotPieces& dots, const ViewRectangle& view) {
+bool meet(const Rectangle<double>& view, const DotBlock& block) {
+    return block.high.x >= view.low.x && block.high.y >= view.low.y && block.low.x <= view.high.x &&
+           block.low.y <= view.high.y;
+}
+
+// One for each piece where there are none.
+std::vector<DotBlock> whole_pieces(const DotPieces& dots) {
+    constexpr float kEverywhere = std::numeric_limits<float>::max();
+    std::vector<DotBlock> blocks;
+    for (std::size_t piece = 0; piece < dots.pieces.size(); ++piece)
+        blocks.push_back({.piece = piece,
+                          .count = dots.pieces[piece].size(),
+                          .low = glm::vec2(-kEverywhere),
+                          .high = glm::vec2(kEverywhere)});
+    return blocks;
+}
+
+double guessed_count(const DotPieces& dots, const Rectangle<double>& view) {
     const std::size_t step = 1 + dots.size() / kCounted;
     std::size_t found = 0;
     for (const Dots& piece : dots.pieces) {
@@ -36,15 +54,17 @@ double guessed_count(const DotPieces& dots, const ViewRectangle& view) {
 }
 
 // False if there are more than `most`.
-bool collect(const DotPieces& dots, const ViewRectangle& view, std::size_t most,
-             std::vector<glm::dvec2>& points) {
+bool collect(const DotPieces& dots, std::span<const DotBlock> blocks, const Rectangle<double>& view,
+             std::size_t most, std::vector<glm::dvec2>& points) {
     points.clear();
-    for (const Dots& piece : dots.pieces) {
-        for (std::size_t i = 0; i < piece.size(); ++i) {
+    for (const DotBlock& block : blocks) {
+        if (!meet(view, block)) continue;
+        const Dots& piece = dots.pieces[block.piece];
+        for (std::size_t i = block.first; i < block.first + block.count; ++i) {
             const glm::dvec2 p(piece.x[i], piece.y[i]);
             if (!holds(view, p.x, p.y)) continue;
             if (points.size() == most) return false;
-            points.push_back(glm::clamp(p - view.corner, glm::dvec2(0), view.size));
+            points.push_back(glm::clamp(p - view.low, glm::dvec2(0), view.size()));
         }
     }
     return true;
@@ -110,16 +130,19 @@ void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain) {
     points = std::move(kept);
 }
 
-PointsInView points_in_view(const DotPieces& dots, const ViewRectangle& view, std::size_t most) {
+PointsInView points_in_view(const DotPieces& dots, const Rectangle<double>& view, std::size_t most,
+                            std::span<const DotBlock> blocks) {
     PointsInView result;
-    if (!(view.size.x > 0 && view.size.y > 0)) return result;
-    ViewRectangle part = view;
+    std::vector<DotBlock> all;
+    if (blocks.empty()) blocks = all = whole_pieces(dots);
+    if (!(view.size().x > 0 && view.size().y > 0)) return result;
+    Rectangle<double> part = view;
     const auto enough = static_cast<double>(most);
     for (double count = guessed_count(dots, part); count > 1.05 * enough; count = guessed_count(dots, part))
         part = shrunk(part, std::clamp(std::sqrt(enough / count), 0.1, 0.95));
-    while (!collect(dots, part, most, result.points)) part = shrunk(part, 0.95);
-    result.domain = {part.size.x, part.size.y, Topology::window};
-    result.all = part.size == view.size;
+    while (!collect(dots, blocks, part, most, result.points)) part = shrunk(part, 0.95);
+    result.domain = {part.size().x, part.size().y, Topology::window};
+    result.all = part == view;
     return result;
 }
 

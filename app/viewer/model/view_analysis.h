@@ -5,26 +5,24 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/viewer/model/background.h"
+#include "app/viewer/model/dot_blocks.h"
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/domain.h"
 #include "core/analysis/spectrum.h"
 #include "core/image/grid.h"
+#include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 
 namespace dapple {
 
 inline constexpr std::size_t kMostAnalysed = 50'000;
-
-/// A part of the page, in the frame and unit of the dots.
-struct ViewRectangle {
-    glm::dvec2 corner{0, 0}, size{1, 1};
-};
 
 /// The dots to measure: all in view or, of too many, those in the middle. A thinned set would have another
 /// spectrum; a cut-out has the same.
@@ -34,9 +32,11 @@ struct PointsInView {
     bool all = true;  // nothing was left away
 };
 
-/// Of a million dots it takes some milliseconds. No points if the rectangle is empty.
-PointsInView points_in_view(const DotPieces& dots, const ViewRectangle& view,
-                            std::size_t most = kMostAnalysed);
+/// In a part of the page, in the frame and unit of the dots; no points if that is empty. With the dots'
+/// blocks only those in view are looked at, which takes some milliseconds however many dots there are;
+/// without them, as long a million.
+PointsInView points_in_view(const DotPieces& dots, const Rectangle<double>& view,
+                            std::size_t most = kMostAnalysed, std::span<const DotBlock> blocks = {});
 
 /// Leaves one of those that lie within a thousandth of the mean spacing of one another. Sorts them.
 void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain);

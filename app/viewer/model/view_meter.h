@@ -37,6 +37,8 @@ class ViewMeter {
     int analyses() const { return analyses_; }
 
  private:
+    void take_result();
+
     Measure measure_;
     Background<ViewAnalysis> background_;
     std::optional<ViewKey> measured_;

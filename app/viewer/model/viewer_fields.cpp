@@ -31,8 +31,8 @@ static void describe(Fields& fields, LoupeChoice& loupe) {
 }
 
 void describe(Fields& fields, ViewerSettings& settings) {
-    auto& [drawing, density, picture_opacity, zoom_mode, colouring, deepest_level, comparison, loupe, saving,
-           every_frame] = settings;
+    auto& [drawing, density, picture_opacity, zoom_mode, colouring, deepest_level, comparison, loupe, origins,
+           saving, unit, every_frame] = settings;
     static_cast<void>(every_frame);  // measures the computer: it is over with the window
     describe_drawing(fields, drawing, saving);
     fields.group("density", density);
@@ -48,6 +48,9 @@ void describe(Fields& fields, ViewerSettings& settings) {
         view.whole("deepest_level", settings.deepest_level, {0, kDeepestStep});
         view.group("comparison", settings.comparison);
         view.group("loupe", settings.loupe);
+        view.flag("origins", settings.origins);
+        view.choice("unit", settings.unit,
+                    {NamedValue{"mm", LengthUnit::mm}, NamedValue{"inch", LengthUnit::inch}});
     });
 }
 

@@ -8,6 +8,7 @@ DotsRequest dots_request(const ViewerSettings& settings) {
     request.colours.deepest_level = settings.deepest_level;
     // Another ink places nothing anew as long as all dots are drawn in it.
     if (settings.deepest_level < kDeepestStep) request.colours.ink = settings.drawing.ink;
+    if (settings.origins) request.drawing.placing.thresholds = true;
     return request;
 }
 

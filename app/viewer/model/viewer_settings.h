@@ -5,6 +5,7 @@
 #include "app/viewer/model/comparison.h"
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
@@ -30,13 +31,15 @@ struct ViewerSettings {
     int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
     Comparison comparison = {};
     LoupeChoice loupe = {};
+    bool origins = false;  // of the dot under the pointer, on a card beside it
     SavingChoice saving = {};
-    bool every_frame = false;  // place anew and draw without rest, to see the honest cost
+    LengthUnit unit = LengthUnit::mm;  // that lengths are shown and typed in; settings are in millimetres
+    bool every_frame = false;          // place anew and draw without rest, to see the honest cost
 
     bool operator==(const ViewerSettings&) const = default;
 };
 
-/// What the whole page is ordered with.
+/// What the whole page is requested with.
 DotsRequest dots_request(const ViewerSettings& settings);
 
 }  // namespace dapple

@@ -3,19 +3,32 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "app/viewer/model/even_part.h"
+#include "app/viewer/model/mipmaps.h"
 
 namespace dapple {
+namespace {
 
-DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
-    return {.drawing = request_of(settings),
-            .tile = tile_in_use(settings),
-            .ranking = settings.ranking,
-            .outlines = settings.show_tiles,
-            .density = density};
+using Clock = std::chrono::steady_clock;
+
+// A drawing that takes longer to settle is shown on its way.
+constexpr std::chrono::milliseconds kFrame(16);
+constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
+
+bool looks_like_environment(const Grid<float>& light) {
+    return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
 }
+
+bool same_tile(const DotsRequest& a, const DotsRequest& b) {
+    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
+}
+
+}  // namespace
 
 void Workbench::set_picture(Grid<float> light, float usual_exposure) {
     pipeline_.set_light(std::move(light), usual_exposure);
@@ -40,6 +53,11 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
 }
 
 namespace {
+
+double dots_of(const DrawingPlan& plan) {
+    return plan.placing.count ? static_cast<double>(*plan.placing.count)
+                              : expected_dots(*plan.density, plan.placing.scale);
+}
 
 // Mean over a window by so many samples along each side, times the window's area.
 double density_in(const Density& page, const PageWindow& window) {
@@ -111,7 +129,10 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& 
 
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
-    const DrawingPlan made = plan(request);
+    DrawingPlan made = plan(request);
+    if (request.in_part && request.drawing.placer == PlacerKind::exact &&
+        dots_of(made) >= static_cast<double>(kShownInPart))
+        made.placing.thresholds = true;
     pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
@@ -127,6 +148,9 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.picture_pixels = {pipeline_.light().width, pipeline_.light().height};
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
+        placed.dots_for_tone = made.size.sizing == DotSizing::fixed ? made.dots_for_tone() : 0;
+        placed.radius_for_tone_mm =
+            made.radius_for_its_tone(placed.stippling.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(
             placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, request.colours);
     };
@@ -135,6 +159,97 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         return false;
     finish(drawing);
     return true;
+}
+
+std::string words_of_exception() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return "There is not enough memory for this.";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+void Workbench::open(Picture picture, OpenedPicture about) {
+    // A first look that was not shown has nothing to refine.
+    if (arrived_) about.refines = about.refines && arrived_->refines;
+    about.description = picture.description;
+    about.longer_side = std::max(picture.light.width, picture.light.height);
+    about.exposure = picture.exposure;
+    about.looks_like_environment = looks_like_environment(picture.light);
+    set_picture(std::move(picture.light), picture.exposure);
+    about.preview =
+        std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(std::move(picture.preview)));
+    arrived_ = std::move(about);
+}
+
+// What the window needs beyond the drawing, and nothing that it doesn't.
+DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing drawing) {
+    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    // Large tiles first: see Renderer::set_tiles().
+    std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
+    shrink_if_far_too_large(drawing);
+    DotsPlaced placed;
+    placed.request = request;
+    placed.drawing = std::move(drawing);
+    if (!tile_published_ || !same_tile(*tile_published_, request)) {
+        placed.tile = view_of(request.tile, pipeline_.tile(), request.drawing.placer);
+        tile_published_ = request;
+    }
+    placed.picture = std::exchange(arrived_, std::nullopt);
+    return placed;
+}
+
+std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& request, const Task& task) {
+    const std::stop_token& stop = task.stop();
+    share_ = &task.share();
+    // Settled dots are not replaced by unsettled ones of the same picture.
+    const bool settled_only = request.settled_only || (arrived_ && arrived_->refines && settled_ == request);
+    // Steps that fit into a frame are not shown one by one.
+    auto shown = Clock::now();
+    const std::chrono::duration<double> step(static_cast<double>(request.drawing.placing.count.value_or(0)) *
+                                             kSecondsADotAndStep);
+    const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
+        if (stop.stop_requested()) return false;
+        if (settled_only || Clock::now() + step - shown < kFrame) return true;
+        task.publish(ready_for_screen(request, drawing()));
+        shown = Clock::now();
+        return true;
+    };
+    PlacedDrawing drawing = spare_.take();
+    try {
+        if (!place(request, drawing, stop, unsettled) || stop.stop_requested()) {
+            spare_.give_back(std::move(drawing));
+            return std::nullopt;
+        }
+        last_size_ = drawing.stippling.dots.size();
+        DotsPlaced placed = ready_for_screen(request, std::move(drawing));
+        if (stop.stop_requested()) {
+            spare_.give_back(std::move(placed.drawing));
+            return std::nullopt;
+        }
+        sort_spare();
+        settled_ = request;
+        return placed;
+    } catch (...) {
+        DotsPlaced failed;
+        failed.request = request;
+        failed.error = words_of_exception();
+        failed.picture = std::exchange(arrived_, std::nullopt);
+        return failed;
+    }
+}
+
+void Workbench::clear() {
+    pipeline_ = {};
+    choice_ = {};
+    tile_key_.reset();
+    share_ = nullptr;
+    arrived_.reset();
+    last_size_ = 0;
+    spare_ = {};
+    give_memory_back();
 }
 
 }  // namespace dapple

@@ -1,86 +1,99 @@
 #pragma once
-// The pipeline as the window uses it: with tiles by name, plain densities, parts of the page, outlines and
-// colours.
+// What is done in the background for one side of the canvas, on the pipeline: dots placed and relaxed for the
+// screen or a file, with tiles by name, plain densities, parts of the page, outlines and colours. One thread
+// at a time uses it.
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "app/drawing_settings.h"
-#include "app/viewer/model/density_choice.h"
-#include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/dot_colours.h"
+#include "app/files/picture.h"
+#include "app/files/save_drawing.h"
+#include "app/viewer/model/background.h"
+#include "app/viewer/model/dots_request.h"
+#include "app/viewer/model/placed_drawing.h"
+#include "app/viewer/model/spare_drawings.h"
+#include "app/viewer/model/tile_view.h"
 #include "core/drawing/pipeline.h"
 
 namespace dapple {
 
-/// What the canvas shows of the page, placed at a scale that goes with the zoom.
-struct CloseView {
-    PageWindow window;
-    double scale = 0;
-
-    bool operator==(const CloseView&) const = default;
-};
-
-/// Those of the settings that dots depend on.
-struct DotsRequest {
-    DrawingRequest drawing;
-    std::string tile;
-    std::optional<RankingMethod> ranking;
-    bool outlines = false;                // the tiles too
-    std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
-    DensityChoice density = {};
-    DotColourChoice colours = {};
-    bool settled_only = false;  // nothing is shown on the way
-
-    bool operator==(const DotsRequest&) const = default;
-};
-DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density = {});
-
-struct PlacedDrawing {
-    Stippling stippling;
-    Tone tone;                                   // as drawn, with the values that were chosen automatically
-    std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
-    int steps = 0, all_steps = 0;                // of relaxation: done, and to be done
-    double dot_radius = 0;                       // page units: of all, or of the largest ones
-    std::vector<PlacedTile> outlines;
-    std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
-    std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
-    glm::dvec2 page_size{1, 1};        // of the picture, page units
-    PageLayout layout;                 // of the whole page
-    Framing framing;                   // of the picture that was opened,
-    glm::ivec2 picture_pixels{1, 1};   // which has so many
-    PageWindow window;                 // dots and outlines are relative to its corner
-    double tone_ms = 0;                // density and its pyramid, 0 if they were still there
-    double relax_ms = 0;
-
-    bool settled() const { return steps == all_steps; }
-};
-
 /// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then,
-/// which is made on request. False ends it there.
+/// which is made when it is called. False ends it there.
 using Unsettled = std::function<bool(const std::function<PlacedDrawing()>& drawing)>;
+
+/// A picture that was opened; its light stays with the workbench.
+struct OpenedPicture {
+    std::filesystem::path file = {};                                // none: not from one
+    std::string name = {};                                          // for the title: "cat.png"
+    std::string description = {};                                   // "512 x 512 pixels, ..."
+    int longer_side = 1;                                            // pixels
+    std::shared_ptr<const std::vector<Grid<glm::u8vec4>>> preview;  // mipmaps_of() it
+    float exposure = 0;                                             // see Picture
+    std::function<Picture()> read;                                  // reads it again
+    bool refines = false;  // all of a picture that came before as a first look
+    /// Twice as wide as high and in parts brighter than paper, as environment maps are.
+    bool looks_like_environment = false;
+};
+
+/// A new picture comes together with its first dots. A drawing whose dots are still to be relaxed comes as it
+/// lies, and again when it has settled further.
+struct DotsPlaced {
+    DotsRequest request;
+    PlacedDrawing drawing;
+    std::optional<OpenedPicture> picture;
+    std::optional<TileView> tile;  // if it is another than the one told before
+    std::string error;             // why there are no dots
+};
+
+class Workbench;
+
+/// Writes a file; false if stopped.
+using WriteFile = std::function<bool(const SavingWatch&)>;
+/// Places what is to be written. Empty if stopped.
+using PrepareFile = std::function<WriteFile(Workbench&, std::stop_token)>;
+
+struct FilePrepared {
+    WriteFile write;
+};
 
 class Workbench {
  public:
+    using Result = std::variant<DotsPlaced, FilePrepared>;
+    using Task = Background<Result>::Task;
+
     /// Shows another picture from now on.
     void set_picture(Grid<float> light, float usual_exposure = 0);
+    /// The same, and comes with its first dots on the screen: of `about`, file, name and way to read it are
+    /// told.
+    void open(Picture picture, OpenedPicture about);
     bool has_picture() const { return pipeline_.has_picture(); }
 
     /// Places into `drawing`, using its memory again, and relaxes. False if stopped. Throws
     /// std::runtime_error as Pipeline::draw() and tile_named() do. Needs a picture.
     bool place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop = {},
                const Unsettled& unsettled = {});
-    /// Where place() says how far it has come with the exact placer's dots: see Placer::report_share().
-    void report_share(std::atomic<float>* share) { share_ = share; }
 
-    /// What that order comes to: the pipeline is then ready for it.
+    /// The same for the screen, where a drawing that takes longer is seen on its way. Nothing if stopped.
+    /// What goes wrong is in DotsPlaced::error.
+    std::optional<Result> place_for_screen(const DotsRequest& request, const Task& task);
+
+    /// What a request comes to: the pipeline is then ready for it.
     DrawingPlan plan(const DotsRequest& request);
     Pipeline& pipeline() { return pipeline_; }
+
+    /// Drawings to be used again; `sort_spare` frees those that no longer will be.
+    SpareDrawings& spare() { return spare_; }
+    void sort_spare() { spare_.sort(last_size_); }
+
+    /// Forgets picture and dots and gives their memory back.
+    void clear();
 
  private:
     struct TileKey {
@@ -89,10 +102,21 @@ class Workbench {
         bool operator==(const TileKey&) const = default;
     };
 
+    DotsPlaced ready_for_screen(const DotsRequest& request, PlacedDrawing drawing);
+
     Pipeline pipeline_;
     DensityChoice choice_;
     std::optional<TileKey> tile_key_;
-    std::atomic<float>* share_ = nullptr;
+    std::atomic<float>* share_ = nullptr;  // of the dots placed: see Placer::report_share()
+
+    std::optional<OpenedPicture> arrived_;  // waits for its dots
+    SpareDrawings spare_;
+    std::size_t last_size_ = 0;                  // dots of the last drawing
+    std::optional<DotsRequest> settled_;         // the request placed last, to its end
+    std::optional<DotsRequest> tile_published_;  // the request whose tile was told last
 };
+
+/// What the exception being handled says, in words for people.
+std::string words_of_exception();
 
 }  // namespace dapple

@@ -14,8 +14,26 @@ constexpr std::chrono::milliseconds kLong(250);
 }  // namespace
 
 void Worker::open(std::string name, Open open, std::filesystem::path file) {
-    tasks_.push_back(OpenTask{std::move(name), std::move(open), std::move(file)});
+    this->open(std::move(name),
+               Opening{.whole = [open = std::move(open)](const std::stop_token&) { return open(); }},
+               std::move(file));
+}
+
+void Worker::open(std::string name, Opening opening, std::filesystem::path file) {
+    tasks_.push_back(OpenTask{std::move(name), std::move(opening), std::move(file)});
     go_on();
+}
+
+void Worker::stop_opening() {
+    if (!opening_) return;
+    opening_stopped_ = true;
+    reading_.stop();
+}
+
+std::optional<OpeningInfo> Worker::opening() const {
+    const auto since = reading_.since();
+    if (!opening_ || !since) return std::nullopt;
+    return OpeningInfo{opening_->name, *since};
 }
 
 void Worker::place(DotsRequest request) {
@@ -78,17 +96,61 @@ void Worker::recycle(PlacedDrawing drawing) {
 
 // Takes what has come from the threads, and gives them what is next.
 void Worker::go_on() {
+    take_read();
     take_results();
     if (!under_way_) begin_next();
     take_written();
     write_next();
 }
 
+void Worker::take_read() {
+    if (!opening_) return;
+    const bool over = !reading_.busy();  // asked first, as below
+    try {
+        while (std::optional<ReadPicture> read = reading_.result()) {
+            OpenedPicture about{};
+            about.file = opening_->file;
+            about.name = opening_->name;
+            about.read = [whole = opening_->opening.whole] { return whole({}); };
+            about.refines = looked_;
+            if (read->whole) whole_missing_.clear();
+            read_.push_back({std::move(*read), std::move(about)});
+            looked_ = true;
+        }
+    } catch (...) {
+        fail_opening();
+    }
+    if (over) opening_.reset();
+}
+
+void Worker::fail_opening() {
+    const std::string message = words_of_exception();
+    if (opening_stopped_)
+        events_.push_back(OpeningStopped{opening_->name});
+    else
+        events_.push_back(TaskFailed{message});
+    if (looked_)
+        whole_missing_ =
+            opening_->name + ": only a first look at it was read, which is not saved; open it again";
+}
+
+void Worker::begin_opening() {
+    opening_ = std::get<OpenTask>(std::move(tasks_.front()));
+    tasks_.pop_front();
+    opening_stopped_ = looked_ = false;
+    reading_.begin([opening = opening_->opening](const Background<ReadPicture>::Task& todo) {
+        if (opening.first_look)
+            if (std::optional<Picture> look = opening.first_look(todo.stop()))
+                todo.publish({std::move(*look), false});
+        return std::optional(ReadPicture{opening.whole(todo.stop()), true});
+    });
+}
+
 void Worker::take_results() {
     if (!under_way_) return;
     const bool over = !placing_.busy();  // asked first: there may be a result between the two
     try {
-        while (std::optional<PlacingBench::Result> result = placing_.result())
+        while (std::optional<Workbench::Result> result = placing_.result())
             std::visit([this](auto& r) { take(r); }, *result);
     } catch (...) {
         const std::string message = words_of_exception();
@@ -96,16 +158,14 @@ void Worker::take_results() {
             end_saving(save->path, TaskFailed{message});
         else
             events_.push_back(TaskFailed{message});
-        // A picture that cannot be read is not to be placed.
-        if (std::holds_alternative<OpenTask>(*under_way_)) under_way_ = SortTask{};
     }
     // What was shown has had its time if something newer waits.
-    if (next_request_ && placing() && placing_.has_published()) placing_.stop();
+    if ((next_request_ || !read_.empty()) && placing() && placing_.has_published()) placing_.stop();
     if (over) end_task();
 }
 
 void Worker::end_task() {
-    if (std::holds_alternative<OpenTask>(*under_way_) && (!next_request_ || next_request_->close))
+    if (std::holds_alternative<ShowTask>(*under_way_) && (!next_request_ || next_request_->close))
         next_request_ = last_request_;
     under_way_.reset();
 }
@@ -128,10 +188,20 @@ void Worker::begin_next() {
         end_saving(path, SavingCancelled{path});
         tasks_.pop_front();
     }
-    if (!tasks_.empty()) {
+    if (!whole_missing_.empty() && !opening_ && !tasks_.empty() &&
+        std::holds_alternative<SaveTask>(tasks_.front())) {
+        end_saving(std::get<SaveTask>(tasks_.front()).path, TaskFailed{whole_missing_});
+        tasks_.pop_front();
+    }
+    // What is told of a picture comes before anything else is done; what was requested later waits for it.
+    if (!read_.empty()) {
+        begin(std::move(read_.front()));
+        read_.pop_front();
+    } else if (!opening_ && !tasks_.empty()) {
+        if (std::holds_alternative<OpenTask>(tasks_.front())) return begin_opening();
         begin(std::move(tasks_.front()));
         tasks_.pop_front();
-    } else if (next_request_ && bench_.has_picture()) {
+    } else if (next_request_ && bench_.has_picture() && (!opening_ || looked_)) {
         begin(*std::exchange(next_request_, std::nullopt));
     } else if (!given_back_.empty()) {
         begin(SortTask{});
@@ -142,13 +212,14 @@ void Worker::begin(Task task) {
     for (PlacedDrawing& drawing : given_back_) bench_.spare().give_back(std::move(drawing));
     given_back_.clear();
     under_way_ = std::move(task);
-    placing_.begin([this](const PlacingBench::Task& todo) -> std::optional<PlacingBench::Result> {
+    placing_.begin([this](const Workbench::Task& todo) -> std::optional<Workbench::Result> {
         bench_.sort_spare();
-        if (const auto* request = std::get_if<DotsRequest>(&*under_way_)) return bench_.place(*request, todo);
+        if (const auto* request = std::get_if<DotsRequest>(&*under_way_))
+            return bench_.place_for_screen(*request, todo);
         if (const auto* save = std::get_if<SaveTask>(&*under_way_))
-            return bench_.prepare(save->prepare, todo);
-        if (const auto* open = std::get_if<OpenTask>(&*under_way_))
-            bench_.open(open->name, open->open, open->file);
+            return FilePrepared{save->prepare(bench_, todo.stop())};
+        if (auto* show = std::get_if<ShowTask>(&*under_way_))
+            bench_.open(std::move(show->read.picture), std::move(show->about));
         if (std::holds_alternative<ClearTask>(*under_way_)) bench_.clear();
         return std::nullopt;
     });

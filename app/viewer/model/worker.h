@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "app/viewer/model/background.h"
-#include "app/viewer/model/placing_bench.h"
+#include "app/viewer/model/workbench.h"
 
 namespace dapple {
 
-/// What the worker has to tell.
+/// What has happened since the window asked last.
 struct TaskFailed {
     std::string message;
 };
@@ -27,7 +27,11 @@ struct DrawingSaved {
 struct SavingCancelled {
     std::filesystem::path path;
 };
-using WorkerEvent = std::variant<DotsPlaced, TaskFailed, DrawingSaved, SavingCancelled>;
+/// A picture was not opened, or no more than a first look at it, as nobody wanted to wait.
+struct OpeningStopped {
+    std::string name;
+};
+using WorkerEvent = std::variant<DotsPlaced, TaskFailed, DrawingSaved, SavingCancelled, OpeningStopped>;
 
 /// What is being saved.
 struct SavingInfo {
@@ -35,15 +39,36 @@ struct SavingInfo {
     double share = 0;  // written, 0..1
 };
 
+/// What is being opened.
+struct OpeningInfo {
+    std::string name;
+    std::chrono::steady_clock::time_point since;
+};
+
+/// How a picture is read, beside further placing.
+struct Opening {
+    std::function<Picture(const std::stop_token&)> whole;
+    /// A smaller one of the same, soon; nothing where there is none. It is drawn until the whole one is
+    /// there.
+    std::function<std::optional<Picture>(const std::stop_token&)> first_look = {};
+};
+
 class Worker {
  public:
     /// `wake` is called from other threads whenever events() has something to do.
-    explicit Worker(std::function<void()> wake) : placing_(wake), writing_(std::move(wake)) {}
+    explicit Worker(std::function<void()> wake) : reading_(wake), placing_(wake), writing_(std::move(wake)) {}
 
     using Open = std::function<Picture()>;
 
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
     void open(std::string name, Open open, std::filesystem::path file = {});
+    /// The same of what can be stopped, and may have a first look. What is requested later than this waits
+    /// for the whole picture, but for dots. If only a first look came, nothing is saved.
+    void open(std::string name, Opening opening, std::filesystem::path file = {});
+    /// Gives up what is being read.
+    void stop_opening();
+    /// The picture that is being read; none if none is.
+    std::optional<OpeningInfo> opening() const;
 
     /// Places as requested. A request that has not begun is replaced; one that has run for long, or that was
     /// shown already, is stopped; a short one may finish so that something moves under a slider that never
@@ -75,8 +100,16 @@ class Worker {
  private:
     struct OpenTask {
         std::string name;
-        Open open;
+        Opening opening;
         std::filesystem::path file;
+    };
+    struct ReadPicture {
+        Picture picture;
+        bool whole = true;
+    };
+    struct ShowTask {
+        ReadPicture read;
+        OpenedPicture about;
     };
     struct SaveTask {
         std::filesystem::path path;
@@ -84,13 +117,16 @@ class Worker {
     };
     struct ClearTask {};
     struct SortTask {};  // of drawings given back
-    using Task = std::variant<OpenTask, SaveTask, ClearTask, SortTask, DotsRequest>;
+    using Task = std::variant<OpenTask, ShowTask, SaveTask, ClearTask, SortTask, DotsRequest>;
     struct WriteTask {
         std::filesystem::path path;
         WriteFile write;
     };
 
     void go_on();
+    void take_read();
+    void fail_opening();
+    void begin_opening();
     void take_results();
     void end_task();
     void take(DotsPlaced& placed);
@@ -105,6 +141,10 @@ class Worker {
     std::deque<Task> tasks_;
     std::optional<DotsRequest> next_request_, last_request_;
     std::optional<Task> under_way_;
+    std::optional<OpenTask> opening_;                // the one being read
+    bool opening_stopped_ = false, looked_ = false;  // its first look was shown
+    std::deque<ShowTask> read_;
+    std::string whole_missing_;  // why only a first look is shown; empty: it is not so
     std::deque<WriteTask> writes_;
     std::optional<WriteTask> written_;          // the one under way
     std::vector<std::filesystem::path> saves_;  // all that were not ended
@@ -112,8 +152,9 @@ class Worker {
     std::vector<PlacedDrawing> given_back_;
     std::vector<WorkerEvent> events_;
 
-    PlacingBench bench_;  // of the task under way; the window's while there is none
-    Background<PlacingBench::Result> placing_;
+    Workbench bench_;  // of the task under way; the window's while there is none
+    Background<ReadPicture> reading_;
+    Background<Workbench::Result> placing_;
     Background<WorkerEvent> writing_;  // last: these use all of the above
 };
 

@@ -5,8 +5,9 @@
 
 namespace dapple {
 
-/// Theme and size of the text. True when something was changed.
-bool draw_preferences_panel(bool& open, Appearance& appearance);
+/// Theme and size of the text, and whether the desktop's own dialog asks for files to open. True when
+/// something was changed.
+bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog);
 
 /// Version, licence, and the libraries it stands on with theirs.
 void draw_about_panel(bool& open);

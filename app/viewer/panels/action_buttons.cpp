@@ -2,6 +2,13 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -9,12 +16,69 @@ namespace {
 
 constexpr int kButtonsARow = 3;
 
+// Three short lines, as menus are known by.
+bool menu_button(ImVec2 size) {
+    const bool pressed = press_area("Menu", size);
+    note_place("Menu");
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float unit = ImGui::GetTextLineHeight() / 15, half = 6.5f * unit;
+    const float x = std::floor((low.x + high.x) / 2), y = std::floor((low.y + high.y) / 2);
+    const bool hot = ImGui::IsItemHovered();
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    if (hot)
+        list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_ButtonHovered),
+                            ImGui::GetStyle().FrameRounding);
+    for (const float line : {-4.5f, 0.0f, 4.5f})
+        list->AddRectFilled({x - half, y + (line - 0.75f) * unit}, {x + half, y + (line + 0.75f) * unit},
+                            colour_of(hot ? ThemeColour::text : ThemeColour::quiet));
+    tip("All commands, keys, preferences, and what Dapple is.");
+    return item_keys("Menu keys").press || pressed;
+}
+
+struct MenuEntry {
+    const char* label;
+    const char* keys;
+    Action action;
+};
+constexpr MenuEntry kMenu[] = {
+    {"All commands...", "Ctrl+P", Action::palette},
+    {"Keys", "F1", Action::help},
+    {"Full screen", "F11", Action::full_screen},
+    {"Preferences...", "Ctrl+,", Action::preferences},
+    {"About Dapple", "", Action::about},
+};
+
+// What was chosen, which is done once the menu is closed.
+std::optional<Action> draw_menu() {
+    if (!ImGui::BeginPopup("menu")) return std::nullopt;
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID mark = ImGui::GetID("marked");
+    constexpr auto kEntries = static_cast<int>(std::size(kMenu));
+    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
+    if (ImGui::IsWindowAppearing()) storage->SetInt(mark, -1);
+    const int walked = down(Key::down) - down(Key::up);
+    const int marked =
+        walked == 0 ? storage->GetInt(mark) : std::clamp(storage->GetInt(mark) + walked, 0, kEntries - 1);
+    storage->SetInt(mark, marked);
+    std::optional<Action> chosen;
+    for (int i = 0; i < kEntries; ++i) {
+        if (ImGui::MenuItem(kMenu[i].label, kMenu[i].keys, i == marked)) chosen = kMenu[i].action;
+        note_place(kMenu[i].label);
+    }
+    if (marked >= 0 && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter)))
+        chosen = kMenu[marked].action;
+    if (chosen || key_pressed(Key::escape)) ImGui::CloseCurrentPopup();
+    take_keyboard();
+    ImGui::EndPopup();
+    return chosen;
+}
+
 bool action_button(const char* label, int column) {
     const float air = ImGui::GetStyle().ItemSpacing.x;
     if (column > 0) ImGui::SameLine();
     // Of the whole row, wherever in it the cursor is.
     const float row = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
-    const bool pressed = ImGui::Button(label, {(row - (kButtonsARow - 1) * air) / kButtonsARow, 0});
+    const bool pressed = key_button(label, {(row - (kButtonsARow - 1) * air) / kButtonsARow, 0});
     note_place(label);
     return pressed;
 }
@@ -31,14 +95,39 @@ void undo_button(const char* label, const std::optional<std::string>& words, con
 
 }  // namespace
 
+void draw_title(const std::string& name, const std::function<void(Action)>& act) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 button{ImGui::GetFrameHeight() * 1.2f, ImGui::GetFrameHeight()};
+    const float air = (button.y - ImGui::GetTextLineHeight()) / 2;
+    push_title_font();
+    ImGui::PushClipRect(start, {start.x + std::max(width - button.x - air, 1.0f), start.y + button.y}, true);
+    ImGui::SetCursorScreenPos({start.x, start.y + air});
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopClipRect();
+    pop_title_font();
+    const ImVec2 place{start.x + std::max(width - button.x, 0.0f), start.y};
+    ImGui::SetCursorScreenPos(place);
+    if (menu_button(button)) ImGui::OpenPopup("menu");
+    const float below = button.y + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::SetNextWindowPos({place.x + button.x, place.y + below}, ImGuiCond_Always, {1, 0});
+    if (const std::optional<Action> chosen = draw_menu()) act(*chosen);
+    ImGui::SetCursorScreenPos({start.x, start.y + button.y});
+    ImGui::Dummy({0, 0});
+    ImGui::SetCursorScreenPos({start.x, start.y + button.y});
+}
+
 void draw_action_buttons(const UndoInfo& info, bool has_project, const std::function<void(Action)>& act) {
     if (action_button("Open...", 0)) act(Action::open);
+    tip("Opens a picture, a project or a map of light from a file.   Ctrl+O");
     if (action_button("Export...", 1)) act(Action::save_as);
+    tip("Saves what is shown as a file that other programs and machines read.   Ctrl+E");
     if (has_project && action_button("Project...", 2)) act(Action::save_project);
     if (has_project) tip("Saves picture and settings together, to go on another day.   Ctrl+Shift+S");
     undo_button("Undo", info.undo, "Ctrl+Z", Action::undo, 0, act);
     undo_button("Redo", info.redo, "Ctrl+Y", Action::redo, 1, act);
-    if (action_button("Keys", 2)) act(Action::help);
+    if (action_button("Fit", 2)) act(Action::fit);
+    tip("Shows all of the page or the map again after zooming.   F");
 }
 
 }  // namespace dapple

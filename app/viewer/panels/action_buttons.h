@@ -1,5 +1,5 @@
 #pragma once
-// The buttons above the sections.
+// The title above the sections, its menu and the buttons.
 
 #include <functional>
 #include <optional>
@@ -8,6 +8,10 @@
 #include "app/viewer/panels/shortcuts.h"
 
 namespace dapple {
+
+/// The name of what is shown, and at the end of its line a menu of what is asked for seldom: all commands,
+/// keys, preferences, about the program.
+void draw_title(const std::string& name, const std::function<void(Action)>& act);
 
 /// What the buttons would undo and do again, in words; none: nothing.
 struct UndoInfo {

@@ -3,44 +3,74 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <sstream>
 #include <string>
 
+#include "app/files/file_ending.h"
+#include "app/shown_text.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {
 
-constexpr float kPaletteWidth = 30;  // letters' heights
+constexpr float kPaletteWidth = 34;     // letters' heights, where the window is as wide
+constexpr float kPaletteHeight = 0.7f;  // of the window's, at most; what is more is scrolled to
 
-std::string in_small_letters(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
+bool has_all_words(const std::string& entry, std::string_view text) {
+    std::istringstream words(lower_case(std::string(text)));
+    const std::string small = lower_case(entry);
+    std::string word;
+    bool all = true;
+    while (words >> word) all &= small.find(word) != std::string::npos;
+    return all;
+}
+
+float palette_width() {
+    const float room = ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetStyle().WindowPadding.x;
+    return std::max(std::min(kPaletteWidth * ImGui::GetTextLineHeight(), room), 1.0f);
+}
+
+// Clear of the list's scroll bar.
+void at_the_end_of_the_entry(const char* words) {
+    const float air = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(words).x - air);
+    ImGui::TextDisabled("%s", words);
+}
+
+int steps_by_arrows() {
+    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
+    return down(Key::down) - down(Key::up);
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> recent_with(std::string_view text,
+                                               std::span<const std::filesystem::path> files) {
+    std::vector<std::filesystem::path> found;
+    for (const std::filesystem::path& file : files)
+        if (has_all_words(file.string(), text)) found.push_back(file);
+    return found;
+}
 
 std::vector<Shortcut> shortcuts_with(std::string_view text, std::span<const Shortcut> shortcuts) {
     std::vector<Shortcut> found;
     for (const Shortcut& shortcut : shortcuts) {
         if (shortcut.action == Action::photograph || shortcut.action == Action::palette) continue;
-        const std::string entry = in_small_letters(std::string(shortcut.meaning) + ' ' + shortcut.keys);
-        std::istringstream words(in_small_letters(std::string(text)));
-        std::string word;
-        bool all = true;
-        while (words >> word) all &= entry.find(word) != std::string::npos;
-        if (all) found.push_back(shortcut);
+        if (has_all_words(std::string(shortcut.meaning) + ' ' + shortcut.keys, text))
+            found.push_back(shortcut);
     }
     return found;
 }
 
-void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::function<void(Action)>& act) {
+void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::function<void(Action)>& act,
+                          const RecentFiles& recent) {
+    constexpr std::size_t kMostFiles = 8;  // of all that are remembered
     std::optional<Action> asked;
+    std::optional<std::filesystem::path> file;
     {
         const Dialog dialog("What to do", open_);
         if (!dialog) return;
@@ -48,7 +78,8 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
             typed_[0] = 0;
             chosen_ = 0;
         }
-        ImGui::SetNextItemWidth(kPaletteWidth * ImGui::GetTextLineHeight());
+        const float width = palette_width();
+        ImGui::SetNextItemWidth(width);
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         const std::string before = typed_;
         const bool entered = ImGui::InputTextWithHint("##typed", "a few letters of it", typed_, sizeof typed_,
@@ -56,22 +87,44 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
         note_place("What to do");
         if (before != typed_) chosen_ = 0;
         const std::vector<Shortcut> found = shortcuts_with(typed_, shortcuts);
-        const int last = std::max(0, static_cast<int>(found.size()) - 1);
-        chosen_ =
-            std::clamp(chosen_ + (key_pressed(Key::down) ? 1 : 0) - (key_pressed(Key::up) ? 1 : 0), 0, last);
-        for (int i = 0; i < static_cast<int>(found.size()); ++i) {
+        std::vector<std::filesystem::path> files = recent_with(typed_, recent.files);
+        if (files.size() > kMostFiles) files.resize(kMostFiles);
+        const int actions = static_cast<int>(found.size());
+        const int entries = actions + static_cast<int>(files.size());
+        const int steps = steps_by_arrows();
+        chosen_ = std::clamp(chosen_ + steps, 0, std::max(entries - 1, 0));
+        const float all = static_cast<float>(entries) * ImGui::GetTextLineHeightWithSpacing();
+        ImGui::BeginChild("list",
+                          {width, std::clamp(all, 1.0f, kPaletteHeight * ImGui::GetIO().DisplaySize.y)});
+        const auto entry = [&](const std::string& label, int i) {
+            ImGui::PushID(i);
+            const bool clicked = text_entry(label, i == chosen_);
+            ImGui::PopID();
+            if (i == chosen_ && steps != 0) ImGui::SetScrollHereY();
+            return clicked;
+        };
+        for (int i = 0; i < actions; ++i) {
             const Shortcut& each = found[static_cast<std::size_t>(i)];
-            if (ImGui::Selectable(each.meaning, i == chosen_)) asked = each.action;
-            note_place(each.meaning);
-            const float width = ImGui::CalcTextSize(each.keys).x;
-            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-            ImGui::TextDisabled("%s", each.keys);
+            if (entry(each.meaning, i)) asked = each.action;
+            at_the_end_of_the_entry(each.keys);
         }
-        if (found.empty()) hint("Nothing has all of that; try one word of it.");
-        if (entered && !found.empty()) asked = found[static_cast<std::size_t>(chosen_)].action;
-        if (asked) open_ = false;
+        for (int i = actions; i < entries; ++i) {
+            const std::filesystem::path& each = files[static_cast<std::size_t>(i - actions)];
+            if (entry(printable(each.filename().native()), i)) file = each;
+            tip(printable(each.native()).c_str());
+            at_the_end_of_the_entry("opened before");
+        }
+        ImGui::EndChild();
+        note_place("Found");
+        if (found.empty() && files.empty()) hint("Nothing has all of that; try one word of it.");
+        if (entered && chosen_ < actions)
+            asked = found[static_cast<std::size_t>(chosen_)].action;
+        else if (entered && !files.empty())
+            file = files[static_cast<std::size_t>(chosen_ - actions)];
+        if (asked || file) open_ = false;
     }
     if (asked) act(*asked);
+    if (file) recent.open(*file);
 }
 
 }  // namespace dapple

@@ -10,6 +10,35 @@ namespace dapple {
 
 namespace {
 
+bool draw_right_side(Comparison& right, const TileList& tiles) {
+    bool changed =
+        tile_row("Right tile", right.tile, tiles, "The tile that the right side's dots come from.");
+    int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
+    if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"},
+                   "How the right side's dots are placed: exactly, or as the paper prints it.")) {
+        right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
+        DrawingSettings drawing;
+        drawing.tile = right.tile;
+        drawing.placer = right.placer;
+        right.tile = tile_in_use(drawing);
+        changed = true;
+    }
+    const bool counted = right.placer == PlacerKind::exact;
+    {
+        const Greyed greyed(why_only_exact(right.placer));
+        changed |= ranking_row("Right ranking", right.ranking);
+    }
+    int by = static_cast<int>(right.by);
+    if (segmented_row(
+            "Right side has", by, std::array{"same scale", counted ? "same count" : "similar count"},
+            "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
+            "as many different dots.")) {
+        right.by = static_cast<CompareBy>(by);
+        changed = true;
+    }
+    return changed;
+}
+
 bool draw_split(ViewerSettings& settings, const TileList& tiles) {
     Comparison& right = settings.comparison;
     bool on = right.on, changed = false;
@@ -18,42 +47,18 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
         right = toggled(right, settings.drawing);
         changed = true;
     }
-    if (!right.on) {
-        hint("Two tiles or placers side by side on the same picture.");
-        return changed;
+    {
+        const Greyed greyed(right.on ? nullptr : "Of the split view only.");
+        changed |= draw_right_side(right, tiles);
     }
-    changed |= tile_row("Right tile", right.tile, tiles);
-    int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
-    if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"})) {
-        right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
-        DrawingSettings drawing;
-        drawing.tile = right.tile;
-        drawing.placer = right.placer;
-        right.tile = tile_in_use(drawing);
-        changed = true;
-    }
-    if (right.placer == PlacerKind::exact) changed |= ranking_row("Right order", right.ranking);
-    int by = static_cast<int>(right.by);
-    const bool counted = right.placer == PlacerKind::exact;
-    if (segmented_row("Right side has", by,
-                      std::array{"same scale", counted ? "same count" : "similar count"})) {
-        right.by = static_cast<CompareBy>(by);
-        changed = true;
-    }
-    if (!counted && right.by == CompareBy::count)
-        hint("Figure 8 cannot count: it gets the scale that gives about as many different dots.");
-    else
-        hint("Drag the divider. Repetition shows best on an even grey or a ramp: Density, above.");
+    hint("Repetition shows best on an even grey or a ramp: Density, above.");
     return changed;
 }
 
 bool draw_loupe(LoupeChoice& loupe) {
     bool changed =
         switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
-    if (!loupe.on) {
-        hint("A lens that lays tiles on one another: what repeats stays crisp.");
-        return changed;
-    }
+    const Greyed greyed(loupe.on ? nullptr : "Of the loupe only.");
     double step = loupe.step;
     if (slider_row("Its tiles", step,
                    {.min = -3,
@@ -61,11 +66,12 @@ bool draw_loupe(LoupeChoice& loupe) {
                     .neutral = 0,
                     .format = loupe.step == 0  ? "fitting"
                               : loupe.step > 0 ? "smaller"
-                                               : "larger"})) {
+                                               : "larger",
+                    .tip = "How large the tiles are that it lays on one another; a step to the right halves "
+                           "their side."})) {
         changed |= loupe.step != static_cast<int>(std::lround(step));
         loupe.step = static_cast<int>(std::lround(step));
     }
-    hint("Move the pointer over the page. One step to the right halves the tiles' side.");
     return changed;
 }
 

@@ -38,6 +38,7 @@ constexpr SliderRange kRadius{.min = 0.02,
                               .hard_min = 0.001,
                               .hard_max = 100,
                               .typed = TypedKind::length};
+
 void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
@@ -51,7 +52,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         grouped(drawn.most_dots));
     int by = request.count ? 1 : 0;
     if (segmented_row("Set by", by, std::array{"scale", "count"},
-                      "count: so many dots, whatever the picture. scale: a darker picture gets more dots.")) {
+                      "count: so many dots, whatever the picture. scale: a darker picture gets more dots.",
+                      1)) {
         if (by == 0)
             use_scale(request, drawn);
         else
@@ -85,27 +87,45 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
     return changed;
 }
 
-bool draw_size(DotSize& size, const DrawnInfo& drawn) {
+SliderRange radius_range(LengthUnit unit, const char* tip) {
+    SliderRange range = kRadius;
+    range.unit = unit;
+    range.tip = tip;
+    return range;
+}
+
+bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     bool changed = false;
+    const double radius = std::max(drawn.dot_radius_mm, kRadius.hard_min);
     int chosen = static_cast<int>(size.sizing);
     if (segmented_row(
             "Dot size", chosen, std::array{"auto", "fixed", "by tone"},
             "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
             "small dots in light areas, large ones in dark areas.")) {
-        const double radius = std::max(drawn.dot_radius_mm, kRadius.hard_min);
         size = {.sizing = static_cast<DotSizing>(chosen),
                 .radius_mm = radius,
                 .smallest_mm = std::max(0.5 * radius, kRadius.hard_min),
                 .largest_mm = 1.2 * radius};
         changed = true;
     }
-    if (size.sizing == DotSizing::fixed) changed |= slider_row("Radius, mm", size.radius_mm, kRadius);
-    if (size.sizing != DotSizing::by_tone) return changed;
-    if (slider_row("Smallest, mm", size.smallest_mm, kRadius)) {
+    {
+        const bool fixed = size.sizing == DotSizing::fixed;
+        const Greyed greyed(fixed ? nullptr : "Of the dot size fixed only.");
+        double shown = fixed ? size.radius_mm : radius;
+        if (slider_row("Radius", shown,
+                       radius_range(unit, "From the middle of a dot to its edge; all dots are alike."))) {
+            size.radius_mm = shown;
+            changed = true;
+        }
+    }
+    const Greyed greyed(size.sizing == DotSizing::by_tone ? nullptr : "Of the dot size by tone only.");
+    if (slider_row("Smallest", size.smallest_mm,
+                   radius_range(unit, "The radius of the dots where the picture is lightest."))) {
         size.largest_mm = std::max(size.largest_mm, size.smallest_mm);
         changed = true;
     }
-    if (slider_row("Largest, mm", size.largest_mm, kRadius)) {
+    if (slider_row("Largest", size.largest_mm,
+                   radius_range(unit, "The radius of the dots where the picture is darkest."))) {
         size.smallest_mm = std::min(size.smallest_mm, size.largest_mm);
         changed = true;
     }
@@ -130,25 +150,21 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 
 }  // namespace
 
-bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn) {
+bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
     if (!section("Dots")) return false;
     bool changed = false;
-    if (settings.dot_size.sizing == DotSizing::by_tone)
-        hint("As many dots as their sizes and the tone ask for.");
-    else
+    {
+        const Greyed greyed(settings.dot_size.sizing == DotSizing::by_tone
+                                ? "Dots sized by tone are as many as their sizes and the tone ask for."
+                                : nullptr);
         changed |= draw_amount(settings.placing, drawn);
-    changed |= draw_size(settings.dot_size, drawn);
-    const Greyed greyed(why_only_exact(settings.placer));
-    changed |= draw_relax(settings.relax, drawn);
+    }
+    changed |= draw_size(settings.dot_size, drawn, unit);
+    {
+        const Greyed greyed(why_only_exact(settings.placer));
+        changed |= draw_relax(settings.relax, drawn);
+    }
     return changed;
-}
-
-bool draw_pen_panel(DrawingSettings& settings) {
-    if (!section("Pen")) return false;
-    const bool ink = colour_row("Ink", settings.ink, "The dots' colour, on screen and in the file.");
-    return colour_row("Paper", settings.paper,
-                      "What lies under the dots; in a file only where you ask for it.") ||
-           ink;
 }
 
 }  // namespace dapple

@@ -6,7 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
+#include "app/files/gcode_choice.h"
 #include "app/shown_text.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -26,7 +32,7 @@ constexpr const char* kTools =
     "pen: lowers it by the Z axis.\n"
     "servo: turns a servo by M3.\n"
     "laser: burns for a moment.\n"
-    "dapple render --help tells how to write a template of your own.";
+    "own: what a template of yours says, which is a text file.";
 
 bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const DotOrder order = choice.value_or(usual);
@@ -38,10 +44,55 @@ bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     return changed;
 }
 
-bool draw_tool(GcodeTool& tool) {
-    int chosen = static_cast<int>(tool);
-    const bool changed = segmented_row("G-code for", chosen, std::array{"pen", "servo", "laser"}, kTools);
-    if (changed) tool = static_cast<GcodeTool>(chosen);
+// Another template, if the file is one.
+std::optional<OwnTemplate> template_in(const std::string& file) {
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(file, failed)) return std::nullopt;  // others may make us wait
+    try {
+        return read_gcode_template(file);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
+
+bool draw_gcode(SavingChoice& saving) {
+    constexpr int kOwn = 3;
+    OwnTemplate& own = saving.gcode_template;
+    int chosen = own.text.empty() ? static_cast<int>(saving.tool) : kOwn;
+    bool changed = segmented_row("G-code for", chosen, std::array{"pen", "servo", "laser", "own"}, kTools);
+    if (changed && chosen == kOwn) {
+        own = {.text = std::string(gcode_template_of(saving.tool))};  // until another is named
+    } else if (changed) {
+        own = {};
+        saving.tool = static_cast<GcodeTool>(chosen);
+    }
+    {
+        const Greyed greyed(own.text.empty() ? "Choose a template of your own above." : nullptr);
+        std::string file = own.file;
+        if (text_row(
+                "Template", file, [](const std::string& name) { return template_in(name).has_value(); },
+                "No file with a template: its lines begin with start, move, dot or end.",
+                "The file that says what the machine does at a dot. What it says is kept in the project.")) {
+            own = template_in(file).value_or(own);
+            changed = true;
+        }
+    }
+    changed |= slider_row("Feed, mm/min", saving.feed_mm_per_min,
+                          {.min = 100,
+                           .max = 20'000,
+                           .neutral = 3000,
+                           .curve = SliderCurve::logarithmic,
+                           .format = "%.0f",
+                           .hard_min = kSlowestFeed,
+                           .hard_max = kFastestFeed,
+                           .tip = "How fast the tool moves."});
+    changed |= slider_row("Dwell, s", saving.dwell_s,
+                          {.min = 0,
+                           .max = 1,
+                           .neutral = 0.1,
+                           .format = "%.2f",
+                           .hard_max = kLongestDwellS,
+                           .tip = "How long the tool rests at a dot."});
     return changed;
 }
 
@@ -49,30 +100,29 @@ bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& 
     // As Machine has them.
     const Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
     int chosen = static_cast<int>(machine);
-    const bool changed = choice_row(
-        "Machine", chosen, std::array{"AxiDraw V3", "AxiDraw SE/A3", "GRBL pen plotter", "GRBL laser"},
-        "Whose time is told below; the file is the same for all of them.");
+    const bool changed =
+        choice_row("Machine", chosen,
+                   std::array{"AxiDraw V3", "AxiDraw SE/A3", "iDraw", "GRBL pen plotter", "GRBL laser"},
+                   "Whose time is told below; the file is the same for all of them.");
     if (changed) saving.machine = static_cast<Machine>(chosen);
     if (info.dots == 0) return changed;
-    const PlottingTime time =
-        expected_plotting_time(static_cast<double>(info.dots), info.area_mm2, speeds_of(machine));
-    hint(fmt::format("Plots for {}: {}.", time_in_words(time.total_s()), what_takes_longest(time)).c_str());
+    hint(fmt::format("Plots for {}: {}.", time_in_words(info.plotting.total_s()),
+                     what_takes_longest(info.plotting))
+             .c_str());
     note_place("Plotting time");
+    if (info.way_m <= 0) return changed;
+    hint(info.way_before_m
+             ? fmt::format("From dot to dot the pen goes {:.1f} m, {:.1f} m before its way is shortened.",
+                           info.way_m, *info.way_before_m)
+                   .c_str()
+             : fmt::format("From dot to dot the pen goes {:.1f} m.", info.way_m).c_str());
+    note_place("Pen's way");
     return changed;
 }
 
-// Two digits, or a whole number below a hundred thousand bytes.
-std::string bytes_in_words(double bytes) {
-    const char* unit = "kB";
-    double size = bytes / 1e3;
-    for (const char* larger : {"MB", "GB", "TB"}) {
-        if (size < 999.5) break;
-        size /= 1e3;
-        unit = larger;
-    }
-    if (size < 9.95) return fmt::format("{:.1f} {}", std::max(size, 0.1), unit);
-    const double step = size < 99.5 ? 1 : 10;
-    return fmt::format("{:.0f} {}", std::round(size / step) * step, unit);
+std::string beginning_large(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
 }
 
 }  // namespace
@@ -93,24 +143,36 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                .format = "%.0f",
                                .hard_min = 1,
                                .hard_max = 100'000,
-                               .tip = "Pixels to the inch of the page, whose width is under Dots."});
-    else
-        changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
-    if (format == DrawingFormat::gcode) changed |= draw_tool(settings.saving.tool);
+                               .tip = "Pixels to the inch of the page, whose size is under Page."});
+    if (has_pixels(format)) {
+        int deep = settings.saving.bits == 16;
+        if (segmented_row("Bits", deep, std::array{"8", "16"}, "For each channel of a pixel.")) {
+            settings.saving.bits = deep ? 16 : 8;
+            changed = true;
+        }
+    }
+    if (has_order(format)) changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
+    if (format == DrawingFormat::gcode) changed |= draw_gcode(settings.saving);
     if (is_plotted(format)) changed |= draw_machine(settings.saving, format, info);
     if (has_optional_paper(format))
         changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
-                              settings.drawing.background);
+                              settings.drawing.background,
+                              "Fills the page with the paper's colour under the dots; a plotter needs none.");
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
         return changed;
     }
     hint(size_in_words(info).c_str());
     note_place("File size");
-    if (!settings.drawing.show_tiles) return changed;
-    hint(format == DrawingFormat::svg ? "With the tile boundaries as a layer of their own."
-                                      : "Without the tile boundaries: only an SVG has layers.");
-    note_place("Tile layer");
+    for (const Finding& finding : info.findings) {
+        // The time is told above, with its machine.
+        const std::string told = finding.kind == FindingKind::hours ? "To plot for less time: " + finding.cure
+                                                                    : sentence_of(finding);
+        hint((beginning_large(told) + ".").c_str());
+        note_place(("Finding " + std::string(name_of(finding.kind))).c_str());
+    }
+    if (settings.drawing.show_tiles && format != DrawingFormat::svg)
+        hint("Without the tile boundaries: only an SVG has layers.");
     return changed;
 }
 

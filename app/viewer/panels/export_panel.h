@@ -7,9 +7,6 @@
 
 namespace dapple {
 
-/// The room that the options need in the file dialog.
-inline constexpr int kExportRows = 4;
-
 /// What goes with a format: the order of the dots, paper, resolution; and how large the file will be. True
 /// while something changes.
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info);

@@ -21,12 +21,14 @@ constexpr SliderRange kCount{.min = 1,
                              .format = "%.0f",
                              .hard_min = 1,
                              .hard_max = 100'000,
-                             .grouped = true};
+                             .grouped = true,
+                             .tip = "How many samples the map's light is shared out to."};
 
 template <class Value, std::size_t n>
-bool choose(const char* label, Value& value, const std::array<const char*, n>& names) {
+bool choose(const char* label, Value& value, Value usual, const std::array<const char*, n>& names,
+            const char* tip) {
     int chosen = static_cast<int>(value);
-    if (!segmented_row(label, chosen, names)) return false;
+    if (!segmented_row(label, chosen, names, tip, static_cast<int>(usual))) return false;
     value = static_cast<Value>(chosen);
     return true;
 }
@@ -40,20 +42,31 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
         request.count = static_cast<std::uint64_t>(std::lround(count));
         changed = true;
     }
-    changed |= choose("Placed", request.position, std::array{"centroid", "dot", "random"});
-    hint(
-        "Where in its region a sample is: at the light's centre of gravity, where the placer put it, or "
-        "drawn "
-        "at random, which has no bias.");
-    changed |= choose("Placer", request.placer, std::array{"exact", "Figure 8"});
-    changed |= tile_row("Tile", settings.tile, tiles);
+    const LightRequest usual;
+    changed |=
+        choose("Placed", request.position, usual.position, std::array{"centroid", "dot", "random"},
+               "Where in its region a sample is: at the light's centre of gravity, where the placer put "
+               "it, or drawn at random, which has no bias.");
+    changed |=
+        choose("Placer", request.placer, usual.placer, std::array{"exact", "Figure 8"},
+               "exact: each sample once, and none is lost. Figure 8: as the paper prints it, with some "
+               "twice.");
+    changed |= tile_row("Tile", settings.tile, tiles, "The square of points that all samples come from.");
     bool compensated = request.importance == LightImportance::compensated;
-    if (switch_row("MIS compensation", compensated)) {
+    if (switch_row(
+            "MIS compensation", compensated,
+            "Leaves the map's dim light to the renderer's other samples (multiple importance sampling), so "
+            "that more of these go where it is bright.")) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
         changed = true;
     }
     double seed = static_cast<double>(request.seed);
-    if (slider_row("Seed", seed, {.min = 0, .max = 100, .neutral = 0, .format = "%.0f"})) {
+    if (slider_row("Seed", seed,
+                   {.min = 0,
+                    .max = 100,
+                    .neutral = 0,
+                    .format = "%.0f",
+                    .tip = "Another number gives other random places, as good as these."})) {
         request.seed = static_cast<std::uint64_t>(std::lround(seed));
         changed = true;
     }
@@ -64,18 +77,38 @@ bool draw_view(LightsSettings& settings) {
     if (!section("View")) return false;
     bool changed =
         slider_row("Exposure", settings.stops,
-                   {.min = -12, .max = 12, .neutral = 0, .format = "%+.1f", .hard_min = -40, .hard_max = 40});
-    hint("In stops. E is lighter, Shift+E darker.");
-    changed |= slider_row("Rotation", settings.turn_degrees,
-                          {.min = -180, .max = 180, .neutral = 0, .format = "%.0f deg"});
-    changed |= switch_row("Show samples", settings.samples_shown);
+                   {.min = -12,
+                    .max = 12,
+                    .neutral = 0,
+                    .format = "%+.1f",
+                    .hard_min = -40,
+                    .hard_max = 40,
+                    .tip = "How light the map is shown, in stops: E is lighter, Shift+E darker; the samples "
+                           "stay."});
+    changed |=
+        slider_row("Rotation", settings.turn_degrees,
+                   {.min = -180,
+                    .max = 180,
+                    .neutral = 0,
+                    .format = "%.0f deg",
+                    .tip = "Turns the light about the vertical axis, on the spheres and in the file."});
+    changed |= switch_row("Show samples", settings.samples_shown,
+                          "Marks each sample on the map; the spheres are lit by them all the same.", true);
     return changed;
 }
 
+// Of what is nothing but for rounding nobody wants the digits.
+std::string small_percentage(double share) {
+    constexpr double kLeast = 1e-6;
+    return share < kLeast ? "under 0.0001 %" : fmt::format("{:.3g} %", 100 * share);
+}
+
+// The value at the right edge: in a line of its own where the label leaves too little room.
 void line(const char* label, const std::string& value) {
+    const float row = ImGui::GetContentRegionAvail().x, width = ImGui::CalcTextSize(value.c_str()).x;
     ImGui::TextUnformatted(label);
-    ImGui::SameLine();
-    const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+    if (ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width <= row) ImGui::SameLine();
+    const float right = ImGui::GetContentRegionAvail().x - width;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, right));
     ImGui::TextUnformatted(value.c_str());
 }
@@ -93,15 +126,13 @@ bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>
         };
         figure("Irradiance differs by",
                [](const LightsInfo& f) { return fmt::format("{:.3g} %", 100 * f.difference); });
-        figure("Total flux differs by",
-               [](const LightsInfo& f) { return fmt::format("{:.1e}", f.flux_error); });
+        figure("Total flux differs by", [](const LightsInfo& f) { return small_percentage(f.flux_error); });
         figure("Placing", [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.place_ms); });
         figure("Sharing out the light",
                [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.share_ms); });
         hint(
             "Irradiance: mean difference over all normals between the left sphere, lit by the samples, and "
-            "the "
-            "right one, lit by every texel of the map.");
+            "the right one, lit by every texel of the map.");
     }
     return changed;
 }
@@ -121,7 +152,10 @@ bool draw_light_export_panel(LightsSettings& settings, LightFile format) {
     const auto at =
         settings.convention ? std::ranges::find(kConventions, *settings.convention) : kConventions.end();
     int chosen = at == kConventions.end() ? 0 : static_cast<int>(at - kConventions.begin()) + 1;
-    const bool changed = choice_row("Axes", chosen, names);
+    const bool changed =
+        choice_row("Axes", chosen, names,
+                   "Which way is up and where the map's middle lies: as the renderer has them that "
+                   "reads the file.");
     if (changed) settings.convention = chosen == 0 ? std::nullopt : std::optional(kConventions[chosen - 1]);
     hint("Turned by the view's rotation.");
     return changed;

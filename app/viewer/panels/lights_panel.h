@@ -14,9 +14,6 @@ namespace dapple {
 bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>& info,
                        const TileList& tiles);
 
-/// The room that the options need in the file dialog.
-inline constexpr int kLightExportRows = 2;
-
 /// What goes with a kind of file: the axes of its directions. True when another is chosen.
 bool draw_light_export_panel(LightsSettings& settings, LightFile format);
 

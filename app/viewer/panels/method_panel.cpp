@@ -39,14 +39,43 @@ bool draw_density(DensityChoice& density) {
     return changed;
 }
 
+bool draw_zooming(ViewerSettings& settings) {
+    const Greyed greyed(
+        settings.drawing.placer == PlacerKind::exact ? nullptr : "Figure 8 places whole drawings only.");
+    int mode = static_cast<int>(settings.zoom_mode);
+    if (!segmented_row("Zooming in", mode, std::array{"larger dots", "more dots"},
+                       "larger dots: as on paper under a lens. more dots: they keep their size, and new ones "
+                       "appear between them without end."))
+        return false;
+    settings.zoom_mode = static_cast<ZoomMode>(mode);
+    return true;
+}
+
+// What is shown of the tiles that the dots come from.
+bool draw_shown(ViewerSettings& settings) {
+    bool changed =
+        switch_row("Tile boundaries", settings.drawing.show_tiles,
+                   "Draws the square of each copy of the tile; an exported SVG has them as a layer.");
+    int colouring = static_cast<int>(settings.colouring);
+    if (choice_row("Dots coloured", colouring,
+                   std::array{"in ink", "by level", "by rank", "by tile orientation"},
+                   "by level: how often the page was divided. by rank: how early in its tile. by tile "
+                   "orientation: how its tile is turned.")) {
+        settings.colouring = static_cast<DotColouring>(colouring);
+        changed = true;
+    }
+    return draw_zooming(settings) || changed;
+}
+
 bool draw_levels(int& deepest) {
     double levels = deepest;
-    if (!slider_row("Levels up to", levels,
-                    {.min = 0,
-                     .max = kDeepestStep,
-                     .neutral = kDeepestStep,
-                     .format = deepest == kDeepestStep ? "all" : "%.0f",
-                     .tip = "Shows only the dots that the first so many divisions of the page have placed."}))
+    if (!slider_row(
+            "Levels up to", levels,
+            {.min = 0,
+             .max = kDeepestStep,
+             .neutral = kDeepestStep,
+             .format = deepest == kDeepestStep ? "all" : "%.0f",
+             .tip = "Shows only the dots of the first levels, as if the page were not divided any further."}))
         return false;
     const int chosen = static_cast<int>(std::lround(levels));
     return std::exchange(deepest, chosen) != chosen;
@@ -77,21 +106,26 @@ bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     DrawingSettings& drawing = settings.drawing;
     hint(
         "All dots come from one small square of points, the tile: each copy is divided into four smaller "
-        "ones "
-        "until its points are dense enough for the picture there.");
+        "ones until its points are dense enough for the picture there.");
     bool changed = draw_placer(drawing);
     // What is drawn with; the own choice comes back with the exact placer.
     std::string tile = tile_in_use(drawing);
-    if (tile_row("Tile", tile, tiles)) {
+    if (tile_row("Tile", tile, tiles,
+                 "The square of points that all dots come from; some repeat, some never do.")) {
         drawing.tile = tile;
         changed = true;
     }
     {
         const Greyed greyed(why_only_exact(drawing.placer));
-        changed |= ranking_row("Order", drawing.ranking);
+        changed |= ranking_row("Ranking", drawing.ranking);
     }
     changed |= draw_density(settings.density);
+    changed |= draw_shown(settings);
     changed |= draw_levels(settings.deepest_level);
+    changed |=
+        switch_row("Explain dots", settings.origins,
+                   "Beside the pointer: the level, the rank and the density that the dot under it comes "
+                   "from; its tile lights up (key I).");
     changed |= switch_row(
         "Every frame", settings.every_frame,
         "Places all dots anew in each frame, without rest, and shows how many frames a second that "

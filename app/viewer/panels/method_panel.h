@@ -12,7 +12,7 @@ namespace dapple {
 /// True while something changes.
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles);
 
-/// The order in which a tile's points become dots. True when another was chosen.
+/// The ranking, by which a tile's points become dots. True when another was chosen.
 bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);
 
 /// Why rows that only the exact placer knows are greyed; null if they are not.

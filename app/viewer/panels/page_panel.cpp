@@ -17,7 +17,10 @@ constexpr SliderRange kSide{.min = 20,
                             .format = "%.4g",
                             .hard_min = 1,
                             .hard_max = 100'000,
-                            .typed = TypedKind::length};
+                            .typed = TypedKind::length,
+                            .tip =
+                                "A side of the page, dots and margins and all; of a page of the picture's "
+                                "shape the other side follows."};
 constexpr const char* kNamed = "The paper says how large the page is. For another size choose \"custom\".";
 constexpr const char* kPictureShape =
     "The page has the picture's shape and lies as the picture does. For another choose a paper.";
@@ -28,8 +31,8 @@ bool draw_paper(PageSetup& setup, const PageSize& drawn) {
                     "The sheet that is drawn on; \"as the picture\" makes it follow the picture's shape."))
         return false;
     setup.paper = static_cast<Paper>(paper);
+    // Either of the two that are no papers begins with the page as it was, to be changed from there.
     if (setup.paper == Paper::custom) {
-        // As it was, to be changed from there.
         setup.width_mm = drawn.width_mm;
         setup.height_mm = drawn.height_mm;
         setup.orientation = PageOrientation::automatic;
@@ -40,7 +43,7 @@ bool draw_paper(PageSetup& setup, const PageSize& drawn) {
     return true;
 }
 
-bool draw_sides(PageSetup& setup, const PageSize& drawn) {
+bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool named = setup.paper != Paper::as_picture && setup.paper != Paper::custom;
     const Greyed greyed(named ? kNamed : nullptr);
     bool changed = false;
@@ -48,60 +51,70 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn) {
     const bool by_height = setup.paper == Paper::as_picture && setup.height_mm;
     double width = named || by_height ? drawn.width_mm : setup.width_mm;
     double height = named ? drawn.height_mm : setup.height_mm.value_or(drawn.height_mm);
-    if (slider_row("Width, mm", width, kSide)) {
+    SliderRange range = kSide;
+    range.unit = unit;
+    if (slider_row("Width", width, range)) {
         setup.width_mm = width;
         if (setup.paper == Paper::as_picture) setup.height_mm.reset();
         changed = true;
     }
-    if (slider_row("Height, mm", height, kSide)) {
+    if (slider_row("Height", height, range)) {
         setup.height_mm = height;
         changed = true;
     }
     return changed;
 }
 
-bool draw_margins(PageSetup& setup, const PageSize& drawn) {
+bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     Margins& margins = setup.margins;
     bool& each = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
-    const bool alike = margins == Margins{margins.top, margins.top, margins.top, margins.top};
-    int by = each || !alike ? 1 : 0;
+    const bool equal = margins == Margins{margins.top, margins.top, margins.top, margins.top};
+    int by = each || !equal ? 1 : 0;
     bool changed = false;
     if (segmented_row("Margins", by, std::array{"alike", "each side"},
                       "Bare paper along the edges, in which no part of a dot lies.")) {
         each = by == 1;
         if (!each) {
             margins = {margins.top, margins.top, margins.top, margins.top};
-            changed = !alike;
+            changed = !equal;
         }
     }
     // The picture keeps some room.
     const double shorter = std::min(drawn.width_mm, drawn.height_mm);
-    const SliderRange range{.min = 0,
-                            .max = std::clamp(shorter * 0.3, 1.0, 100.0),
-                            .neutral = 0,
-                            .format = "%.3g",
-                            .hard_max = std::max(shorter * 0.49, 1.0),
-                            .typed = TypedKind::length};
-    if (by == 0) {
-        if (slider_row("Margin, mm", margins.top, range)) {
-            margins = {margins.top, margins.top, margins.top, margins.top};
-            changed = true;
-        }
-        return changed;
-    }
-    changed |= slider_row("Top, mm", margins.top, range);
-    changed |= slider_row("Right, mm", margins.right, range);
-    changed |= slider_row("Bottom, mm", margins.bottom, range);
-    changed |= slider_row("Left, mm", margins.left, range);
+    SliderRange range{.min = 0,
+                      .max = std::clamp(shorter * 0.3, 1.0, 100.0),
+                      .neutral = 0,
+                      .format = "%.3g",
+                      .hard_max = std::max(shorter * 0.49, 1.0),
+                      .typed = TypedKind::length,
+                      .unit = unit,
+                      .tip = "How wide the bare paper is along all four edges."};
+    const bool alike = by == 0;
+    if (!alike) range.tip = "How wide the bare paper is along this edge.";
+    changed |= slider_row(alike ? "Margin" : "Top", margins.top, range);
+    if (alike) margins = {margins.top, margins.top, margins.top, margins.top};
+    const Greyed greyed(alike ? "All margins are alike; choose \"each side\" above." : nullptr);
+    changed |= slider_row("Right", margins.right, range);
+    changed |= slider_row("Bottom", margins.bottom, range);
+    changed |= slider_row("Left", margins.left, range);
     return changed;
 }
 
 }  // namespace
 
-bool draw_page_panel(PageSetup& setup, const PageSize& drawn) {
+bool draw_page_panel(PageSetup& setup, const PageSize& drawn, LengthUnit& unit) {
     if (!section("Page")) return false;
+    bool changed = false;
+    int shown_in = unit == LengthUnit::inch ? 1 : 0;
+    if (segmented_row(
+            "Lengths in", shown_in, std::array{"mm", "inch"},
+            "What lengths are shown in, and what a number that is typed alone means; 8in and 21cm are "
+            "understood in either.")) {
+        unit = shown_in == 1 ? LengthUnit::inch : LengthUnit::mm;
+        changed = true;
+    }
     // "Paper" alone is the colour of it.
-    bool changed = draw_paper(setup, drawn);
+    changed |= draw_paper(setup, drawn);
     const char* const shaped = setup.paper == Paper::as_picture ? kPictureShape : nullptr;
     {
         const Greyed greyed(shaped);
@@ -112,8 +125,8 @@ bool draw_page_panel(PageSetup& setup, const PageSize& drawn) {
             changed = true;
         }
     }
-    changed |= draw_sides(setup, drawn);
-    changed |= draw_margins(setup, drawn);
+    changed |= draw_sides(setup, drawn, unit);
+    changed |= draw_margins(setup, drawn, unit);
     {
         const Greyed greyed(shaped);
         int fit = static_cast<int>(setup.fit);
@@ -123,12 +136,6 @@ bool draw_page_panel(PageSetup& setup, const PageSize& drawn) {
             setup.fit = static_cast<PageFit>(fit);
             changed = true;
         }
-    }
-    int turns = setup.quarter_turns;
-    if (segmented_row("Rotate", turns, std::array{"0", "90", "180", "270"},
-                      "Turns the picture on the page, in degrees clockwise.")) {
-        setup.quarter_turns = turns;
-        changed = true;
     }
     return changed;
 }

@@ -2,11 +2,13 @@
 // The section "Page": the paper, its margins, and how the picture lies on it.
 
 #include "core/drawing/page_setup.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
-/// `drawn` is the page on screen: where a page of a size of one's own starts from. Returns true if it changed
-/// the settings.
-bool draw_page_panel(PageSetup& setup, const PageSize& drawn);
+/// `drawn` is the page on screen: where a page of a size of one's own starts from. `unit` is what lengths are
+/// shown and typed in, here and in other sections; settings keep millimetres. Returns true if it changed
+/// anything.
+bool draw_page_panel(PageSetup& setup, const PageSize& drawn, LengthUnit& unit);
 
 }  // namespace dapple

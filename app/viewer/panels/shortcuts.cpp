@@ -10,6 +10,7 @@ namespace {
 constexpr Shortcut kShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a picture or a project"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
+    {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
     {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings"},
@@ -19,11 +20,16 @@ constexpr Shortcut kShortcuts[] = {
     {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"},
     {Action::zoom_in, "+", "Zoom in"},
     {Action::zoom_out, "-", "Zoom out"},
+    {Action::pan_left, "Left", "Move the view left"},
+    {Action::pan_right, "Right", "Move the view right"},
+    {Action::pan_up, "Up", "Move the view up"},
+    {Action::pan_down, "Down", "Move the view down"},
     {Action::toggle_tiles, "T", "Tile boundaries"},
     {Action::compare, "C", "Split view: beside another tile or placer"},
     {Action::loupe, "L", "Loupe: tiles laid on one another"},
+    {Action::explain_dots, "I", "Where the dot under the pointer comes from"},
     {Action::photograph, "P, held", "The photograph instead of its dots"},
-    {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panels"},
+    {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
     {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
     {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
@@ -35,6 +41,7 @@ constexpr Shortcut kShortcuts[] = {
 constexpr Shortcut kLightShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a map"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
+    {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
     {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
     {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
     {Action::undo, "Ctrl+Z", "Undo"},
@@ -43,9 +50,13 @@ constexpr Shortcut kLightShortcuts[] = {
     {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"},
     {Action::zoom_in, "+", "Zoom in"},
     {Action::zoom_out, "-", "Zoom out"},
+    {Action::pan_left, "Left", "Move the view left"},
+    {Action::pan_right, "Right", "Move the view right"},
+    {Action::pan_up, "Up", "Move the view up"},
+    {Action::pan_down, "Down", "Move the view down"},
     {Action::lighter, "E", "Half a stop lighter"},
     {Action::darker, "Shift+E", "Half a stop darker"},
-    {Action::toggle_panels, "Tab, Ctrl+B", "Hide or show the panel"},
+    {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"},
     {Action::full_screen, "F11", "Full screen"},
     {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
     {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
@@ -81,7 +92,11 @@ bool help_pressed() {
     return key_pressed(Key::f1) || typed('?');
 }
 
-std::vector<Action> pressed_actions() {
+bool repeating_key_down() {
+    return key_down(Key::left) || key_down(Key::right) || key_down(Key::up) || key_down(Key::down);
+}
+
+std::vector<Action> pressed_actions(bool row_has_keys) {
     const ImGuiIO& io = ImGui::GetIO();
     std::vector<Action> actions;
     if (io.WantCaptureKeyboard) return actions;
@@ -92,6 +107,7 @@ std::vector<Action> pressed_actions() {
     if (command) {
         when(key_pressed(Key::o), Action::open);
         when(key_pressed(Key::t), Action::open_tile);
+        when(key_pressed(Key::v), Action::paste);
         when(key_pressed(Key::s), io.KeyShift ? Action::save_project : Action::save);
         when(key_pressed(Key::e), Action::save_as);
         when(key_pressed(Key::z), io.KeyShift ? Action::redo : Action::undo);
@@ -106,11 +122,18 @@ std::vector<Action> pressed_actions() {
         when(key_pressed(Key::t), Action::toggle_tiles);
         when(key_pressed(Key::c), Action::compare);
         when(key_pressed(Key::l), Action::loupe);
-        when(key_pressed(Key::tab), Action::toggle_panels);
+        when(key_pressed(Key::i), Action::explain_dots);
         when(typed('+'), Action::zoom_in);
         when(typed('-'), Action::zoom_out);
         when(typed('e'), Action::lighter);
         when(typed('E'), Action::darker);
+    }
+    if (!row_has_keys) {
+        const auto repeated = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true); };
+        when(repeated(Key::left), Action::pan_left);
+        when(repeated(Key::right), Action::pan_right);
+        when(repeated(Key::up), Action::pan_up);
+        when(repeated(Key::down), Action::pan_down);
     }
     when(key_pressed(Key::f11), Action::full_screen);
     when(help_pressed(), Action::help);

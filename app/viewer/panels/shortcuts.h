@@ -9,6 +9,7 @@ namespace dapple {
 enum class Action {
     open,
     open_tile,
+    paste,
     save,
     save_as,
     save_project,
@@ -18,9 +19,14 @@ enum class Action {
     one_to_one,
     zoom_in,
     zoom_out,
+    pan_left,  // the view goes there, by arrows
+    pan_right,
+    pan_up,
+    pan_down,
     toggle_tiles,
     compare,
     loupe,
+    explain_dots,
     photograph,  // while the key is held: see photograph_key_down()
     toggle_panels,
     full_screen,
@@ -42,8 +48,12 @@ struct Shortcut {
 std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
 
-/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard.
-std::vector<Action> pressed_actions();
+/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. The
+/// arrows are the view's unless a row of the panels has them.
+std::vector<Action> pressed_actions(bool row_has_keys = false);
+
+/// A key is held that moves or changes something again and again, so that frames have to follow one another.
+bool repeating_key_down();
 
 /// Whether the key is held that shows the photograph in the drawing's place.
 bool photograph_key_down();

@@ -6,11 +6,12 @@
 
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
+#include "app/viewer/panels/crop_rows.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
+#include "app/viewer/panels/pen_panel.h"
 #include "app/viewer/panels/tone_panel.h"
-#include "app/viewer/panels/view_panel.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/ink_use.h"
@@ -23,13 +24,11 @@ void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& ti
     ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("##panels", nullptr,
-                 // Tab hides the panels: it is not to begin typing in one of their rows too.
+                 // Tab walks the rows (row_keys.h): ImGui is not to begin typing in one of them too.
                  kNeverAsksForFocus | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoTitleBar |
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    push_title_font();
-    ImGui::TextUnformatted(title.name.c_str());
-    pop_title_font();
+    draw_title(title.name, act);
     if (!title.description.empty()) hint(title.description.c_str());
     ImGui::Dummy({0, 0});
     draw_action_buttons(title.undo, title.has_project, act);
@@ -40,8 +39,43 @@ void end_side_panel() {
     ImGui::PopStyleVar();
 }
 
-bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
-                     glm::vec2 corner, glm::vec2 size) {
+namespace {
+
+void draw_picture_section(Session& session) {
+    DrawingSettings& drawing = session.settings.drawing;
+    if (!section("Picture")) {  // what cannot be seen is not to frame
+        session.cropping = false;
+        return;
+    }
+    const PlacedDrawing& page = session.pane().page();
+    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
+    draw_tone_panel(drawing, {.histogram = histogram,
+                              .drawn = page.tone,
+                              .usual_exposure = session.picture().exposure,
+                              .mostly_black = mostly_black(histogram, page.tone)});
+    draw_rotate_row(drawing.page.quarter_turns);
+    slider_row(
+        "Photograph", session.settings.picture_opacity,
+        {.min = 0,
+         .max = 1,
+         .neutral = 0,
+         .tip = "How much of the photograph shows through under the dots; holding P shows all of it."});
+    draw_crop_rows(drawing.page.crop, page.picture_pixels, session.cropping);
+}
+
+void draw_export_section(const std::function<void(Action)>& act) {
+    if (!section("Export")) return;
+    if (wide_button(
+            "Export the drawing...",
+            "Saves it for plotters, laser cutters, printers or screens: SVG, PDF, PNG, G-code and more.   "
+            "Ctrl+E"))
+        act(Action::save_as);
+}
+
+}  // namespace
+
+OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
+                             const std::function<void(Action)>& act, glm::vec2 corner, glm::vec2 size) {
     begin_side_panel(corner, size,
                      {session.picture().name,
                       session.picture().description,
@@ -49,29 +83,24 @@ bool SidePanel::draw(Session& session, const SpectrumInfo& spectrum, const std::
                       true},
                      act);
     ViewerSettings& settings = session.settings;
-    const PlacedDrawing& page = session.pane().page();
-    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
-    draw_tone_panel(settings.drawing, {.histogram = histogram,
-                                       .drawn = page.tone,
-                                       .usual_exposure = session.picture().exposure,
-                                       .mostly_black = mostly_black(histogram, page.tone)});
-    const auto open_tile = [&act] { act(Action::open_tile); };
-    draw_dots_panel(settings.drawing, session.drawn(session.pane()));
-    draw_page_panel(settings.drawing.page, session.drawn(session.pane()).page);
+    draw_picture_section(session);
+    const DrawnInfo drawn = session.drawn(session.pane());
+    draw_dots_panel(settings.drawing, drawn, settings.unit);
+    draw_page_panel(settings.drawing.page, drawn.page, settings.unit);
     draw_pen_panel(settings.drawing);
-    draw_view_panel(settings);
-    bool spectrum_open = false;
-    if (section("The method", false)) {
-        draw_method_rows(settings, {session.tiles(), open_tile});
+    draw_export_section(act);
+    OpenSections open{.method = section("The method", false)};
+    if (open.method) {
+        draw_method_rows(settings, {session.tiles(), [&act] { act(Action::open_tile); }});
         draw_compare_panel(settings, {session.tiles()});
-        spectrum_open = draw_spectrum_panel(spectrum);
+        open.spectrum = draw_spectrum_panel(spectrum);
         const Pane& pane = session.pane();
         if (tiles_seen_ != pane.tiles()) tile_ = {};
         tiles_seen_ = pane.tiles();
         draw_tile_panel(pane.tile(), tile_);
     }
     end_side_panel();
-    return spectrum_open;
+    return open;
 }
 
 }  // namespace dapple

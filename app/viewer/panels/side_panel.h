@@ -20,18 +20,22 @@ struct SidePanelTitle {
     bool has_project = false;
 };
 
-/// Begins the column in a rectangle: title and buttons, which call `act`. What follows is drawn below.
+/// Begins the column in a rectangle: title, menu and buttons, which call `act`. What follows is drawn below.
 void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& title,
                       const std::function<void(Action)>& act);
 void end_side_panel();
 
-/// That of a drawing, from the picture's name down to the tile.
+/// Which of its sections are open that others draw or measure for.
+struct OpenSections {
+    bool method = false, spectrum = false;  // see draw_spectrum_panel()
+};
+
+/// That of a drawing: what an artist does, from the picture to the file, and at last the method.
 class SidePanel {
  public:
-    /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`. True while
-    /// the spectrum's section is open: see draw_spectrum_panel().
-    bool draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
-              glm::vec2 corner, glm::vec2 size);
+    /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`.
+    OpenSections draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
+                      glm::vec2 corner, glm::vec2 size);
 
  private:
     TilePanelState tile_;

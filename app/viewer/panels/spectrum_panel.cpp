@@ -131,6 +131,14 @@ void draw_distances(const NearestSummary& nearest) {
 
 }  // namespace
 
+std::string spots_in_words(const std::optional<double>& periodicity) {
+    constexpr double kRepeats = 0.5;
+    const std::string spots = "Orange spots are stronger than chance makes them: ";
+    if (!periodicity) return spots + "some are in every tile, and the same tile side by side makes more.";
+    if (*periodicity >= kRepeats) return spots + "here their lattice is the tile, which repeats.";
+    return spots + "here they are in the tile itself, and its copies make no pattern.";
+}
+
 bool draw_spectrum_panel(const SpectrumInfo& info) {
     if (!subsection("Spectrum", false)) return false;
     if (!info.analysis) {
@@ -151,12 +159,13 @@ bool draw_spectrum_panel(const SpectrumInfo& info) {
              .c_str());
     draw_repetition(analysis);
     draw_picture(info.picture);
-    hint(
-        "The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no clumps. "
-        "Orange spots are stronger than chance makes them: some are in every tile, and many in a lattice are "
-        "a "
-        "pattern that repeats. A bright cross in the middle is the photograph: an even "
-        "grey has none.");
+    const std::optional<double> periodicity =
+        analysis.periodicity ? std::optional(analysis.periodicity->value) : std::nullopt;
+    hint(("The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no "
+          "clumps. " +
+          spots_in_words(periodicity) +
+          " A bright cross in the middle is the photograph: an even grey has none.")
+             .c_str());
     draw_curve(analysis.radial_power);
     hint(fmt::format("The same, averaged round the middle. Below half a wave: {:.2f}; the nearer to 0, the "
                      "smoother an even grey looks.",

@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <optional>
+#include <string>
+
 #include "app/viewer/model/view_analysis.h"
 
 namespace dapple {
@@ -11,6 +14,11 @@ struct SpectrumInfo {
     const ViewAnalysis* analysis = nullptr;  // none yet: being measured
     ImTextureID picture{};                   // of its spectrum
 };
+
+/// What the orange spots in its picture mean, for dots of such a periodicity; none: too few tiles are in view
+/// to tell. A lattice of them is a repeated pattern only where there is one: a tile that never repeats has
+/// some spots as well, as each of its copies has the same points.
+std::string spots_in_words(const std::optional<double>& periodicity);
 
 /// Section "Spectrum", folded at first: the spectrum of the dots on screen as a
 /// picture and as a curve, how much they repeat and how far apart they are, each with a sentence that says

@@ -36,8 +36,10 @@ std::string dots_in_words(const StatusInfo& info) {
 
 std::vector<StatusItem> status_items(const StatusInfo& info) {
     std::vector<StatusItem> items{{dots_in_words(info), 6}};
-    items.push_back({"scale " + in_round_words(info.scale), 4});
-    if (info.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", info.tone_ms), 0});
+    items.push_back(
+        {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
+         5});
+    if (!info.plotting.empty()) items.push_back({info.plotting, 4});
     const bool settles = info.steps < info.all_steps;
     const bool is_long = info.placing_seconds > kLongPlacing;
     if (is_long && !settles)
@@ -46,19 +48,18 @@ std::vector<StatusItem> status_items(const StatusInfo& info) {
                  ? fmt::format("placing, {:.0f} %, Escape stops it", std::min(100 * *info.placed_share, 99.0))
                  : fmt::format("placing, {:.0f} s, Escape stops it", info.placing_seconds),
              7});
-    else
-        items.push_back({fmt::format("placing {:.1f} ms", info.place_ms), 3});
     if (settles)
         items.push_back({fmt::format("settling, step {} of {}{}", info.steps, info.all_steps,
                                      is_long ? ", Escape stops it" : ""),
                          7});
-    else if (info.steps > 0)
+    if (info.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", info.frames_per_second), 1});
+    if (!info.method) return items;
+    items.push_back({"scale " + in_round_words(info.scale), 4});
+    if (info.tone_ms > 0) items.push_back({fmt::format("tone {:.1f} ms", info.tone_ms), 0});
+    if (!is_long) items.push_back({fmt::format("placing {:.1f} ms", info.place_ms), 3});
+    if (!settles && info.steps > 0)
         items.push_back({fmt::format("{} steps {:.0f} ms", info.steps, info.relax_ms), 3});
     items.push_back({fmt::format("drawing {:.1f} ms", info.draw_ms), 2});
-    if (info.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", info.frames_per_second), 1});
-    items.push_back(
-        {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
-         5});
     return items;
 }
 

@@ -25,7 +25,9 @@ struct StatusInfo {
     double placing_seconds = 0;               // that a placing under way has taken so far
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
-    double zoom = 1;  // screen pixels a picture pixel
+    double zoom = 1;            // screen pixels a picture pixel
+    bool method = false;        // whether its scale and its times are told too
+    std::string plotting = {};  // how long a machine plots it: "plots about 31 min"; none: empty
     /// The right side of the split view, for which the line has no room: its captions tell.
     struct RightSide {
         std::uint64_t dots = 0, duplicates = 0;
@@ -39,7 +41,8 @@ struct StatusInfo {
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.
 std::string dots_in_words(const StatusInfo& info);
 
-/// What the line says, from the left to the right. Where it is too narrow, the least important goes first.
+/// What the line says, from the left to the right: dots and zoom first, and what only the method's section is
+/// about where that is asked for. Where it is too narrow, the least important goes first.
 struct StatusItem {
     std::string text;
     int importance = 0;

@@ -108,7 +108,12 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
     auto shown = static_cast<double>(std::min(state.shown, count));
     const auto all = static_cast<double>(count);
     if (slider_row("Points shown", shown,
-                   {.min = 1, .max = all, .neutral = all, .format = "%.0f", .grouped = true}))
+                   {.min = 1,
+                    .max = all,
+                    .neutral = all,
+                    .format = "%.0f",
+                    .grouped = true,
+                    .tip = "Takes the tile's points away, those of the last ranks first."}))
         state.shown = shown >= all ? SIZE_MAX : static_cast<std::size_t>(std::llround(shown));
     const bool turned =
         std::ranges::any_of(tile.rule.child, [](Orientation g) { return g != Orientation{}; });

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 
-bool tile_row(const char* label, std::string& tile, const TileList& list) {
+bool tile_row(const char* label, std::string& tile, const TileList& list, const char* tip) {
     std::vector<std::string> tiles(list.names.begin(), list.names.end());
     auto chosen = static_cast<int>(std::ranges::find(tiles, tile) - tiles.begin());
     if (chosen == static_cast<int>(tiles.size())) tiles.push_back(tile);
@@ -23,7 +24,10 @@ bool tile_row(const char* label, std::string& tile, const TileList& list) {
     std::vector<const char*> entries;
     for (const std::string& word : words) entries.push_back(word.c_str());
 
-    if (!choice_row(label, chosen, entries)) return false;
+    const auto usual = std::ranges::find(tiles, kDefaultTile);
+    const ListLook look{.by_arrows = static_cast<int>(tiles.size()),
+                        .usual = usual == tiles.end() ? -1 : static_cast<int>(usual - tiles.begin())};
+    if (!choice_row(label, chosen, entries, tip, look)) return false;
     if (chosen == static_cast<int>(tiles.size())) {
         list.open_file();
         return false;

@@ -14,8 +14,8 @@ struct TileList {
 };
 
 /// A tile to choose from a list. Files stand there by their names without folders, or by their whole paths
-/// where two have the same name; a tile that is not in the list is shown below it. True when another was
-/// chosen.
-bool tile_row(const char* label, std::string& tile, const TileList& list);
+/// where two have the same name; a tile that is not in the list is shown below it. Arrows choose tiles but
+/// never ask for a file. True when another was chosen.
+bool tile_row(const char* label, std::string& tile, const TileList& list, const char* tip);
 
 }  // namespace dapple

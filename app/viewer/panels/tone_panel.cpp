@@ -91,26 +91,31 @@ bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
                     .hard_min = -kMostStops,
                     .hard_max = kMostStops,
                     .tip = "How much of the light is taken, in stops: +1 EV is twice as light. HDR pictures "
-                           "open with what shows most of them; a double-click on the name brings that "
-                           "back."});
+                           "open with what shows most of them."});
     if (changed) {
         settings.automatic_exposure = stops == info.usual_exposure;
         settings.tone.exposure = settings.automatic_exposure ? 0 : stops;
     }
-    if (settings.automatic_exposure && info.usual_exposure != 0) {
-        hint("Chosen for this HDR picture's light.");
-        note_place("Exposure chosen");
+    if (info.usual_exposure != 0) {
+        hint(settings.automatic_exposure ? "Chosen for this HDR picture's light."
+                                         : "Yours; a double-click on its name brings the picture's back.");
+        if (settings.automatic_exposure) note_place("Exposure chosen");
     }
     return changed;
+}
+
+// True light draws the picture as it is; else what is faint is brought out.
+float usual_detail(const DrawingSettings& settings) {
+    const bool true_light = !settings.automatic_tone && settings.tone == without_curve(settings.tone);
+    return true_light ? 0 : kAutoDetail;
 }
 
 // One quiet line where dots would go into a black ground.
 bool offer_light_ink(DrawingSettings& settings) {
     hint("Nearly all dots go into black.");
-    if (!ImGui::Button("White ink on black paper")) {
-        note_place("White ink on black paper");
+    if (!wide_button("White ink on black paper",
+                     "Draws the light of a dark picture instead of its darkness."))
         return false;
-    }
     settings.tone.invert = true;
     settings.ink = kWhite;
     settings.paper = kBlack;
@@ -120,7 +125,6 @@ bool offer_light_ink(DrawingSettings& settings) {
 }  // namespace
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
-    if (!section("Picture")) return false;
     bool changed = draw_source(settings, info.drawn);
     changed |= draw_exposure(settings, info);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
@@ -135,7 +139,7 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     changed |= slider_row("Detail", tone.detail,
                           {.min = 0,
                            .max = 1,
-                           .neutral = 0,
+                           .neutral = usual_detail(settings),
                            .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
     changed |= slider_row("Blur", tone.blur,
                           {.min = 0,

@@ -1,5 +1,5 @@
 #pragma once
-// The section "Tone": how dark the drawing is where the picture is.
+// The tone, rows of the section "Picture": how dark the drawing is where the picture is.
 
 #include "app/drawing_settings.h"
 #include "core/image/histogram.h"

@@ -13,10 +13,14 @@
 
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/shell/file_dialog.h"
+#include "app/viewer/shell/memory.h"
 
 namespace dapple {
 
 class Window;
+
+/// An arrow key moves the view by so much of the canvas's shorter side.
+inline constexpr double kPanStep = 0.1;
 
 /// What a document draws itself into: the canvas to the left, the panels beside it.
 struct Frame {
@@ -37,6 +41,10 @@ class Document {
     virtual void open(const std::filesystem::path& file) = 0;
     virtual void open_tile(const std::filesystem::path& file) = 0;
     virtual void take_dropped(const std::filesystem::path& file) = 0;
+    /// Whether a file is both: a picture, and settings that take_dropped() would take from it.
+    virtual bool is_picture_with_settings(const std::filesystem::path&) const { return false; }
+    /// Whatever settings it holds.
+    virtual void open_as_picture(const std::filesystem::path& file) { open(file); }
     virtual void save(const std::filesystem::path& file) = 0;
 
     // What the dialogs for these ask.
@@ -48,8 +56,15 @@ class Document {
     /// The same for a project: all settings. None: it has no projects.
     virtual std::optional<SaveQuestion> where_to_save_project() const { return std::nullopt; }
     virtual void save_project(const std::filesystem::path&) {}
-    /// For a format of where_to_save().
-    virtual void draw_saving_options(std::size_t format) = 0;
+    /// For a format of where_to_save(), as FileDialog::DrawOptions.
+    virtual std::string draw_saving_options(std::size_t format) = 0;
+
+    /// The file that is shown, for the list of recent ones; empty: none, or none yet.
+    virtual std::filesystem::path file() const = 0;
+    /// One sentence about the program itself.
+    virtual void say(const std::string& sentence) = 0;
+    /// What of how it is shown is remembered for the next.
+    virtual std::optional<KeptView> kept_view() const { return std::nullopt; }
 
     /// Does what the shell does not do itself: open, save, panels, help, the window.
     virtual void act(Action action, const Frame& frame) = 0;

@@ -11,11 +11,17 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/canvas/page_frame.h"
+#include "app/files/file_ending.h"
+#include "app/files/tile_library.h"
+#include "app/settings/embedded_settings.h"
+#include "app/settings/working_folder.h"
 #include "app/shown_text.h"
+#include "app/viewer/canvas/dot_card.h"
+#include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
+#include "app/viewer/model/thumbnail.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/saving_banner.h"
@@ -29,7 +35,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kStatusHeight = 30;  // at 96 dpi
+constexpr double kLongOpening = 0.5;  // seconds: shorter ones are not told
+constexpr float kStatusHeight = 30;   // at 96 dpi
 
 // Of files that hold pictures, of projects, and of drawings that hold settings; others are opened as well if
 // they do.
@@ -42,19 +49,49 @@ void toggle(bool& value) {
     value = !value;
 }
 
-DrawingSettings drawn_with_tile(const std::optional<std::string>& tile) {
-    DrawingSettings drawing;
-    if (tile) drawing.tile = *tile;
+bool is_there(const std::string& tile) {
+    try {
+        load_tile(tile);
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+// A tile's file may be gone since.
+DrawingSettings drawing_to_begin_with(DrawingSettings kept, const std::optional<std::string>& tile) {
+    if (tile) {
+        kept.tile = *tile;
+    } else if (!is_there(kept.tile)) {
+        kept.tile = kDefaultTile;
+        kept.ranking.reset();
+    }
+    return kept;
+}
+
+DrawingSettings without_pictures_own(DrawingSettings drawing) {
+    const DrawingSettings usual;
+    drawing.automatic_exposure = usual.automatic_exposure;
+    drawing.tone.exposure = usual.tone.exposure;
+    drawing.page.crop = usual.page.crop;
+    drawing.page.quarter_turns = usual.page.quarter_turns;
+    drawing.placing.threads = usual.placing.threads;
     return drawing;
 }
 
 }  // namespace
 
-DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile)
-    : session_(drawn_with_tile(tile), &Window::wake, most_dots_in(available_memory())),
+DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile,
+                                 const KeptView& view)
+    : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake) {
+    ViewerSettings begin = session_.settings;
+    begin.zoom_mode = view.zoom_mode;
+    begin.unit = view.unit;
+    begin.saving = view.saving;
+    session_.begin_with(begin);
     if (!image) {
         session_.open_sample();
     } else if (!ends_as_project(*image)) {
@@ -71,7 +108,30 @@ std::span<const Shortcut> DrawingDocument::shortcuts() const {
 
 OpenQuestion DrawingDocument::what_to_open() const {
     const fs::path& path = session_.picture_path();
-    return {"Open a picture", kPictures, path.empty() ? fs::current_path() : path};
+    return {"Open a picture", kPictures, path};
+}
+
+// An SVG cannot be opened as a picture.
+bool DrawingDocument::is_picture_with_settings(const fs::path& file) const {
+    return ending_of(file) == ".png" && settings_inside(file);
+}
+
+fs::path DrawingDocument::file() const {
+    if (!session_.placed_once()) return {};
+    return session_.project_path().empty() ? session_.picture().file : session_.project_path();
+}
+
+void DrawingDocument::say(const std::string& sentence) {
+    session_.banner = {BannerKind::error, sentence};
+}
+
+std::optional<KeptView> DrawingDocument::kept_view() const {
+    if (!session_.project_path().empty()) return std::nullopt;  // they are the project's own
+    const ViewerSettings& settings = session_.settings;
+    return KeptView{.zoom_mode = settings.zoom_mode,
+                    .unit = settings.unit,
+                    .saving = settings.saving,
+                    .drawing = without_pictures_own(settings.drawing)};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
@@ -82,15 +142,15 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
         formats.push_back({each.shown, each.ending, each.others});
     return SaveQuestion{.title = "Export the drawing",
                         .formats = std::move(formats),
-                        .start = saved.empty() ? fs::current_path() / name : saved,
+                        .start = saved.empty() ? working_folder() / name : saved,
                         .own_file = saved,
-                        .option_rows = kExportRows};
+                        .has_options = true};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
     const fs::path &own = session_.project_path(), &picture = session_.picture().file;
     const fs::path name = fs::path(session_.picture().name).stem().concat(kProjectEnding);
-    const fs::path beside = picture.empty() ? fs::current_path() : fs::absolute(picture).parent_path();
+    const fs::path beside = picture.empty() ? working_folder() : whole_path(picture).parent_path();
     return SaveQuestion{.title = "Save the project",
                         .formats = {{"Project", kProjectEnding}},
                         .start = own.empty() ? beside / name : own,
@@ -98,9 +158,10 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
                         .button = "Save"};
 }
 
-void DrawingDocument::draw_saving_options(std::size_t format) {
+std::string DrawingDocument::draw_saving_options(std::size_t format) {
     const auto kind = static_cast<DrawingFormat>(format);
     draw_export_panel(session_.settings, kind, estimate_.info(session_.pane(), session_.settings, kind));
+    return estimate_.info(session_.pane(), session_.settings, kind).trouble;
 }
 
 void DrawingDocument::act(Action action, const Frame&) {
@@ -118,6 +179,14 @@ void DrawingDocument::act(Action action, const Frame&) {
             return canvas_.zoom(1.25);
         case Action::zoom_out:
             return canvas_.zoom(0.8);
+        case Action::pan_left:
+            return canvas_.pan({kPanStep, 0});
+        case Action::pan_right:
+            return canvas_.pan({-kPanStep, 0});
+        case Action::pan_up:
+            return canvas_.pan({0, kPanStep});
+        case Action::pan_down:
+            return canvas_.pan({0, -kPanStep});
         case Action::toggle_tiles:
             return toggle(settings.drawing.show_tiles);
         case Action::compare:
@@ -125,6 +194,8 @@ void DrawingDocument::act(Action action, const Frame&) {
             return;
         case Action::loupe:
             return toggle(settings.loupe.on);
+        case Action::explain_dots:
+            return toggle(settings.origins);
         default:  // the photograph, while its key is held; or of environment maps
             return;
     }
@@ -136,48 +207,77 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
     const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
     // A window may be smaller than its panels.
     const glm::vec2 canvas{frame.canvas.x, std::max(frame.canvas.y - status - captions, 1.0f)};
-    return {{{0, 0}, canvas, frame.pixels_per_point}, {canvas.x, captions}, {canvas.x, status}};
+    return {{{0, 0}, canvas, frame.pixels_per_point},
+            {canvas.x, captions},
+            {canvas.x, status}};
 }
 
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
-    if (placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
+    const auto opening = session_.pane().worker().opening();
+    if (opening && session_.placed_once() && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
+        session_.stop_opening();
+    if (!opening && placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard &&
+        escape_pressed())
         session_.stop_placing();
     session_.take_events(std::chrono::milliseconds(0));
     show_changes(frame.window);
 
     const auto [place, captions, status_size] = layout(frame);
     const bool panels = frame.panels.x > 0;
-    spectrum_open_ =
-        panels && side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels);
+    open_ = panels ? side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels)
+                   : OpenSections{};
     draw_split(place);
-    session_.remember(ImGui::IsAnyItemActive());
+    const bool can_frame =
+        panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
+    if (!can_frame) session_.cropping = false;
+    // The frame is there once all of the picture is.
+    const PlacedDrawing& page = session_.pane().page();
+    const std::optional<DotsRequest>& placed = session_.pane().page_request();
+    const bool framing = session_.cropping && placed && !placed->drawing.page.crop &&
+                         placed->drawing.page.fit == PageFit::inside;
+    std::optional<Crop>& crop = session_.settings.drawing.page.crop;
+    const bool cropping =
+        framing && crop_frame_.drag(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
+    session_.remember(ImGui::IsAnyItemActive() || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
-    if (panels && session_.placed_once())
-        draw_status_line({0, place.size.y + captions.y}, status_size, info());
     draw_over_canvas(place);
-    canvas_.handle_mouse(place);
+    canvas_.handle_mouse(place, cropping);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
     canvas_.learn(frame.last_seconds);
     canvas_.show(place, look(place), redraw);
+    // What it says of the view is of the one that is seen now.
+    if (panels && session_.placed_once())
+        draw_status_line({0, place.size.y + captions.y}, status_size, info());
+    if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
     draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y}, captions);
     draw_loupe(place);
+    explain_dot(place);
     measure_dots();
+}
+
+Zoom DrawingDocument::zoom() const {
+    return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()};
 }
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place) {
     if (draw_banner(session_.banner, place.corner, place.size))
         successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
     Worker& worker = session_.pane().worker();
-    if (const auto saving = worker.saving())
+    if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
             worker.cancel_saving();
+    } else if (const auto opening = worker.opening(); opening && session_.placed_once()) {
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - opening->since;
+        if (passed.count() > kLongOpening && draw_opening_banner(opening->name, place.corner, place.size))
+            session_.stop_opening();
+    }
 }
 
 void DrawingDocument::draw_split(const CanvasPlace& place) {
@@ -191,16 +291,34 @@ std::size_t DrawingDocument::compared_tile_size() const {
     return right ? std::min(left, right->tile_size()) : left;
 }
 
+const Pane& DrawingDocument::pane_under_pointer(const CanvasPlace& place) const {
+    const Pane* const right = session_.right();
+    const float divider = place.corner.x + place.size.x * session_.settings.comparison.divider;
+    return right && ImGui::GetIO().MousePos.x >= divider ? *right : session_.pane();
+}
+
+void DrawingDocument::explain_dot(const CanvasPlace& place) const {
+    if (!session_.settings.origins || session_.settings.loupe.on || !session_.placed_once()) return;
+    const Pane& pane = pane_under_pointer(place);
+    if (!pane.page_request()) return;
+    const PlacerKind placer = pane.page_request()->drawing.placer;
+    const TileView& tile = pane.tile();
+    draw_dot_card(pane.shown(),
+                  {.tile_size = pane.tile_size(),
+                   .rule = placer == PlacerKind::exact ? tile.rule : Rule{},
+                   .placer = placer,
+                   .points = tile.points,
+                   .newborn = tile.newborn},
+                  canvas_.camera(), place);
+}
+
 void DrawingDocument::draw_loupe(const CanvasPlace& place) {
     const ViewerSettings& settings = session_.settings;
     if (!settings.loupe.on || !session_.placed_once()) return loupe_.hide();
-    const Pane *pane = &session_.pane(), *right = session_.right();
-    const float divider = place.corner.x + place.size.x * settings.comparison.divider;
-    const bool on_right = right && ImGui::GetIO().MousePos.x >= divider;
+    const Pane* const pane = &pane_under_pointer(place);
     const std::size_t size = compared_tile_size();
-    if (on_right) pane = right;
     loupe_.draw({.shown = pane->shown(),
-                 .side = on_right ? Side::right : Side::left,
+                 .side = pane == session_.right() ? Side::right : Side::left,
                  .version = pane->version(),
                  .tile_size = size,
                  .step = settings.loupe.step,
@@ -253,7 +371,7 @@ void DrawingDocument::show_changes(Window& window) {
 void DrawingDocument::show_changes(Side side, const Pane* pane) {
     SeenSide& seen = seen_[static_cast<int>(side)];
     const std::uint64_t version = pane ? pane->version() : 0;
-    if (pane && std::exchange(seen.pictures, session_.pictures()) != session_.pictures())
+    if (pane && std::exchange(seen.pictures, session_.previews()) != session_.previews())
         canvas_.set_picture(side, session_.picture().preview);
     if (std::exchange(seen.version, version) != version)
         canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
@@ -298,6 +416,8 @@ StatusInfo DrawingDocument::info() const {
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
+            .method = open_.method,
+            .plotting = plotting_,
             .right = right_info(),
             .loupe = loupe_.info()};
 }
@@ -333,7 +453,9 @@ void DrawingDocument::measure_dots() {
     if (!session_.placed_once()) return;
     const Pane& pane = session_.pane();
     const Camera& camera = canvas_.camera();
-    if (spectrum_open_)
+    const auto plotting = plotting_clock_.time(pane, session_.settings);
+    plotting_ = plotting ? "plotting " + time_in_words(plotting->total_s()) : "";
+    if (open_.spectrum)
         spectrum_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, pane.tile_size()); });
     else
         spectrum_.stop();
@@ -352,7 +474,8 @@ std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
 double DrawingDocument::seconds_to_next_frame() const {
     constexpr double kLookForPlacing = 0.25;
     if (session_.settings.every_frame || canvas_.drawing()) return 0;
-    const double longest = placing_seconds() > 0 ? kLookForPlacing : 60;
+    const bool at_work = placing_seconds() > 0 || session_.pane().worker().opening();
+    const double longest = at_work ? kLookForPlacing : 60;
     return std::min(
         {longest, seconds_until_change(session_.banner), canvas_.seconds_to_next_frame().value_or(longest)});
 }

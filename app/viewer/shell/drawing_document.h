@@ -2,12 +2,15 @@
 // The drawing of a photograph in the window: its canvas, its panels, and what is told about it.
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "app/viewer/canvas/canvas.h"
+#include "app/viewer/canvas/crop_frame.h"
 #include "app/viewer/canvas/loupe.h"
+#include "app/viewer/model/background.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/view_meter.h"
@@ -25,20 +28,25 @@ class DrawingDocument : public Document {
     /// Needs the window to be there. The image may be a project; without one it draws the built-in sample. A
     /// tile that is given is drawn with, whatever a project says. Throws std::runtime_error if the project
     /// cannot be read.
-    DrawingDocument(const std::optional<std::filesystem::path>& image,
-                    const std::optional<std::string>& tile);
+    DrawingDocument(const std::optional<std::filesystem::path>& image, const std::optional<std::string>& tile,
+                    const KeptView& view = {});
 
     std::span<const Shortcut> shortcuts() const override;
     void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
+    bool is_picture_with_settings(const std::filesystem::path& file) const override;
+    void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
+    std::filesystem::path file() const override;
+    void say(const std::string& sentence) override;
+    std::optional<KeptView> kept_view() const override;
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }
     std::optional<SaveQuestion> where_to_save() const override;
     std::optional<SaveQuestion> where_to_save_project() const override;
     void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
-    void draw_saving_options(std::size_t format) override;
+    std::string draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
     double seconds_to_next_frame() const override;
@@ -52,10 +60,13 @@ class DrawingDocument : public Document {
         glm::vec2 captions, status;
     };
     Layout layout(const Frame& frame) const;
-    Zoom zoom() const { return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()}; }
+    Zoom zoom() const;
     void draw_over_canvas(const CanvasPlace& place);
     void draw_split(const CanvasPlace& place);
     void draw_loupe(const CanvasPlace& place);
+    void explain_dot(const CanvasPlace& place) const;
+    /// On whose side of the canvas the pointer is.
+    const Pane& pane_under_pointer(const CanvasPlace& place) const;
     SplitLook look(const CanvasPlace& place) const;
     /// Both sides are measured by the smaller tile, so that they compare.
     std::size_t compared_tile_size() const;
@@ -76,11 +87,14 @@ class DrawingDocument : public Document {
     ViewMeter spectrum_, left_repetition_, right_repetition_;
     GlTexture spectrum_picture_;
     int spectrum_drawn_ = 0;  // the number of the analysis that it shows
-    bool spectrum_open_ = false;
+    OpenSections open_ = {};
     SidePanel side_panel_;
     Loupe loupe_;
+    CropFrame crop_frame_;
     FrameRate frame_rate_;
     ExportEstimate estimate_;
+    PlottingClock plotting_clock_;
+    std::string plotting_;  // what it says
 
     struct SeenSide {
         int pictures = 0;

@@ -1,16 +1,20 @@
 #include "app/viewer/shell/file_dialog.h"
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/files/file_ending.h"
 #include "app/shown_text.h"
 #include "app/viewer/panels/shortcuts.h"
+#include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -33,6 +37,11 @@ bool enter_pressed() {
     return key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
 }
 
+// Without the slash at the end that folder_ may have.
+fs::path plain_folder(const fs::path& folder) {
+    return folder.has_filename() || folder == folder.root_path() ? folder : folder.parent_path();
+}
+
 // ".svg, .png or .csv"
 std::string listed(const std::vector<std::string>& endings) {
     std::string text;
@@ -49,7 +58,9 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         std::string name = entry->path().filename().string();
         if (name.starts_with('.')) continue;
-        bool is_dir = is_folder(entry->path());
+        // As the folder says, where it does: asking for each file takes long over a network.
+        std::error_code ignored;
+        const bool is_dir = entry->is_directory(ignored);
         auto wanted = std::ranges::find(extensions, ending_of(entry->path()));
         if (is_dir || extensions.empty() || wanted != extensions.end()) entries.push_back({name, is_dir});
     }
@@ -71,11 +82,14 @@ void FileDialog::ask_where_to_save(SaveQuestion question) {
     saves_ = true;
     question_ = std::move(question);
     format_ = format_of(question_.start).value_or(0);
+    options_height_ =
+        std::numeric_limits<float>::max();  // until they are drawn: what is below is in the window
     show(question_.start);
 }
 
 void FileDialog::show(const fs::path& start) {
-    open_ = just_opened_ = true;
+    open_ = focus_path_ = true;
+    path_ends_ = false;
     std::error_code error;
     fs::path whole = fs::absolute(start, error);
     if (error) whole = start;
@@ -116,9 +130,16 @@ void FileDialog::enter(const fs::path& folder) {
     typed_ = (keeps_name ? folder_ / name : folder_ / "").string();
     trouble_.clear();
     replaces_.clear();
+    entry_keys_.forget();
 }
 
-std::optional<fs::path> FileDialog::accept(const fs::path& chosen) {
+void FileDialog::take_name(const fs::path& file) {
+    typed_ = file.string();
+    trouble_.clear();
+    replaces_.clear();
+}
+
+std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::string& refusal) {
     trouble_.clear();
     replaces_.clear();
     if (is_folder(chosen)) {
@@ -135,7 +156,9 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen) {
         trouble_ = "The name must end in " + listed(endings()) + ".";
     } else if (is_folder(path)) {
         trouble_ = "That is a folder.";
-    } else if (is_there(path) && path != question_.own_file) {
+    } else if (!refusal.empty()) {
+        trouble_ = "That cannot be written; above it says why.";
+    } else if (replaced_ = files_there(path); !replaced_.empty() && path != question_.own_file) {
         replaces_ = path;
     } else {
         return path;
@@ -143,38 +166,141 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen) {
     return std::nullopt;
 }
 
-std::optional<fs::path> FileDialog::draw_entries() {
-    std::optional<fs::path> chosen;
-    const int rows = 2 + (saves_ ? question_.option_rows : 0);
-    const float below =
-        ImGui::GetFrameHeightWithSpacing() * static_cast<float>(rows) + ImGui::GetTextLineHeightWithSpacing();
-    ImGui::BeginChild("entries", {0, -below}, true);
+std::vector<fs::path> FileDialog::files_there(const fs::path& name) const {
+    std::vector<fs::path> files = question_.files ? question_.files(name) : std::vector{name};
+    std::erase_if(files, [](const fs::path& file) { return !is_there(file); });
+    return files;
+}
+
+fs::path FileDialog::draw_folders(const std::vector<fs::path>& folders) {
     fs::path walk_to;
-    if (folder_.has_parent_path() && folder_ != folder_.root_path())
-        if (ImGui::Selectable("..  (up)")) {
+    ImGui::PushID(&folders);
+    for (const fs::path& place : folders) {
+        const std::string name = printable(place.filename().native());
+        ImGui::PushID(place.c_str());
+        const bool chosen = place == plain_folder(folder_) || place_keys_.next_is_marked();
+        if (text_entry(name, chosen)) walk_to = place;
+        if (place_keys_.end_entry().press) walk_to = place;
+        ImGui::PopID();
+        note_place(("Place " + name).c_str());
+        tip(printable(place.native()).c_str());
+    }
+    ImGui::PopID();
+    return walk_to;
+}
+
+void FileDialog::draw_bookmark_button() {
+    std::vector<fs::path>& bookmarks = *open_question_.bookmarks;
+    const fs::path here = plain_folder(folder_);
+    if (std::ranges::find(open_question_.places, here) != open_question_.places.end()) return;
+    const bool is_kept = std::ranges::find(bookmarks, here) != bookmarks.end();
+    const char* const label = is_kept ? "Remove this folder" : "Add this folder";
+    bool clicked = ImGui::Button(label, {-1, 0});
+    if (place_keys_.end_entry().press) clicked = true;
+    note_place(label);
+    tip(is_kept ? "Takes the folder shown out of this list." : "Keeps the folder shown in this list.");
+    if (!clicked) return;
+    if (is_kept)
+        std::erase(bookmarks, here);
+    else
+        bookmarks.push_back(here);
+    bookmarks_changed_ = true;
+}
+
+std::optional<std::vector<fs::path>> FileDialog::take_bookmarks() {
+    return std::exchange(bookmarks_changed_, false) ? open_question_.bookmarks : std::nullopt;
+}
+
+bool FileDialog::draw_file(const fs::path& file, bool chosen, const Thumbnail& thumbnail,
+                           ImGuiSelectableFlags flags) {
+    const std::string name = printable(file.filename().native());
+    if (saves_ || !open_question_.pictures || !thumbnail) return text_entry(name, chosen, flags);
+    return picture_entry(name, "", chosen, next_entry_shows() ? thumbnail(file) : EntryPicture{}, {}, flags);
+}
+
+// Folders to go to, and files to open at once.
+FileDialog::Wanted FileDialog::draw_places(const Thumbnail& thumbnail) {
+    Wanted chosen;
+    fs::path walk_to = draw_folders(open_question_.places);
+    if (open_question_.bookmarks) {
+        if (fs::path kept = draw_folders(*open_question_.bookmarks); !kept.empty()) walk_to = kept;
+        draw_bookmark_button();
+    }
+    int id = 0;
+    if (!open_question_.recent.empty()) hint("Opened before");
+    for (const fs::path& file : open_question_.recent) {
+        const std::string name = printable(file.filename().native());
+        ImGui::PushID(id++);
+        if (draw_file(file, place_keys_.next_is_marked(), thumbnail)) chosen = file;
+        if (place_keys_.end_entry().press) chosen = file;
+        ImGui::PopID();
+        note_place(("Recent " + name).c_str());
+        tip(printable(file.native()).c_str());
+    }
+    if (!walk_to.empty()) enter(walk_to);
+    return chosen;
+}
+
+FileDialog::Wanted FileDialog::draw_lists(const Thumbnail& thumbnail) {
+    Wanted chosen;
+    // The buttons, and above them what is chosen of a file to save.
+    const float rows = has_formats() ? 2 : 1;
+    const float below = ImGui::GetFrameHeightWithSpacing() * rows +
+                        (has_formats() && question_.has_options ? options_room() : 0);
+    const float height = std::max(ImGui::GetContentRegionAvail().y - below, 1.0f);
+    const auto begin_list = [&](const char* name, ListKeys& keys, float width) {
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        keys.begin(name, low, {low.x + width, low.y + height});
+        ImGui::BeginChild(name, {width, height}, true);
+    };
+    const bool has_places =
+        !open_question_.places.empty() || !open_question_.recent.empty() || open_question_.bookmarks;
+    if (!saves_ && has_places) {
+        begin_list("places", place_keys_, 190 * ImGui::GetTextLineHeight() / 15);
+        chosen = draw_places(thumbnail);
+        ImGui::EndChild();
+        ImGui::SameLine();
+    }
+    begin_list("entries", entry_keys_, ImGui::GetContentRegionAvail().x);
+    if (auto entry = draw_entries(thumbnail)) chosen = entry;
+    ImGui::EndChild();
+    return chosen;
+}
+
+FileDialog::Wanted FileDialog::draw_entries(const Thumbnail& thumbnail) {
+    Wanted chosen;
+    fs::path walk_to;
+    if (folder_.has_parent_path() && folder_ != folder_.root_path()) {
+        const bool clicked = text_entry("..  (up)", entry_keys_.next_is_marked());
+        if (entry_keys_.end_entry().press || clicked) {
             fs::path here = folder_.has_filename() ? folder_ : folder_.parent_path();
             walk_to = here.parent_path();
         }
+    }
     for (const FolderEntry& entry : entries_) {
-        std::string label = printable(entry.name) + (entry.folder ? "/" : "");
-        bool is_typed = fs::path(typed_) == folder_ / entry.name;
+        const fs::path path = folder_ / entry.name;
+        const std::string label = printable(entry.name) + (entry.folder ? "/" : "");
+        const bool is_chosen = fs::path(typed_) == path || entry_keys_.next_is_marked();
         if (entry.folder) push_title_font();
-        bool clicked = ImGui::Selectable(label.c_str(), is_typed, ImGuiSelectableFlags_AllowDoubleClick);
+        const ImGuiSelectableFlags flags = ImGuiSelectableFlags_AllowDoubleClick;
+        const bool clicked =
+            entry.folder ? text_entry(label, is_chosen, flags) : draw_file(path, is_chosen, thumbnail, flags);
         if (entry.folder) pop_title_font();
-        note_place(label.c_str());
-        if (!clicked) continue;
+        const RowKeys keys = entry_keys_.end_entry();
+        if (!clicked && !keys.press) continue;
         if (entry.folder) {
-            walk_to = folder_ / entry.name;
+            walk_to = path;
         } else {
-            typed_ = (folder_ / entry.name).string();
-            trouble_.clear();
-            replaces_.clear();
-            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) chosen = accept(typed_);
+            take_name(path);
+            if (keys.enter || (clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) chosen = path;
         }
     }
-    ImGui::EndChild();
     if (!walk_to.empty()) enter(walk_to);
     return chosen;
+}
+
+bool FileDialog::has_formats() const {
+    return saves_ && question_.formats.size() > 1;
 }
 
 void FileDialog::draw_formats() {
@@ -183,15 +309,35 @@ void FileDialog::draw_formats() {
     std::vector<const char*> names;
     for (const FileFormat& format : question_.formats) names.push_back(format.name);
     int chosen = static_cast<int>(format_);
-    if (!segmented_row("Format", chosen, names)) return;
+    if (!segmented_row("Format", chosen, names, "What kind of file is written; its name ends accordingly."))
+        return;
     format_ = static_cast<std::size_t>(chosen);
     if (path.filename().empty()) path /= "drawing";
-    typed_ = path.replace_extension(question_.formats[format_].ending).string();
-    trouble_.clear();
-    replaces_.clear();
+    take_name(path.replace_extension(question_.formats[format_].ending));
 }
 
-std::optional<fs::path> FileDialog::draw_buttons() {
+float FileDialog::options_room() const {
+    // Title, path, four of the folder's entries, formats, buttons.
+    constexpr float kOtherRows = 9;
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    return std::min(options_height_, std::max(ImGui::GetWindowHeight() - kOtherRows * row, 2 * row));
+}
+
+std::string FileDialog::draw_options(const DrawOptions& options) {
+    const float room = options_room(), top = ImGui::GetCursorPosY();
+    const bool scrolls = room < options_height_;
+    if (scrolls) ImGui::BeginChild("options", {0, room});
+    const float begin = ImGui::GetCursorPosY();
+    std::string refusal = options(format_);
+    options_height_ = ImGui::GetCursorPosY() - begin;
+    if (scrolls) {
+        ImGui::EndChild();
+        ImGui::SetCursorPosY(top + room);
+    }
+    return refusal;
+}
+
+FileDialog::Wanted FileDialog::draw_buttons(const std::string& refusal, bool escape) {
     const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
@@ -199,19 +345,23 @@ std::optional<fs::path> FileDialog::draw_buttons() {
     ImGui::PopStyleColor();
     ImGui::SameLine(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
                     ImGui::GetStyle().WindowPadding.x);
-    if (ImGui::Button("Cancel", {button, 0}) || escape_pressed()) open_ = false;
+    if (key_button("Cancel", {button, 0}) || escape) open_ = false;
     note_place("Cancel");
     ImGui::SameLine();
-    const bool accepted = ImGui::Button(saves_ ? question_.button : "Open", {button, 0});
+    const Greyed greyed(refusal.empty() ? nullptr : refusal.c_str());
+    const bool accepted = key_button(saves_ ? question_.button : "Open", {button, 0});
     note_place("Accept");
-    return accepted ? accept(typed_) : std::nullopt;
+    return accepted ? Wanted(typed_) : std::nullopt;
 }
 
-std::optional<fs::path> FileDialog::draw_replace_question() {
+std::optional<fs::path> FileDialog::draw_replace_question(bool enter, bool escape) {
     const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
     const float buttons = ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
                           ImGui::GetStyle().WindowPadding.x;
-    const std::string question = printable(replaces_.filename().native()) + " exists. Replace it?";
+    std::string question = printable(replaced_.front().filename().native());
+    question += replaced_.size() == 1
+                    ? " exists. Replace it?"
+                    : fmt::format(" and {} more exist. Replace them?", replaced_.size() - 1);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
@@ -222,55 +372,86 @@ std::optional<fs::path> FileDialog::draw_replace_question() {
     ImGui::PopClipRect();
     ImGui::PopStyleColor();
     ImGui::SameLine(buttons);
-    const bool kept = ImGui::Button("Keep", {button, 0}) || escape_pressed();
+    const bool kept = key_button("Keep", {button, 0}) || escape;
     note_place("Keep");
     ImGui::SameLine();
-    const bool replaced = ImGui::Button("Replace", {button, 0}) || enter_pressed();
+    const bool replaced = key_button("Replace", {button, 0}) || enter;
     note_place("Replace");
     fs::path path = replaces_;
     if (kept || replaced) replaces_.clear();
     return replaced && !kept ? std::optional(path) : std::nullopt;
 }
 
-std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
+bool FileDialog::draw_path() {
+    // Under another name the field is another one: the one that has the keyboard loses it.
+    ImGui::PushID(path_turn_);
+    ImGui::SetNextItemWidth(-1);
+    if (std::exchange(focus_path_, false)) ImGui::SetKeyboardFocusHere();
+    const std::string before = typed_;
+    const auto to_the_end = [](ImGuiInputTextCallbackData* data) {
+        if (std::exchange(*static_cast<bool*>(data->UserData), false)) {
+            data->ClearSelection();
+            data->CursorPos = data->BufTextLen;
+        }
+        return 0;
+    };
+    bool entered = ImGui::InputText("##path", &typed_,
+                                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
+                                    to_the_end, &path_ends_);
+    const bool typing = ImGui::IsItemActive(), activated = ImGui::IsItemActivated();
+    ImGui::PopID();
+    note_place("Path");
+    if (typed_ != before) {
+        trouble_.clear();
+        replaces_.clear();
+    }
+    path_has_keys_ = field_keys("path", typing).focused;
+    if (typing && !path_has_keys_) ++path_turn_;
+    // Enter also counts where the field has no keyboard: not yet, in the first frames, or no longer.
+    const bool others_have_keys = !path_has_keys_ && a_row_has_keys();
+    if (!others_have_keys && (activated || !ImGui::IsAnyItemActive())) entered = entered || enter_pressed();
+    // Walked to, it is typed into.
+    if (path_has_keys_ && !typing && !entered && replaces_.empty()) focus_path_ = path_ends_ = true;
+    return entered;
+}
+
+std::optional<fs::path> FileDialog::draw(const DrawOptions& options, const Thumbnail& thumbnail) {
     if (!open_) return std::nullopt;
     const char* title = saves_ ? question_.title : open_question_.title;
-    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     float unit = ImGui::GetTextLineHeight() / 15;
     ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::clamp(screen.x - 20, 1.0f, 660 * unit), std::clamp(screen.y - 20, 1.0f, 560 * unit)});
-    if (!ImGui::BeginPopupModal(title, &open_, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
-        return std::nullopt;
+    // Tab walks its rows: ImGui is not to walk its text fields.
+    if (!begin_dialog(title, open_, ImGuiWindowFlags_NoNavInputs)) return std::nullopt;
 
-    std::optional<fs::path> chosen;
+    // What is open above it has the keys first.
+    const bool has_keys = !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    const bool typing = ImGui::GetIO().WantTextInput;
     // Who was asked whether to replace answers first; nothing that is pressed now is another choice.
     const bool asked = !replaces_.empty();
-    ImGui::SetNextItemWidth(-1);
-    if (just_opened_) ImGui::SetKeyboardFocusHere();
-    just_opened_ = false;
-    const std::string before = typed_;
-    // Enter also counts where the field has no focus: not yet, in the first frames, or no longer.
-    bool entered = ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (ImGui::IsItemActivated() || !ImGui::IsAnyItemActive()) entered = entered || enter_pressed();
-    note_place("Path");
-    if (typed_ != before) replaces_.clear();
-    if (entered && !asked) chosen = accept(typed_);
-    if (auto entry = draw_entries()) chosen = entry;
-    if (saves_ && question_.formats.size() > 1) {
+    const bool entered = draw_path() && has_keys;
+    // Escape first ends what is typed elsewhere.
+    const bool escape = has_keys && escape_pressed() && (!typing || path_has_keys_);
+    Wanted wanted = draw_lists(thumbnail);
+    if (entered && !asked) wanted = typed_;
+    std::string refusal;
+    if (has_formats()) {
         draw_formats();
-        const float top = ImGui::GetCursorPosY();
-        if (options) options(format_);
-        ImGui::SetCursorPosY(top +
-                             ImGui::GetFrameHeightWithSpacing() * static_cast<float>(question_.option_rows));
-    } else {
-        ImGui::Dummy({0, ImGui::GetFrameHeight()});
+        if (options && question_.has_options) refusal = draw_options(options);
     }
-    if (asked && !replaces_.empty())
-        chosen = draw_replace_question();
-    else if (auto accepted = draw_buttons())
-        chosen = accepted;
+    std::optional<fs::path> chosen;
+    if (asked && !replaces_.empty()) {
+        chosen = draw_replace_question(entered, escape);
+        if (!chosen && replaces_.empty()) focus_path_ = path_ends_ = true;  // for another name
+    } else if (auto accepted = draw_buttons(refusal, escape)) {
+        wanted = accepted;
+    }
+    if (wanted) {
+        chosen = accept(*wanted, refusal);
+        // Typing goes on where it was wrong, or in the folder that was typed.
+        if (!trouble_.empty() || entered) focus_path_ = path_ends_ = !chosen && replaces_.empty();
+    }
     if (chosen) open_ = false;
     if (!open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

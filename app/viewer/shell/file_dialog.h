@@ -1,5 +1,9 @@
 #pragma once
 // Our own file dialog, the same on every desktop: a path to type, a folder to walk.
+//
+// By keyboard: Tab walks from the path to the lists, what is to be chosen, and the buttons. Arrows mark an
+// entry of a list, Enter opens it; Space takes a file's name into the path. Escape cancels. Elsewhere than in
+// a list or on a button, Enter accepts what the path says.
 
 #include <filesystem>
 #include <functional>
@@ -7,6 +11,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "app/viewer/widgets/list_keys.h"
+#include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {
 
@@ -31,8 +38,13 @@ struct FileFormat {
 /// What is to be opened.
 struct OpenQuestion {
     const char* title = "";
-    std::vector<std::string> endings{};  // of the files shown: ".png"; none: all files
-    std::filesystem::path start{};       // its folder is opened
+    std::vector<std::string> endings{};           // of the files shown: ".png"; none: all files
+    std::filesystem::path start{};                // its folder is opened
+    std::vector<std::filesystem::path> recent{};  // opened before: shown beside the folder
+    std::vector<std::filesystem::path> places{};  // folders to go to at once
+    /// The same, which the person may change; see take_bookmarks(). None at all: no bookmarks are kept.
+    std::optional<std::vector<std::filesystem::path>> bookmarks{};
+    bool pictures = false;  // most are pictures, and shown as such: see FileDialog::Thumbnail
 };
 
 /// What is to be saved.
@@ -41,8 +53,10 @@ struct SaveQuestion {
     std::vector<FileFormat> formats{};  // the first is chosen unless the name's ending says another
     std::filesystem::path start{};      // its folder is opened, its name filled in
     std::filesystem::path own_file{};   // replaced without asking; none: empty
-    int option_rows = 0;                // room for draw()'s options, in rows
+    bool has_options = false;           // draw() is given some, with room as they need it
     const char* button = "Export";
+    /// What is written under a name; none: the file of that name.
+    std::function<std::vector<std::filesystem::path>(const std::filesystem::path& name)> files{};
 };
 
 class FileDialog {
@@ -55,33 +69,69 @@ class FileDialog {
     bool is_open() const { return open_; }
     bool saves() const { return saves_; }
 
-    /// Draws what goes with the format chosen, an index into SaveQuestion::formats.
-    using DrawOptions = std::function<void(std::size_t format)>;
+    /// The bookmarks once the person has changed them.
+    std::optional<std::vector<std::filesystem::path>> take_bookmarks();
+
+    /// Draws what goes with the format chosen, an index into SaveQuestion::formats, and says why it cannot be
+    /// written; empty: it can. Nothing is accepted while it cannot.
+    using DrawOptions = std::function<std::string(std::size_t format)>;
+
+    /// A file small, asked for in every frame in which its entry is on screen.
+    using Thumbnail = std::function<EntryPicture(const std::filesystem::path& file)>;
 
     /// Draws it while it is open. The path, with a known ending, once the person has chosen one.
-    std::optional<std::filesystem::path> draw(const DrawOptions& options = {});
+    std::optional<std::filesystem::path> draw(const DrawOptions& options = {},
+                                              const Thumbnail& thumbnail = {});
 
  private:
     void show(const std::filesystem::path& start);
     void enter(const std::filesystem::path& folder);
-    std::optional<std::filesystem::path> draw_entries();
+    /// What the path field, the lists and the buttons ask to be accepted, if anything.
+    using Wanted = std::optional<std::filesystem::path>;
+    /// True if its Enter was pressed.
+    bool draw_path();
+    Wanted draw_lists(const Thumbnail& thumbnail);
+    Wanted draw_places(const Thumbnail& thumbnail);
+    /// One file's entry, as a picture where there are some. True if it was clicked.
+    bool draw_file(const std::filesystem::path& file, bool chosen, const Thumbnail& thumbnail,
+                   ImGuiSelectableFlags flags = 0);
+    /// Where a click on a place leads; empty: none was clicked.
+    std::filesystem::path draw_folders(const std::vector<std::filesystem::path>& folders);
+    void draw_bookmark_button();
+    Wanted draw_entries(const Thumbnail& thumbnail);
+    void take_name(const std::filesystem::path& file);
+    bool has_formats() const;  // to choose from
     void draw_formats();
-    std::optional<std::filesystem::path> draw_buttons();
-    std::optional<std::filesystem::path> draw_replace_question();
-    std::optional<std::filesystem::path> accept(const std::filesystem::path& path);
+    /// Below the formats. In a low window they scroll, so that some of the folder is left to be seen.
+    std::string draw_options(const DrawOptions& options);
+    float options_room() const;
+    Wanted draw_buttons(const std::string& refusal, bool escape);
+    std::optional<std::filesystem::path> draw_replace_question(bool enter, bool escape);
+    std::optional<std::filesystem::path> accept(const std::filesystem::path& path,
+                                                const std::string& refusal);
     std::vector<std::string> endings() const;
     std::optional<std::size_t> format_of(const std::filesystem::path& path) const;
+    /// Of what is written under that name.
+    std::vector<std::filesystem::path> files_there(const std::filesystem::path& name) const;
     std::filesystem::path with_ending(const std::filesystem::path& path) const;
 
     bool saves_ = false;
-    bool open_ = false, just_opened_ = false;
+    bool open_ = false;
+    bool focus_path_ = false;  // it is to have the keyboard,
+    bool path_ends_ = false;   // with the cursor behind what is there, instead of all of it selected
+    bool path_has_keys_ = false;
+    int path_turn_ = 0;  // another each time that the field is left by Tab
+    ListKeys place_keys_, entry_keys_;
+    bool bookmarks_changed_ = false;
     OpenQuestion open_question_;  // of use if it does not save
     SaveQuestion question_;       // if it does
     std::size_t format_ = 0;
+    float options_height_ = 0;  // as they were drawn last
     std::filesystem::path folder_;
-    std::string typed_;               // the path box
-    std::string trouble_;             // why the path cannot be taken
-    std::filesystem::path replaces_;  // what was asked for once and is there already
+    std::string typed_;                            // the path box
+    std::string trouble_;                          // why the path cannot be taken
+    std::filesystem::path replaces_;               // what was asked for once,
+    std::vector<std::filesystem::path> replaced_;  // of whose files these are there already
     std::vector<FolderEntry> entries_;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+// How many frames a second the window draws.
 
 #include <chrono>
 

@@ -7,9 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "app/settings/working_folder.h"
+#include "app/shown_text.h"
 #include "app/viewer/model/map_camera.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
@@ -22,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kStopsAPress = 0.5;
+constexpr double kLookForWork = 0.25;  // seconds
 // How far one can zoom in: to pixels of the map that are so many of ImGui's points, and so often enlarged.
 constexpr double kLargestPixel = 32, kLeastLargest = 4;
 
@@ -41,7 +45,7 @@ std::span<const Shortcut> LightsDocument::shortcuts() const {
 
 OpenQuestion LightsDocument::what_to_open() const {
     const fs::path& path = session_.map_path();
-    return {"Open an environment map", {".hdr", ".exr"}, path.empty() ? fs::current_path() : path};
+    return {"Open an environment map", {".hdr", ".exr"}, path};
 }
 
 std::optional<SaveQuestion> LightsDocument::where_to_save() const {
@@ -55,13 +59,14 @@ std::optional<SaveQuestion> LightsDocument::where_to_save() const {
                                     {"pbrt", ".pbrt"},
                                     {"Mitsuba", ".xml"},
                                     {"PNG", ".png"}},
-                        .start = saved.empty() ? fs::current_path() / name : saved,
+                        .start = saved.empty() ? working_folder() / name : saved,
                         .own_file = saved,
-                        .option_rows = kLightExportRows};
+                        .has_options = true};
 }
 
-void LightsDocument::draw_saving_options(std::size_t format) {
+std::string LightsDocument::draw_saving_options(std::size_t format) {
     draw_light_export_panel(session_.settings, static_cast<LightFile>(format));
+    return {};
 }
 
 void LightsDocument::act(Action action, const Frame& frame) {
@@ -80,6 +85,14 @@ void LightsDocument::act(Action action, const Frame& frame) {
             return zoom_to(camera_.pixels_per_unit * 1.25);
         case Action::zoom_out:
             return zoom_to(camera_.pixels_per_unit * 0.8);
+        case Action::pan_left:
+            return pan({kPanStep, 0});
+        case Action::pan_right:
+            return pan({-kPanStep, 0});
+        case Action::pan_up:
+            return pan({0, kPanStep});
+        case Action::pan_down:
+            return pan({0, -kPanStep});
         case Action::lighter:
             session_.settings.stops += kStopsAPress;
             return;
@@ -95,12 +108,37 @@ void LightsDocument::zoom_to(double pixels_per_unit) {
     camera_ = zoomed_at(camera_, camera_.canvas / 2.0, pixels_per_unit / camera_.pixels_per_unit);
 }
 
+void LightsDocument::pan(glm::dvec2 sides) {
+    camera_ = dragged(camera_, sides * std::min(camera_.canvas.x, camera_.canvas.y));
+}
+
 void LightsDocument::draw(const Frame& frame) {
     session_.take_events();
     if (frame.panels.x > 0) draw_panels(frame);
     draw_banner(session_.banner, {0, 0}, frame.canvas);
+    tell_of_work(frame);
     session_.remember(ImGui::IsAnyItemActive());
     show_canvas(frame);
+}
+
+void LightsDocument::tell_of_work(const Frame& frame) {
+    const std::optional<LongLightWork> long_work = session_.long_work();
+    if (!long_work) return;
+    const std::string name = long_work->file.filename().string();
+    const double share = long_work->share.value_or(0);
+    const auto cancelled = [&] {
+        switch (long_work->work) {
+            case LightWork::reading:
+                return draw_opening_banner(name.empty() ? "the sky" : printable(name), {0, 0}, frame.canvas);
+            case LightWork::sampling:
+                return draw_sampling_banner(share, {0, 0}, frame.canvas);
+            case LightWork::saving:
+                return draw_saving_banner(name, share, {0, 0}, frame.canvas);
+        }
+        return false;
+    };
+    const bool escape = !ImGui::GetIO().WantCaptureKeyboard && escape_pressed();
+    if (cancelled() || escape) session_.stop(long_work->work);
 }
 
 void LightsDocument::draw_panels(const Frame& frame) {
@@ -141,7 +179,8 @@ void LightsDocument::show_canvas(const Frame& frame) {
 }
 
 double LightsDocument::seconds_to_next_frame() const {
-    return seconds_until_change(session_.banner);
+    const double longest = session_.at_work() ? kLookForWork : 60;
+    return std::min<double>(longest, seconds_until_change(session_.banner));
 }
 
 std::optional<nlohmann::ordered_json> LightsDocument::status() const {

@@ -20,10 +20,12 @@ class LightsDocument : public Document {
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
+    std::filesystem::path file() const override { return session_.lit() ? session_.map_path() : ""; }
+    void say(const std::string& sentence) override { session_.banner = {BannerKind::error, sentence}; }
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.tile; }
     std::optional<SaveQuestion> where_to_save() const override;
-    void draw_saving_options(std::size_t format) override;
+    std::string draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
     double seconds_to_next_frame() const override;
@@ -31,8 +33,11 @@ class LightsDocument : public Document {
 
  private:
     void zoom_to(double pixels_per_unit);
+    void pan(glm::dvec2 sides);  // so many of the canvas's shorter side
     void draw_panels(const Frame& frame);
     void show_canvas(const Frame& frame);
+    /// Work that takes long, and whether it is given up.
+    void tell_of_work(const Frame& frame);
 
     LightSession session_;
     LightScene scene_;

@@ -1,6 +1,7 @@
 #include "app/viewer/shell/shell.h"
 
 #include <imgui.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +10,18 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "app/settings/working_folder.h"
+#include "app/settings/xdg_folders.h"
+#include "app/shown_text.h"
+#include "app/viewer/model/desktop_dialog.h"
+#include "app/viewer/model/desktop_folders.h"
+#include "app/viewer/model/pasted_files.h"
+#include "app/viewer/model/pasted_picture.h"
+#include "app/viewer/model/thumbnail.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
+#include "app/viewer/widgets/row_keys.h"
 
 namespace dapple {
 namespace {
@@ -20,6 +30,7 @@ namespace {
 constexpr int kFramesAfterEvent = 3;
 constexpr float kPanelWidth = 340;     // at 96 dpi
 constexpr double kCursorBlinks = 0.3;  // seconds
+constexpr double kRepeats = 0.02;
 
 bool input_arrived() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -29,36 +40,88 @@ bool input_arrived() {
     return arrived;
 }
 
+// Processor time of this thread.
+double work_ms() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
 void toggle(bool& value) {
     value = !value;
 }
 
+// Where pasted pictures are kept, so that projects find them again; empty: there is no home.
+std::filesystem::path pasted_folder() {
+    const std::filesystem::path data = data_folder();
+    return data.empty() ? data : data / "pasted";
+}
+
 }  // namespace
 
-Shell::Shell(bool log_status) : log_status_(log_status), window_("Dapple") {
+Shell::Shell(bool log_status, Memory memory)
+    : log_status_(log_status),
+      memory_(std::move(memory)),
+      window_("Dapple", memory_.state.window),
+      thumbnails_(&Window::wake),
+      desktop_dialog_(&Window::wake),
+      pasting_(&Window::wake) {
     ImGui::GetIO().UserData = &widgets_;
+    panels_shown_ = memory_.state.panels_shown;
+    window_.set_appearance(memory_.preferences.appearance);
 }
 
 int Shell::run(std::unique_ptr<Document> document) {
     int frames_left = kFramesAfterEvent;
     while (!window_.should_close()) {
-        double rest = frames_left > 0 ? 0 : document->seconds_to_next_frame();
-        if (ImGui::GetIO().WantTextInput) rest = std::min(rest, kCursorBlinks);
-        if (window_.wait_for_events(rest)) frames_left = kFramesAfterEvent;
+        double wait_at_most = frames_left > 0 ? 0 : document->seconds_to_next_frame();
+        if (ImGui::GetIO().WantTextInput) wait_at_most = std::min(wait_at_most, kCursorBlinks);
+        if (repeating_key_down()) wait_at_most = std::min(wait_at_most, kRepeats);
+        if (window_.wait_for_events(wait_at_most)) frames_left = kFramesAfterEvent;
         const auto begin = std::chrono::steady_clock::now();
+        const double work_before = work_ms();
         const bool was_ready = ready_;  // the first frame makes everything ready
         frame(*document);
         if (auto successor = document->take_successor()) document = std::move(successor);
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
         last_seconds_ = passed.count() / 1e3;
-        if (was_ready) health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
+        if (was_ready) {
+            health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
+            health_.longest_work_ms = std::max(health_.longest_work_ms, work_ms() - work_before);
+        }
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
+    memory_.state.window = window_.place();
+    memory_.state.panels_shown = panels_shown_;
+    if (const auto view = document->kept_view()) memory_.state.view = *view;
+    save_memory();
     return 0;
+}
+
+void Shell::remember(Document& document) {
+    if (!ready_) return;
+    if (const auto trouble = memory_.take_trouble()) document.say(*trouble);
+    const std::filesystem::path file = document.file();
+    if (file.empty() || file == file_seen_) return;
+    file_seen_ = file;
+    const auto folder = memory_.state.folder;
+    memory_.opened(file);
+    if (file.parent_path() == pasted_folder()) memory_.state.folder = folder;  // nobody keeps pictures there
+    save_memory();
+}
+
+// That nothing is remembered is no reason to stop anybody's work.
+void Shell::save_memory() {
+    try {
+        memory_.save();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "dapple: %s; nothing is remembered\n", error.what());
+    }
 }
 
 void Shell::frame(Document& document) {
     window_.begin_frame();
+    const bool row_has_keys = widgets_.contains(kRowWithKeys);  // in the last frame
     widgets_.clear();
     const float scale = ImGui::GetFontSize() / 15;
     const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
@@ -71,22 +134,32 @@ void Shell::frame(Document& document) {
                       .act = do_this,
                       .last_seconds = last_seconds_};
     do_this = [&](Action action) { act(action, document, frame); };
-    for (const auto& path : window_.take_dropped()) document.take_dropped(path);
-    for (Action action : pressed_actions()) do_this(action);
+    take_files(window_.take_dropped(), document);
+    take_answers(document);
+    for (Action action : pressed_actions(row_has_keys)) do_this(action);
     draw_dialogs(document, do_this);
     document.draw(frame);
     window_.end_frame();
     report_outside(document);
+    remember(document);
 }
 
 void Shell::act(Action action, Document& document, const Frame& frame) {
     switch (action) {
-        case Action::open:
-            asked_ = Asked::picture;
-            return dialog_.ask_what_to_open(document.what_to_open());
+        case Action::open: {
+            OpenQuestion question = document.what_to_open();
+            if (question.start.empty()) question.start = folder_to_open();
+            question.recent = memory_.state.recent;
+            question.places = desktop_folders(home_folder(), shared_config_folder());
+            question.bookmarks = memory_.state.bookmarks;
+            question.pictures = true;
+            return ask_what_to_open(std::move(question), Asked::picture);
+        }
         case Action::open_tile:
-            asked_ = Asked::tile;
-            return dialog_.ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())});
+            return ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},
+                                    Asked::tile);
+        case Action::paste:
+            return paste(document);
         case Action::save:
             if (const auto question = document.where_to_save(); question && !question->own_file.empty())
                 return document.save(question->own_file);
@@ -114,28 +187,116 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
     }
 }
 
+void Shell::ask_what_to_open(OpenQuestion question, Asked asked) {
+    if (desktop_dialog_.busy()) return;  // one at a time
+    if (memory_.preferences.dialog == DialogChoice::own || !has_desktop_dialog()) {
+        asked_ = asked;
+        return dialog_.ask_what_to_open(std::move(question));
+    }
+    desktop_asked_ = asked;
+    desktop_dialog_.begin([asks = DesktopQuestion{question.title, question.endings, question.start}](
+                              const auto& todo) { return ask_desktop(asks, todo.stop()); });
+}
+
+void Shell::paste(Document& document) {
+    std::vector<std::filesystem::path> files = pasted_files(window_.clipboard_text(), home_folder());
+    if (!files.empty()) return take_files(std::move(files), document);
+    if (pasting_.busy()) return;
+    const std::filesystem::path folder = pasted_folder();
+    if (folder.empty())
+        return document.say("A pasted picture has no place to be kept: there is no home folder");
+    pasting_.begin([folder](const auto& todo) { return save_pasted_picture(folder, todo.stop()); });
+}
+
+void Shell::take_answers(Document& document) {
+    try {
+        if (const auto chosen = desktop_dialog_.result()) take_chosen(*chosen, desktop_asked_, document);
+        if (const auto pasted = pasting_.result()) document.open_as_picture(*pasted);
+    } catch (const std::exception& error) {
+        document.say(error.what());
+    }
+}
+
+void Shell::take_files(std::vector<std::filesystem::path> files, Document& document) {
+    file_question_.ask(std::move(files),
+                       [&](const auto& file) { return document.is_picture_with_settings(file); });
+}
+
+void Shell::open_again(const std::filesystem::path& file, Document& document) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return take_files({file}, document);
+    memory_.forget(file);
+    save_memory();
+    document.say(file.string() + ": is not there any more");
+}
+
+void Shell::draw_file_question(Document& document) {
+    const auto answer =
+        file_question_.draw([&](const auto& file) { return document.is_picture_with_settings(file); });
+    if (!answer) return;
+    if (answer->as_picture)
+        document.open_as_picture(answer->file);
+    else
+        document.take_dropped(answer->file);
+}
+
+std::filesystem::path Shell::folder_to_open() const {
+    std::error_code ignored;
+    for (const std::filesystem::path& folder : memory_.state.folder)
+        if (std::filesystem::is_directory(folder, ignored)) return folder;
+    return working_folder();
+}
+
 void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked) {
     if (!question) return;
     asked_ = asked;
     dialog_.ask_where_to_save(std::move(*question));
 }
 
+EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
+    return thumbnails_.of(thumbnail_key(file),
+                          [file](const std::stop_token& stop) { return thumbnail_of(file, stop); });
+}
+
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
-    palette_.draw(document.shortcuts(), act);
+    palette_.draw(document.shortcuts(), act, {memory_.state.recent, [&](const std::filesystem::path& file) {
+                                                  open_again(file, document);
+                                              }});
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
-    if (draw_preferences_panel(preferences_shown_, appearance_)) window_.set_appearance(appearance_);
-    const auto path = dialog_.draw([&](std::size_t format) { document.draw_saving_options(format); });
-    if (!path) return;
-    switch (asked_) {
+    bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
+    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop)) {
+        memory_.preferences.dialog = desktop ? DialogChoice::desktop : DialogChoice::own;
+        window_.set_appearance(memory_.preferences.appearance);
+        save_memory();
+    }
+    draw_file_question(document);
+    // Not in the frame in which it closes: that frame still shows them.
+    if (!dialog_.is_open()) thumbnails_.forget();
+    const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); },
+                                   [&](const std::filesystem::path& file) { return thumbnail(file); });
+    if (auto bookmarks = dialog_.take_bookmarks()) {
+        if (bookmarks->size() > kMostBookmarks) {
+            bookmarks->resize(kMostBookmarks);
+            document.say("At most " + std::to_string(kMostBookmarks) +
+                         " folders are kept in the list; remove one to add another");
+        }
+        memory_.state.bookmarks = std::move(*bookmarks);
+        save_memory();
+    }
+    if (path) take_chosen(*path, asked_, document);
+}
+
+void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document& document) {
+    switch (asked) {
         case Asked::picture:
-            return document.open(*path);
+            return take_files({path}, document);
         case Asked::tile:
-            return document.open_tile(*path);
+            return document.open_tile(path);
         case Asked::drawing:
-            return document.save(*path);
+            return document.save(path);
         case Asked::project:
-            return document.save_project(*path);
+            return document.save_project(path);
     }
 }
 

@@ -7,6 +7,7 @@ namespace dapple {
 void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetPlaces& widgets) {
     line["longest_frame_ms"] = health.longest_frame_ms;
+    line["longest_work_ms"] = health.longest_work_ms;
     line["gl_errors"] = health.gl_errors;
     line["mouse"] = {mouse.position.x, mouse.position.y};
     line["mouse_down"] = mouse.down;

@@ -14,6 +14,7 @@ namespace dapple {
 /// How the program itself is.
 struct HealthInfo {
     double longest_frame_ms = 0;  // that the window took for one, from the events it knew to showing it
+    double longest_work_ms = 0;   // of that, its own processor time: the machine does other things too
     int gl_errors = 0;
 };
 
@@ -46,8 +47,8 @@ struct LightStatus {
 /// "zoom": .., "saving": ..}.
 nlohmann::ordered_json status_json(const LightStatus& status);
 
-/// Adds what both have: {"longest_frame_ms": .., "gl_errors": .., "mouse": [x, y], "mouse_down": ..,
-/// "widgets": {"Scale": [x0, y0, x1, y1], ..}}, places in window coordinates.
+/// Adds what both have: {"longest_frame_ms": .., "longest_work_ms": .., "gl_errors": .., "mouse": [x, y],
+/// "mouse_down": .., "widgets": {"Scale": [x0, y0, x1, y1], ..}}, places in window coordinates.
 void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetPlaces& widgets);
 

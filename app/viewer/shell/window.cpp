@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -52,6 +53,28 @@ Window& window_of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
+/// A part of a title bar that a person can take hold of has to be on some screen.
+bool is_on_a_screen(const WindowPlace& place) {
+    constexpr int kHold = 40;
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int x = 0, y = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+        if (place.x + place.width >= x + kHold && place.x <= x + width - kHold && place.y >= y &&
+            place.y <= y + height - kHold)
+            return true;
+    }
+    return false;
+}
+
+void put_where_it_was(GLFWwindow* window, const WindowPlace& place) {
+    if (place.width < kSmallestWidth || place.height < kSmallestHeight || !is_on_a_screen(place)) return;
+    glfwSetWindowSize(window, place.width, place.height);
+    glfwSetWindowPos(window, place.x, place.y);
+    if (place.maximised) glfwMaximizeWindow(window);
+}
+
 }  // namespace
 
 struct Window::Library {
@@ -63,7 +86,8 @@ struct Window::Library {
     ~Library() { glfwTerminate(); }
 };
 
-Window::Window(const std::string& title) : library_(std::make_unique<Library>()) {
+Window::Window(const std::string& title, const WindowPlace& place)
+    : library_(std::make_unique<Library>()), place_(place) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -78,6 +102,7 @@ Window::Window(const std::string& title) : library_(std::make_unique<Library>())
     if (!window_)
         throw std::runtime_error("no window with OpenGL 3.3 can be opened (" + glfw_says() +
                                  "); `dapple render` draws into a file without one");
+    put_where_it_was(window_, place);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     hear();
@@ -124,6 +149,19 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+WindowPlace Window::place() const {
+    place_.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    const bool full = glfwGetWindowMonitor(window_) != nullptr;
+    if (full) {
+        place_.x = windowed_corner_.x, place_.y = windowed_corner_.y;
+        place_.width = windowed_size_.x, place_.height = windowed_size_.y;
+    } else if (!place_.maximised && glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE) {
+        glfwGetWindowPos(window_, &place_.x, &place_.y);
+        glfwGetWindowSize(window_, &place_.width, &place_.height);
+    }
+    return place_;
+}
+
 bool Window::wait_for_events(double seconds) {
     using Clock = std::chrono::steady_clock;
     bool early = woken.exchange(false);
@@ -147,6 +185,11 @@ void Window::wake() {
 
 std::vector<std::filesystem::path> Window::take_dropped() {
     return std::exchange(dropped_, {});
+}
+
+std::string Window::clipboard_text() const {
+    const char* const text = glfwGetClipboardString(window_);
+    return text ? text : "";
 }
 
 void Window::follow_content_scale() {
@@ -297,7 +340,9 @@ void Window::end_frame() {
 int Window::gl_errors() {
     constexpr int kMost = 100;  // a lost context says so again and again
     int count = 0;
-    while (count < kMost && glGetError() != GL_NO_ERROR) ++count;
+    for (GLenum error = glGetError(); count < kMost && error != GL_NO_ERROR; error = glGetError(), ++count)
+        std::fprintf(stderr, "dapple: OpenGL error 0x%04x, framebuffer status 0x%04x\n", error,
+                     glCheckFramebufferStatus(GL_FRAMEBUFFER));
     return count;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/viewer/shell/input_queue.h"
+#include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/theme.h"
 
 struct GLFWwindow;
@@ -19,7 +20,8 @@ namespace dapple {
 class Window {
  public:
     /// Opens it. Throws std::runtime_error if there is no display or no OpenGL 3.3.
-    explicit Window(const std::string& title);
+    /// Without a place, or with one that is on no screen any more, it is the usual one.
+    explicit Window(const std::string& title, const WindowPlace& place = {});
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -28,6 +30,8 @@ class Window {
     void close();
     void set_title(const std::string& title);
     void toggle_full_screen();
+    /// Where it is, or was before it filled the screen.
+    WindowPlace place() const;
     /// From the next frame on.
     void set_appearance(const Appearance& appearance) { appearance_ = appearance; }
 
@@ -44,11 +48,15 @@ class Window {
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
+    /// Its text; empty if it has none.
+    std::string clipboard_text() const;
+
     void begin_frame();
     /// Draws ImGui's part and shows the frame, unless it is one that need not be seen.
     void end_frame();
 
-    /// OpenGL's errors since the last call; it waits for OpenGL, so it is for tests.
+    /// How many errors OpenGL had since the last call; standard error says which. Waits for OpenGL: for
+    /// tests.
     static int gl_errors();
 
     glm::ivec2 pixels() const;  // of the framebuffer
@@ -73,6 +81,7 @@ class Window {
     bool unseen_ = false;
     std::chrono::steady_clock::time_point seen_{};  // the last frame that was
     bool damaged_ = false;                          // to be drawn again, whatever the reason
+    mutable WindowPlace place_;                     // while it was neither full screen nor maximised
     float content_scale_ = 0;
     Appearance appearance_, applied_;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};

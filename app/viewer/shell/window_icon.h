@@ -1,4 +1,5 @@
 #pragma once
+// A window's icon.
 
 struct GLFWwindow;
 

@@ -1,7 +1,13 @@
 #pragma once
 // A small dialog in the middle of the window, above all else.
 
+#include <imgui.h>
+
 namespace dapple {
+
+/// ImGui::BeginPopupModal() as all dialogs have it: opened if it is not, in the middle, with a line around,
+/// its title above what it holds.
+bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags);
 
 /// Open while it lives and is true:
 ///

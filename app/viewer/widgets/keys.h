@@ -16,18 +16,23 @@ enum class Key {
     c,
     e,
     f,
+    i,
     l,
     o,
     p,
     q,
     s,
     t,
+    v,
     y,
     z,
     zero,
     comma,
     up,
     down,
+    left,
+    right,
+    space,
     tab,
     enter,
     keypad_enter,
@@ -60,6 +65,8 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(E, E);
         case Key::f:
             return DAPPLE_KEY(F, F);
+        case Key::i:
+            return DAPPLE_KEY(I, I);
         case Key::l:
             return DAPPLE_KEY(L, L);
         case Key::o:
@@ -72,6 +79,8 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(S, S);
         case Key::t:
             return DAPPLE_KEY(T, T);
+        case Key::v:
+            return DAPPLE_KEY(V, V);
         case Key::y:
             return DAPPLE_KEY(Y, Y);
         case Key::z:
@@ -84,6 +93,12 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(UP, UpArrow);
         case Key::down:
             return DAPPLE_KEY(DOWN, DownArrow);
+        case Key::left:
+            return DAPPLE_KEY(LEFT, LeftArrow);
+        case Key::right:
+            return DAPPLE_KEY(RIGHT, RightArrow);
+        case Key::space:
+            return DAPPLE_KEY(SPACE, Space);
         case Key::tab:
             return DAPPLE_KEY(TAB, Tab);
         case Key::enter:
@@ -111,6 +126,15 @@ inline bool key_pressed(Key key) {
 }
 inline bool key_down(Key key) {
     return ImGui::IsKeyDown(key_code(key));
+}
+
+/// Keys are not the window's until the next frame is over: io.WantCaptureKeyboard will say so.
+inline void take_keyboard() {
+#if IMGUI_VERSION_NUM < 18900
+    ImGui::CaptureKeyboardFromApp(true);
+#else
+    ImGui::SetNextFrameWantCaptureKeyboard(true);
+#endif
 }
 
 /// What ImGui calls an OpenGL texture: a pointer or a number.

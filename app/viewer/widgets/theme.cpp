@@ -12,18 +12,21 @@ namespace {
 
 constexpr float kTextHeight = 15;  // pixels at content scale 1
 
-struct Palette {
-    glm::u8vec3 surround, panel, track, line, text, quiet, accent, warning;
+struct ThemeColours {
+    glm::u8vec3 surround, panel, track, line, off, text, quiet, accent, warning;
 };
 
-constexpr Palette kLight{{223, 219, 210}, {248, 246, 241}, {226, 221, 211}, {214, 208, 196},
-                         {46, 44, 41},    {96, 91, 83},    {46, 84, 122},   {150, 52, 30}};
-constexpr Palette kDark{{24, 23, 22},    {36, 35, 33},    {62, 60, 57},    {72, 69, 65},
-                        {236, 233, 226}, {188, 183, 174}, {134, 180, 224}, {244, 150, 122}};
-constexpr Palette kHighContrast{{0, 0, 0},       {0, 0, 0},       {56, 56, 56},  {255, 255, 255},
-                                {255, 255, 255}, {226, 226, 226}, {255, 214, 0}, {255, 150, 120}};
+constexpr ThemeColours kLight{{223, 219, 210}, {248, 246, 241}, {226, 221, 211},
+                              {214, 208, 196}, {141, 135, 125}, {46, 44, 41},
+                              {96, 91, 83},    {46, 84, 122},   {150, 52, 30}};
+constexpr ThemeColours kDark{{24, 23, 22},    {36, 35, 33},    {62, 60, 57},
+                             {72, 69, 65},    {128, 124, 117}, {236, 233, 226},
+                             {188, 183, 174}, {134, 180, 224}, {244, 150, 122}};
+constexpr ThemeColours kHighContrast{{64, 64, 64},    {0, 0, 0},       {56, 56, 56},
+                                     {255, 255, 255}, {132, 132, 132}, {255, 255, 255},
+                                     {226, 226, 226}, {255, 214, 0},   {255, 150, 120}};
 
-const Palette& palette_of(Theme theme) {
+const ThemeColours& palette_of(Theme theme) {
     return theme == Theme::light ? kLight : theme == Theme::dark ? kDark : kHighContrast;
 }
 
@@ -39,6 +42,8 @@ ImGuiCol place_of(ThemeColour colour) {
             return ImGuiCol_FrameBgActive;
         case ThemeColour::line:
             return ImGuiCol_Separator;
+        case ThemeColour::off:
+            return ImGuiCol_PlotLines;
         case ThemeColour::text:
             return ImGuiCol_NavWindowingHighlight;
         case ThemeColour::quiet:
@@ -69,7 +74,7 @@ ImFont* load_font(const char* pattern, float height) {
 }
 
 void set_colours(ImGuiStyle& style, Theme theme) {
-    const auto& [surround, panel, track, line, text, quiet, accent, warning] = palette_of(theme);
+    const auto& [surround, panel, track, line, off, text, quiet, accent, warning] = palette_of(theme);
     if (theme == Theme::light)
         ImGui::StyleColorsLight(&style);
     else
@@ -102,8 +107,9 @@ void set_colours(ImGuiStyle& style, Theme theme) {
     set(ImGuiCol_Separator, shade(line));
     set(ImGuiCol_TitleBg, shade(panel));
     set(ImGuiCol_TitleBgActive, shade(panel));
-    set(ImGuiCol_ModalWindowDimBg, shade(theme == Theme::light ? text : surround, 0.35f));
+    set(ImGuiCol_ModalWindowDimBg, shade(theme == Theme::light ? text : panel, 0.35f));
     set(place_of(ThemeColour::surround), shade(surround));
+    set(place_of(ThemeColour::off), shade(off));
     set(place_of(ThemeColour::text), shade(text));
     set(place_of(ThemeColour::warning), shade(warning));
 }

@@ -1,6 +1,7 @@
 #pragma once
 // How the window looks: warm paper greys and one ink blue, in light, dark and high contrast, sizes in
-// proportion to the text. Text on what is behind it has a contrast of 4.5:1 and more (WCAG 2.1, 1.4.3).
+// proportion to the text. Text on what is behind it has a contrast of 4.5:1 and more (WCAG 2.1,
+// 1.4.3), and what shows a control or its state one of 3:1 (1.4.11).
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +11,7 @@
 
 namespace dapple {
 
-enum class ThemeColour { surround, panel, track, line, text, quiet, accent, warning };
+enum class ThemeColour { surround, panel, track, line, off, text, quiet, accent, warning };
 enum class Theme { light, dark, high_contrast };
 
 /// What people choose of it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/text/length.h"
 #include "core/text/quantity.h"
 
 namespace dapple {
@@ -23,9 +22,25 @@ std::size_t end_of_term(std::string_view text) {
     return text.size();
 }
 
+/// A product: 2*210, 2*8in. Of lengths the last factor alone is one.
+std::optional<double> product_of(std::string_view term, TypedKind kind, LengthUnit bare) {
+    double product = 1;
+    for (std::size_t star = term.find('*'); star != std::string_view::npos; star = term.find('*')) {
+        const std::optional<double> factor = quantity_of(trimmed(term.substr(0, star)));
+        if (!factor) return std::nullopt;
+        product *= *factor;
+        term.remove_prefix(star + 1);
+    }
+    term = trimmed(term);
+    const std::optional<double> last =
+        kind == TypedKind::length ? millimetres_of(term, bare) : quantity_of(term);
+    if (!last) return std::nullopt;
+    return product * *last;
+}
+
 }  // namespace
 
-std::optional<double> typed_value(std::string_view text, TypedKind kind) {
+std::optional<double> typed_value(std::string_view text, TypedKind kind, LengthUnit bare) {
     double sum = 0;
     text = trimmed(text);
     if (text.empty()) return std::nullopt;
@@ -38,8 +53,7 @@ std::optional<double> typed_value(std::string_view text, TypedKind kind) {
             term.remove_prefix(1);
         }
         term = trimmed(term);
-        const std::optional<double> value =
-            kind == TypedKind::length ? millimetres_of(term) : quantity_of(term);
+        const std::optional<double> value = product_of(term, kind, bare);
         if (!value) return std::nullopt;
         sum += sign * *value;
     }

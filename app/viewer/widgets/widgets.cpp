@@ -1,21 +1,32 @@
 #include "app/viewer/widgets/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "app/shown_text.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/theme.h"
+#include "core/image/colour.h"
 
 namespace dapple {
 namespace {
 
-constexpr float kLabelShare = 0.34f;  // of the row
-constexpr float kValueWidth = 4.6f;   // in letters' heights, at least
+constexpr float kLabelShare = 0.36f;  // of the row
+constexpr float kLabelAir = 0.4f;     // in letters' heights, as what follows: behind a label
+constexpr float kValueWidth = 5;      // at least, so that tracks end below one another
 constexpr float kValueAir = 0.4f;     // between a track and a value
+constexpr float kSegmentAir = 0.9f;   // between two words side by side
+constexpr float kLeastSegmentAir = 0.3f, kLeastLabel = 3;
 constexpr float kTipWidth = 24;
 constexpr float kTipAfter = 0.5f;  // seconds
 constexpr double kRefusalSeconds = 4;
@@ -25,17 +36,31 @@ struct Row {
     float width, height, control_x;
 };
 
-/// Draws the label and leaves the cursor where the control begins. True if the label was double-clicked.
-bool begin_row(const char* label, Row& row) {
+struct LabelLook {
+    float control_width = 0;      // of one at the row's end; 0: it begins after the labels' column
+    const char* shown = nullptr;  // none: the label itself
+};
+
+/// Draws the label and leaves the cursor where the control begins. True if the label was double-clicked. In a
+/// narrow window the label is cut off before the control.
+bool begin_row(const char* label, Row& row, const LabelLook& look = {}) {
+    const char* const shown = look.shown ? look.shown : label;
     row.start = ImGui::GetCursorScreenPos();
     row.width = ImGui::GetContentRegionAvail().x;
     row.height = ImGui::GetFrameHeight();
     row.control_x = row.start.x + std::floor(row.width * kLabelShare);
+    const float air = std::floor(kLabelAir * ImGui::GetTextLineHeight());
+    const float room = std::max(
+        1.0f, (look.control_width > 0 ? row.width - look.control_width : row.control_x - row.start.x) - air);
     ImGui::PushID(label);
-    press_area("label", {row.control_x - row.start.x, row.height});
+    press_area("label", {room, row.height});
+    note_place((std::string(shown) + " name").c_str());
     bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     float text_y = row.start.y + (row.height - ImGui::GetTextLineHeight()) / 2;
-    ImGui::GetWindowDrawList()->AddText({row.start.x, text_y}, ImGui::GetColorU32(ImGuiCol_Text), label);
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->PushClipRect(row.start, {row.start.x + room, row.start.y + row.height}, true);
+    list->AddText({row.start.x, text_y}, ImGui::GetColorU32(ImGuiCol_Text), shown);
+    list->PopClipRect();
     ImGui::SetCursorScreenPos({row.control_x, row.start.y});
     return reset;
 }
@@ -45,6 +70,26 @@ void end_row(const Row& row) {
     ImGui::SetCursorScreenPos({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
     ImGui::Dummy({0, 0});
     ImGui::SetCursorScreenPos({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
+}
+
+RowKeys keys_of(const char* label, const Row& row) {
+    return row_keys(label, row.start, {row.start.x + row.width, row.start.y + row.height});
+}
+
+/// The value some hundredths of the track further; of whole numbers the next one at least.
+double stepped(double value, double step, const SliderRange& range) {
+    constexpr double kHundredth = 0.01;
+    double moved = track_value(track_position(value, range) + step * kHundredth, range);
+    const bool whole = range.grouped || std::string_view(range.format).ends_with(".0f");
+    if (whole) moved = std::round(moved);
+    if (whole && std::abs(moved - value) < 1) moved = value + std::copysign(1.0, step);
+    return std::clamp(moved, std::max(range.min, range.hard_min), std::min(range.max, range.hard_max));
+}
+
+/// Which of so many entries the arrows choose next.
+int stepped(int chosen, double step, std::size_t entries) {
+    if (step == 0) return chosen;
+    return std::clamp(chosen + (step > 0 ? 1 : -1), 0, static_cast<int>(entries) - 1);
 }
 
 void draw_track(ImVec2 min, ImVec2 max, double position, double neutral, bool hot) {
@@ -65,16 +110,23 @@ void draw_track(ImVec2 min, ImVec2 max, double position, double neutral, bool ho
 
 std::string text_of(double value, const SliderRange& range) {
     if (range.grouped) return grouped(static_cast<std::uint64_t>(std::llround(value)));
+    const bool inches = range.typed == TypedKind::length && range.unit == LengthUnit::inch;
     char text[64];
-    std::snprintf(text, sizeof text, range.format, value);
+    // An inch is long: as many digits tell it as tell millimetres.
+    std::snprintf(text, sizeof text, inches ? "%.4g" : range.format, inches ? value / kMmPerInch : value);
     return text;
 }
 
-/// Room for the longest value that the row can show, so that the track never moves.
-float value_width(const SliderRange& range) {
+std::string shown_label(const char* label, const SliderRange& range) {
+    if (range.typed != TypedKind::length) return label;
+    return std::string(label) + (range.unit == LengthUnit::inch ? ", in" : ", mm");
+}
+
+/// Room for every value on the track, so that it never moves while it is dragged, and for the one there is.
+float value_width(double value, const SliderRange& range) {
     float width = kValueWidth * ImGui::GetTextLineHeight();
-    for (const double value : {range.min, range.max, range.hard_min, range.hard_max})
-        width = std::max(width, ImGui::CalcTextSize(text_of(value, range).c_str()).x +
+    for (const double shown : {range.min, range.max, value})
+        width = std::max(width, ImGui::CalcTextSize(text_of(shown, range).c_str()).x +
                                     kValueAir * ImGui::GetTextLineHeight());
     return std::ceil(width);
 }
@@ -84,6 +136,13 @@ float value_width(const SliderRange& range) {
 bool may_have_tooltip() {
     return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ||
            ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows | ImGuiFocusedFlags_NoPopupHierarchy);
+}
+
+// Round, whatever the window is that its row is in.
+void begin_tooltip() {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
+    ImGui::BeginTooltip();
+    ImGui::PopStyleVar();
 }
 
 // What was wrong with what was typed last into a row.
@@ -115,7 +174,7 @@ bool show_refusal(const SliderRange& range, ImVec2 under) {
     if (refusal == kNothing || since > kRefusalSeconds) return false;
     if (!may_have_tooltip()) return true;
     ImGui::SetNextWindowPos(under, ImGuiCond_Always, {1, 0});
-    ImGui::BeginTooltip();
+    begin_tooltip();
     ImGui::TextUnformatted(sentence_of(refusal, range).c_str());
     note_place("Refusal");
     ImGui::EndTooltip();
@@ -142,9 +201,10 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
             ImGui::InputText("##typed", text, sizeof text,
                              ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
         const bool left = state == 1 && ImGui::IsItemDeactivated();
+        if (ImGui::IsItemActive()) note_place("Typing");
         if (left || entered) storage->SetInt(typing, 0);
         if (!entered) return false;
-        const std::optional<double> typed = typed_value(text, range.typed);
+        const std::optional<double> typed = typed_value(text, range.typed, range.unit);
         remember_refusal(refusal_of(typed, range));
         if (!typed) return false;
         value = std::clamp(*typed, range.hard_min, range.hard_max);
@@ -177,7 +237,7 @@ void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {})
     const float width = kTipWidth * ImGui::GetFontSize(), air = ImGui::GetFontSize();
     if (beside && beside->x > width + 3 * air)
         ImGui::SetNextWindowPos({beside->x - 2 * air, beside->y}, ImGuiCond_Always, {1, 0});
-    ImGui::BeginTooltip();
+    begin_tooltip();
     ImGui::PushTextWrapPos(width);
     ImGui::TextUnformatted(text);
     note_place("Tip");
@@ -208,6 +268,8 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
     if (press_area("title", {width, height})) storage->SetBool(state, open = !open);
     note_place(title);
     bool hot = ImGui::IsItemHovered();
+    if (const RowKeys keys = item_keys("title keys"); keys.press || keys.step != 0)
+        storage->SetBool(state, open = keys.press ? !open : keys.step > 0);
     ImDrawList* list = ImGui::GetWindowDrawList();
     if (kind == FoldKind::section) {
         list->AddLine(start, {start.x + width, start.y}, colour_of(ThemeColour::line), unit);
@@ -268,17 +330,25 @@ double track_value(double position, const SliderRange& range) {
 bool slider_row(const char* label, double& value, const SliderRange& range) {
     Row row;
     bool changed = false;
-    if (begin_row(label, row)) {
+    const std::string shown = shown_label(label, range);
+    if (begin_row(label, row, {.shown = shown.c_str()})) {
         value = range.neutral;
         changed = true;
     }
-    float box_width = value_width(range);
-    float track_width = std::max(20.0f, row.start.x + row.width - box_width - row.control_x);
+    float box_width = value_width(value, range);
+    float track_width = std::max(1.0f, row.start.x + row.width - box_width - row.control_x);
     press_area("track", {track_width, row.height});
-    note_place(label);
+    note_place(shown.c_str());
     ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     bool typing = ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl;
+    const RowKeys keys = keys_of(label, row);
+    typing |= keys.enter;
+    const double by_keys = keys.reset       ? range.neutral
+                           : keys.step != 0 ? stepped(value, keys.step, range)
+                                            : value;
+    changed |= by_keys != value;
+    value = by_keys;
     if (ImGui::IsItemActive() && !ImGui::GetIO().KeyCtrl) {
         float knob = 6 * ImGui::GetTextLineHeight() / 15;
         double at = (ImGui::GetIO().MousePos.x - min.x - knob) / std::max(1.0f, max.x - min.x - 2 * knob);
@@ -290,7 +360,7 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     }
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
     if (value_box(value, range, row, box_width, typing)) changed = true;
-    note_place((std::string(label) + " value").c_str());
+    note_place((shown + " value").c_str());
     if (!show_refusal(range, {row.start.x + row.width, row.start.y + row.height}))
         show_row_tip(range.tip, row);
     end_row(row);
@@ -304,98 +374,271 @@ bool slider_row(const char* label, float& value, const SliderRange& range) {
     return true;
 }
 
-bool switch_row(const char* label, bool& value, const char* tip) {
+bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
     Row row;
-    bool toggled = begin_row(label, row);
+    const bool before = value;
     float height = std::floor(ImGui::GetTextLineHeight() * 1.1f), width = std::floor(height * 1.8f);
+    if (begin_row(label, row, {.control_width = width})) value = usual;
     ImGui::SetCursorScreenPos({row.start.x + row.width - width, row.start.y});
-    if (press_area("switch", {width, row.height})) toggled = true;
+    if (press_area("switch", {width, row.height})) value = !value;
     note_place(label);
-    if (toggled) value = !value;
+    const RowKeys keys = keys_of(label, row);
+    if (keys.press) value = !value;
+    if (keys.step != 0) value = keys.step > 0;
+    if (keys.reset) value = usual;
     ImVec2 min = ImGui::GetItemRectMin();
     float top = std::floor(min.y + (row.height - height) / 2), radius = height / 2;
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled({min.x, top}, {min.x + width, top + height},
-                        colour_of(value ? ThemeColour::accent : ThemeColour::track), radius);
+                        colour_of(value ? ThemeColour::accent : ThemeColour::off), radius);
     list->AddCircleFilled({value ? min.x + width - radius : min.x + radius, top + radius}, radius * 0.72f,
                           colour_of(ThemeColour::panel), 24);
     show_row_tip(tip, row);
     end_row(row);
-    return toggled;
+    return value != before;
 }
 
-bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip) {
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                int usual) {
+    return choice_row(label, chosen, names, tip,
+                      ListLook{.by_arrows = static_cast<int>(names.size()), .usual = usual});
+}
+
+namespace {
+
+/// The entries of an open list, the mark walked by arrows. Which one was taken; none: the list stays open.
+std::optional<int> draw_list(int marked_at_first, std::span<const char* const> names, const ListLook& look) {
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID mark = ImGui::GetID("marked");
+    const auto entries = static_cast<int>(names.size());
+    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
+    const int walked = down(Key::down) - down(Key::up);
+    if (ImGui::IsWindowAppearing()) storage->SetInt(mark, marked_at_first);
+    const int marked = std::clamp(storage->GetInt(mark) + walked, 0, std::max(entries - 1, 0));
+    storage->SetInt(mark, marked);
+    std::optional<int> taken;
+    for (int i = 0; i < entries; ++i) {
+        const char* const name = names[static_cast<std::size_t>(i)];
+        const bool clicked = look.draw ? look.draw(i, i == marked) : ImGui::Selectable(name, i == marked);
+        if (!look.draw) note_place(name);
+        if (clicked) taken = i;
+        if (i == marked && (walked != 0 || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY();
+    }
+    if (key_pressed(Key::enter) || key_pressed(Key::keypad_enter)) taken = marked;
+    if (taken) ImGui::CloseCurrentPopup();
+    take_keyboard();
+    return taken;
+}
+
+/// Opens the list of the combo box drawn last, as a click on it does.
+void open_list(const char* combo) {
+    ImGui::PushID(combo);
+    const ImGuiID list = ImGui::GetID("##ComboPopup");
+    ImGui::PopID();
+    ImGui::OpenPopup(list);
+}
+
+}  // namespace
+
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                const ListLook& look) {
+    constexpr char kCombo[] = "##choice";
     Row row;
-    begin_row(label, row);
+    const int before = chosen;
+    const bool reset = begin_row(label, row);
     ImGui::SetNextItemWidth(row.start.x + row.width - row.control_x);
     bool valid = chosen >= 0 && chosen < static_cast<int>(names.size());
-    bool open = ImGui::BeginCombo("##choice", valid ? names[chosen] : "", ImGuiComboFlags_HeightLarge);
-    note_place(label);
-    bool changed = false;
+    if (look.lines_wide > 0) {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        ImGui::SetNextWindowSizeConstraints(
+            {std::min(look.lines_wide * ImGui::GetTextLineHeight(), screen.x), 0}, {screen.x, screen.y});
+    }
+    const bool open = ImGui::BeginCombo(kCombo, valid ? names[static_cast<std::size_t>(chosen)] : "",
+                                        ImGuiComboFlags_HeightLarge);
+    if (!open) note_place(label);
     if (open) {
-        for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-            if (ImGui::Selectable(names[i], i == chosen) && i != chosen) {
-                chosen = i;
-                changed = true;
-            }
-            note_place(names[i]);
-        }
+        chosen = draw_list(chosen, names, look).value_or(chosen);
         close_on_escape();
         ImGui::EndCombo();
+        note_place(label,
+                   {{row.control_x, row.start.y}, {row.start.x + row.width, row.start.y + row.height}});
     }
+    const RowKeys keys = keys_of(label, row);
+    if (!open && (keys.press || (keys.step != 0 && look.by_arrows == 0))) open_list(kCombo);
+    // As in other programs' lists, the arrows choose without opening it.
+    if (look.by_arrows > 0) chosen = stepped(chosen, -keys.step, static_cast<std::size_t>(look.by_arrows));
+    if ((reset || keys.reset) && look.usual >= 0) chosen = look.usual;
     if (!open) show_row_tip(tip, row);
     end_row(row);
-    return changed;
+    return chosen != before;
 }
 
-bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip) {
+namespace {
+
+/// Where each of some words side by side ends: all have the same air around them.
+std::vector<float> segment_ends(float left, float right, std::span<const char* const> names) {
+    float words = 0;
+    for (const char* const name : names) words += ImGui::CalcTextSize(name).x;
+    const auto count = static_cast<float>(names.size());
+    const float air = (right - left - words) / count;
+    std::vector<float> ends;
+    float x = left;
+    for (const char* const name : names) {
+        // Where there is no room even for the words, all are cut alike.
+        x += air > 0 ? ImGui::CalcTextSize(name).x + air : (right - left) / count;
+        ends.push_back(std::floor(x + 0.5f));
+    }
+    return ends;
+}
+
+/// Whether the words fit into a row beside one another, if its label takes no more than its first letters.
+bool have_room(std::span<const char* const> names) {
+    const float line = ImGui::GetTextLineHeight();
+    float words = 0;
+    for (const char* const name : names) words += ImGui::CalcTextSize(name).x + kLeastSegmentAir * line;
+    return words <= ImGui::GetContentRegionAvail().x - kLeastLabel * line;
+}
+
+/// How wide the control is: words that need more room than the labels' column leaves get what its label does
+/// not need.
+float segments_width(const char* label, std::span<const char* const> names) {
+    const float line = ImGui::GetTextLineHeight(), row = ImGui::GetContentRegionAvail().x;
+    float wanted = 0;
+    for (const char* const name : names) wanted += ImGui::CalcTextSize(name).x + kSegmentAir * line;
+    const float usual = row - std::floor(row * kLabelShare);
+    const float most = row - std::ceil(ImGui::CalcTextSize(label).x) - std::floor(kLabelAir * line);
+    return std::floor(std::clamp(wanted, usual, std::max(most, usual)));
+}
+
+}  // namespace
+
+bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                   int usual) {
+    if (!have_room(names)) return choice_row(label, chosen, names, tip, usual);
     Row row;
-    begin_row(label, row);
+    const int before = chosen;
+    const float width = segments_width(label, names);
+    if (begin_row(label, row, {.control_width = width})) chosen = usual;
     ImDrawList* list = ImGui::GetWindowDrawList();
+    const float left = row.start.x + row.width - width;
     float right = row.start.x + row.width, bottom = row.start.y + row.height;
     float rounding = ImGui::GetStyle().FrameRounding;
-    list->AddRectFilled({row.control_x, row.start.y}, {right, bottom}, colour_of(ThemeColour::track),
-                        rounding);
-    bool changed = false;
-    float width = (right - row.control_x) / static_cast<float>(names.size());
+    const float pixel = ImGui::GetTextLineHeight() / 15;
+    const bool greyed = ImGui::GetStyle().Alpha < 1;
+    list->AddRectFilled({left, row.start.y}, {right, bottom}, colour_of(ThemeColour::track), rounding);
+    const std::vector<float> ends = segment_ends(left, right, names);
+    float x0 = left;
     for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-        float x0 = std::floor(row.control_x + width * static_cast<float>(i));
-        float x1 = std::floor(row.control_x + width * static_cast<float>(i + 1));
+        const char* const name = names[static_cast<std::size_t>(i)];
+        const float x1 = ends[static_cast<std::size_t>(i)];
         ImGui::SetCursorScreenPos({x0, row.start.y});
-        if (press_area(names[i], {x1 - x0, row.height}) && chosen != i) {
-            chosen = i;
-            changed = true;
-        }
-        note_place(names[i]);
-        bool on = chosen == i;
+        if (press_area(name, {x1 - x0, row.height})) chosen = i;
+        note_place(name);
+        const bool on = chosen == i;
+        // A greyed one is a tint under the word: pale letters on a pale colour could not be read.
         if (on)
-            list->AddRectFilled({x0 + 2, row.start.y + 2}, {x1 - 2, bottom - 2},
-                                colour_of(ThemeColour::accent), rounding);
-        ImVec2 size = ImGui::CalcTextSize(names[i]);
-        auto colour = on ? colour_of(ThemeColour::panel)
-                         : ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-        list->AddText({std::floor((x0 + x1 - size.x) / 2), row.start.y + (row.height - size.y) / 2}, colour,
-                      names[i]);
+            list->AddRectFilled(
+                {x0 + 2 * pixel, row.start.y + 2 * pixel}, {x1 - 2 * pixel, bottom - 2 * pixel},
+                greyed ? ImGui::GetColorU32(ImGuiCol_HeaderActive) : colour_of(ThemeColour::accent),
+                rounding);
+        const ImVec2 size = ImGui::CalcTextSize(name);
+        const bool strong = on || ImGui::IsItemHovered();
+        const auto colour = on && !greyed
+                                ? colour_of(ThemeColour::panel)
+                                : ImGui::GetColorU32(strong ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+        const float inset = std::max(pixel, (x1 - x0 - size.x) / 2);
+        list->PushClipRect({x0 + pixel, row.start.y}, {x1 - pixel, bottom}, true);
+        list->AddText({std::floor(x0 + inset), row.start.y + (row.height - size.y) / 2}, colour, name);
+        list->PopClipRect();
+        x0 = x1;
     }
+    const RowKeys keys = keys_of(label, row);
+    chosen = keys.reset ? usual : stepped(chosen, keys.step, names.size());
     show_row_tip(tip, row);
     end_row(row);
-    return changed;
+    return chosen != before;
 }
 
-bool colour_row(const char* label, glm::vec3& colour, const char* tip) {
+bool text_row(const char* label, std::string& text, const std::function<bool(const std::string&)>& is_good,
+              const char* wrong, const char* tip, const char* usual) {
     Row row;
-    begin_row(label, row);
-    float width = std::floor(row.height * 1.8f);
+    bool reset = begin_row(label, row);
+    ImGui::SetNextItemWidth(row.start.x + row.width - row.control_x);
+    const RowKeys keys = keys_of(label, row);
+    if (keys.enter) ImGui::SetKeyboardFocusHere();
+    reset = usual && (reset || keys.reset);
+    std::string typed = text;
+    const bool edited = ImGui::InputText("##text", &typed);
+    note_place(label);
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID bad = ImGui::GetID("bad");
+    if (edited) storage->SetInt(bad, !is_good(typed));
+    if (!ImGui::IsItemActive()) storage->SetInt(bad, 0);
+    const bool is_bad = storage->GetInt(bad) != 0;
+    if (is_bad && may_have_tooltip()) {
+        ImGui::SetNextWindowPos({row.start.x + row.width, row.start.y + row.height}, ImGuiCond_Always,
+                                {1, 0});
+        begin_tooltip();
+        ImGui::TextUnformatted(wrong);
+        note_place("Refusal");
+        ImGui::EndTooltip();
+    } else if (!is_bad) {
+        show_row_tip(tip, row);
+    }
+    end_row(row);
+    if (reset) typed = usual;
+    if (!reset && (!edited || is_bad)) return false;
+    return std::exchange(text, typed) != typed;
+}
+
+namespace {
+
+// The colour as people write it, to be typed over. A text that is none changes nothing; one that was entered
+// closes the popup.
+void typed_colour(glm::vec3& colour, bool begin) {
+    std::array<char, 16> text{};
+    hex_of(colour).copy(text.data(), text.size() - 1);
+    if (begin) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(7 * ImGui::GetTextLineHeight());
+    const bool entered =
+        ImGui::InputText("##hex", text.data(), text.size(),
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    note_place("Colour as text");
+    if (ImGui::IsItemDeactivated() && key_pressed(Key::escape)) ImGui::CloseCurrentPopup();
+    if (!entered) return;
+    try {
+        colour = parse_colour(text.data());
+        ImGui::CloseCurrentPopup();
+    } catch (const std::runtime_error&) {  // it stays as it is, to be typed on
+    }
+}
+
+}  // namespace
+
+bool colour_row(const char* label, glm::vec3& colour, const char* tip,
+                const std::optional<glm::vec3>& usual) {
+    Row row;
+    const glm::vec3 before = colour;
+    const float width = std::floor(ImGui::GetFrameHeight() * 1.8f);
+    const bool reset = begin_row(label, row, {.control_width = width});
     ImGui::SetCursorScreenPos({row.start.x + row.width - width, row.start.y});
     constexpr auto kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
     if (ImGui::ColorButton("##colour", {colour.r, colour.g, colour.b, 1}, kPlain, {width, row.height}))
         ImGui::OpenPopup("picker");
     note_place(label);
-    bool changed = false;
+    // White on a light panel is a colour as well.
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        colour_of(ThemeColour::off), ImGui::GetStyle().FrameRounding, 0,
+                                        ImGui::GetTextLineHeight() / 15);
+    const RowKeys keys = keys_of(label, row);
+    const bool by_key = keys.press;
+    if (by_key) ImGui::OpenPopup("picker");
+    if ((reset || keys.reset) && usual) colour = *usual;
     if (ImGui::BeginPopup("picker")) {
+        typed_colour(colour, by_key);
         constexpr auto kWheel = ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_PickerHueWheel |
-                                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex;
-        changed = ImGui::ColorPicker3("##picker", &colour.x, kWheel);
+                                ImGuiColorEditFlags_DisplayRGB;
+        ImGui::ColorPicker3("##picker", &colour.x, kWheel);
         note_place("Colour picker");
         if (!ImGui::GetIO().WantTextInput) close_on_escape();  // else it ends the typing
         ImGui::EndPopup();
@@ -403,7 +646,16 @@ bool colour_row(const char* label, glm::vec3& colour, const char* tip) {
         show_row_tip(tip, row);
     }
     end_row(row);
-    return changed;
+    return colour != before;
+}
+
+bool wide_button(const char* label, const char* tip) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const Row row{start, ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight(), start.x};
+    const bool pressed = key_button(label, {std::max(row.width, 1.0f), 0});
+    note_place(label);
+    show_row_tip(tip, row);
+    return pressed;
 }
 
 bool section(const char* title, bool open_at_first) {

@@ -4,14 +4,17 @@
 //     Brightness   ────────●──────────   0.12
 //     label        track (drag, click)   value (click to type)
 //
-// Double-click on the label brings the neutral value back; Ctrl+click on the track types into it.
+// Double-click on a row's label, or Backspace while it has the keys, brings its usual value back; Ctrl+click
+// on a track types into it. A mouse at rest on a row is told its tip: one sentence that teaches.
 
 #include <imgui.h>
 #include <cstdint>
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -36,13 +39,14 @@ enum class SliderCurve { linear, logarithmic };
 
 struct SliderRange {
     double min = 0, max = 1;  // of the track
-    double neutral = 0;       // what double-click on the label brings back; the filled track starts here
+    double neutral = 0;       // the usual value; the filled track starts here
     SliderCurve curve = SliderCurve::linear;
     const char* format = "%.2f";
     double hard_min = min, hard_max = max;  // what can be typed
     TypedKind typed = TypedKind::number;
-    bool grouped = false;       // a whole number shown as 40,000
-    const char* tip = nullptr;  // what a mouse at rest on the row is told
+    LengthUnit unit = LengthUnit::mm;  // that lengths are shown and typed in; all above is in millimetres
+    bool grouped = false;              // a whole number shown as 40,000
+    const char* tip = nullptr;
 };
 
 /// Rows made while it lives cannot be used, and say why to a mouse that rests on them: they stay where they
@@ -72,23 +76,51 @@ bool press_area(const char* name, ImVec2 size);
 double track_position(double value, const SliderRange& range);
 double track_value(double position, const SliderRange& range);
 
-/// A slider row. True while it changes the value.
+/// A slider row. True while it changes the value. Of a length the label goes on with its unit: "Margin" is
+/// shown as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
 
-/// A tick box row. True when toggled. A row's tip is what a mouse at rest on it is told.
-bool switch_row(const char* label, bool& value, const char* tip = nullptr);
+/// A tick box row. True when its value changed.
+bool switch_row(const char* label, bool& value, const char* tip, bool usual = false);
 
-/// A list to choose from. True when another entry was chosen.
-bool choice_row(const char* label, int& chosen, std::span<const char* const> names,
-                const char* tip = nullptr);
+/// A list to choose from. True when another entry was chosen. Enter or Space opens it, arrows walk it, Enter
+/// takes an entry and Escape none; while it is closed the arrows choose at once.
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                int usual = 0);
 
-/// Two to four choices side by side. True when another was chosen.
-bool segmented_row(const char* label, int& chosen, std::span<const char* const> names,
-                   const char* tip = nullptr);
+/// Draws an entry, which is marked or not; true if it was clicked. Called for each, in order, while the list
+/// is open.
+using DrawEntry = std::function<bool(int entry, bool marked)>;
 
-/// A colour with a picker behind it; sRGB-encoded 0..1.
-bool colour_row(const char* label, glm::vec3& colour, const char* tip = nullptr);
+/// How a list differs from one of plain names.
+struct ListLook {
+    float lines_wide = 0;  // of the entries, in heights of a line of text; 0: as the row
+    DrawEntry draw = {};   // none: by their names
+    /// So many of the first entries are what arrows choose while the list is closed; others do something,
+    /// which has to be meant. None: the arrows open the list.
+    int by_arrows = 0;
+    int usual = -1;  // -1: no entry is
+};
+bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                const ListLook& look);
+
+/// Two to five short choices side by side, as wide as their words ask for. True when another was chosen. For
+/// more of them choice_row() has the room, which it becomes in a window that is too narrow for the words.
+bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
+                   int usual = 0);
+
+/// A text, taken at each letter that leaves it a good one: `is_good` says so, and `wrong` what it should be,
+/// while it is none. True when it changed. Without a usual text there is none to bring back.
+bool text_row(const char* label, std::string& text, const std::function<bool(const std::string&)>& is_good,
+              const char* wrong, const char* tip, const char* usual = nullptr);
+
+/// A colour with a picker behind it; sRGB-encoded 0..1. Without a usual one there is none to bring back.
+bool colour_row(const char* label, glm::vec3& colour, const char* tip,
+                const std::optional<glm::vec3>& usual = {});
+
+/// A button over the whole row, which Space and Enter press too.
+bool wide_button(const char* label, const char* tip);
 
 /// A section's title with a line above; a click folds the section. Returns whether it is open.
 bool section(const char* title, bool open_at_first = true);

@@ -19,10 +19,10 @@ struct LocalDistances {
 /// Dots that density 1 would put on an area of 1, when there are so many in all.
 double dots_at_full_density(const Density& density, std::size_t count);
 
-/// `full` is dots_at_full_density() or, of placed dots, 16 * scale. Left out are dots where the density is
-/// below 1 %, whose distances chance decides, and those nearer to the page's edge than a mean spacing, the
-/// root of the page's area over the number of dots: they have neighbours on one side only. All 0 if none is
-/// left. Dots lie on the page.
+/// `full` is dots_at_full_density() or, of placed dots, kDotsPerScale * scale. Left out are dots where the
+/// density is below 1 %, whose distances chance decides, and those nearer to the page's edge than a mean
+/// spacing, the root of the page's area over the number of dots: they have neighbours on one side only. All 0
+/// if none is left. Dots lie on the page.
 LocalDistances local_distances(std::span<const glm::dvec2> dots, const Density& density, double full);
 
 }  // namespace dapple

@@ -1,4 +1,4 @@
-#include "bench/local_distances.h"
+#include "core/analysis/local_distances.h"
 
 #include <algorithm>
 #include <cmath>

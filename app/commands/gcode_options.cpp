@@ -1,0 +1,68 @@
+#include "app/commands/gcode_options.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "app/commands/options.h"
+#include "app/files/gcode_choice.h"
+
+namespace dapple {
+namespace {
+
+// A tool by its name, or a template of one's own.
+void take_tool(SavingChoice& saving, const std::string& text) {
+    saving.gcode_template = {};
+    for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
+        if (text != name_of(tool)) continue;
+        saving.tool = tool;
+        return;
+    }
+    std::error_code looped;  // reading it says so
+    if (!std::filesystem::exists(text, looped) && !looped) {
+        throw std::runtime_error(
+            fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
+    }
+    saving.gcode_template = read_gcode_template(text);
+}
+
+}  // namespace
+
+void add_gcode_options(CLI::App& command, SavingChoice& saving) {
+    command
+        .add_option_function<std::string>(
+            "--gcode", [&saving](const std::string& text) { take_tool(saving, text); },
+            "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
+            "M3; laser: a burst by M3; or a template of your own, see below")
+        ->type_name("pen|servo|laser|FILE")
+        ->default_str("pen")
+        ->group("G-code");
+    add_number(command, "--feed", saving.feed_mm_per_min, {.least = kSlowestFeed, .most = kFastestFeed},
+               "MM/MIN", "G-code: how fast the tool moves, in millimetres a minute")
+        ->group("G-code");
+    add_number(command, "--dwell", saving.dwell_s, {.least = 0, .most = kLongestDwellS}, "SECONDS",
+               "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds")
+        ->group("G-code");
+}
+
+const char* gcode_help() {
+    return "A template for --gcode is a text whose lines begin with start, move, dot or end: what is written "
+           "once "
+           "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand "
+           "for the "
+           "dot's place in mm from the lower left corner, {radius} for its radius, {feed} and {dwell} for "
+           "the two "
+           "options. A pen that a servo turns:\n"
+           "  start G21\n"
+           "  start G90\n"
+           "  move G1 X{x} Y{y} F{feed}\n"
+           "  dot M3 S90\n"
+           "  dot G4 P{dwell}\n"
+           "  dot M3 S20\n"
+           "  end M5\n";
+}
+
+}  // namespace dapple

@@ -1,0 +1,30 @@
+#include "app/commands/project_input.h"
+
+#include <stdexcept>
+
+#include "app/settings/drawing_fields.h"
+#include "app/settings/project.h"
+#include "app/shown_text.h"
+
+namespace dapple {
+
+ProjectInput read_project_input(const std::filesystem::path& file) {
+    ProjectInput input;
+    bool photograph = true;
+    input.picture = read_project(file, [&](Fields& fields) {
+                        describe_drawing(fields, input.drawing, input.saving);
+                        fields.group("density", [&](Fields& density) {
+                            density.choice("source", photograph,
+                                           {NamedValue{"photograph", true}, NamedValue{"grey", false},
+                                            NamedValue{"ramp", false}});
+                        });
+                    }).picture;
+    if (!photograph)
+        throw std::runtime_error(
+            printable(file.native()) +
+            ": shows a plain density, which the window alone draws; choose the photograph "
+            "there, under The method, and save it again");
+    return input;
+}
+
+}  // namespace dapple

@@ -1,0 +1,74 @@
+#include "app/commands/render_checks.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "app/commands/options.h"
+#include "app/files/save_drawing.h"
+
+namespace dapple {
+namespace {
+
+// "let the drawing's name end in .png or .tif"
+std::string let_it_end_in(const char* endings) {
+    return fmt::format("let the drawing's name end in {}", endings);
+}
+
+void check_format(const RenderOptions& options) {
+    if (is_standard_stream(options.output)) {
+        if (options.format == DrawingFormat::tiff)
+            throw CLI::ValidationError(
+                "--format", "tif is not written from its beginning to its end, so it needs a file; give png");
+        return;
+    }
+    if (!options.format) return;
+    std::optional<DrawingFormat> by_name;
+    try {
+        by_name = drawing_format(options.output);
+    } catch (const std::runtime_error&) {
+        return;  // it says nothing, or nothing of a drawing
+    }
+    if (by_name == options.format) return;
+    throw CLI::ValidationError(
+        "--format", fmt::format("{}, but the name {} says {}; leave one of them away",
+                                name_of(*options.format), options.output.string(), name_of(*by_name)));
+}
+
+}  // namespace
+
+void check_that_fit(const CLI::App& command, const RenderOptions& options) {
+    check_format(options);
+    const DrawingFormat format = format_of(options);
+    if (options.region && command.count("--sheet") > 0)
+        throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (format != DrawingFormat::svg)
+        refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
+    if (!has_pixels(format))
+        refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
+    if (!has_pixels(format))
+        refuse(command, {"--bits"}, "is of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
+    if (!has_order(format)) refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    if (!is_plotted(format))
+        refuse(command, {"--machine"},
+               "is for what is plotted; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
+    if (!has_colours(format)) {
+        const std::string what = is_table(format) ? "a table has" : "a file for machines has";
+        refuse(command, {"--ink", "--paper", "--background"},
+               what + " no colours; " + let_it_end_in(".svg, .pdf, .png or .tif"));
+    }
+    if (has_optional_paper(format) && !options.drawing.background)
+        refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
+    if (format != DrawingFormat::gcode)
+        refuse(command, {"--gcode", "--feed", "--dwell"}, "is of G-code; " + let_it_end_in(".gcode or .nc"));
+    const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
+    if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
+        throw CLI::ValidationError(
+            "--order",
+            "priority: the first dots of a relaxed drawing are not one with fewer; give --relax 0");
+    }
+}
+
+}  // namespace dapple

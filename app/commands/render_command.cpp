@@ -1,0 +1,130 @@
+#include "app/commands/render_command.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "app/commands/gcode_options.h"
+#include "app/commands/options.h"
+#include "app/commands/project_input.h"
+#include "app/commands/render_checks.h"
+#include "app/commands/render_report.h"
+#include "app/settings/embedded_settings.h"
+#include "app/settings/project.h"
+
+namespace dapple {
+namespace {
+
+// A picture, or a project that names one and says how it is drawn.
+void take_image(RenderOptions& options, const std::filesystem::path& file) {
+    if (!ends_as_project(file)) {
+        options.image = file;
+        return;
+    }
+    ProjectInput project = read_project_input(file);
+    options.project = file;
+    options.image = std::move(project.picture);
+    options.drawing = std::move(project.drawing);
+    options.saving = project.saving;
+}
+
+}  // namespace
+
+RenderCommand::RenderCommand(CLI::App& program) {
+    CLI::App* const command = program.add_subcommand("render",
+                                                     "Stipple a picture into a file: SVG, G-code, HPGL and "
+                                                     "DXF for plotters and lasers, PDF, PNG and TIFF for "
+                                                     "print, CSV and JSON as tables");
+    // First, so that it is taken before the other options, which say otherwise.
+    const auto read_image = [this](const std::string& file) {
+        take_image(options_, file);
+        automatic_tone_ = options_.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "image", read_image,
+            "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
+            "settings the other options change; without one, the built-in sample")
+        ->type_name("IMAGE");
+    const auto read_settings = [this](const std::string& file) {
+        const SavedSettings read = settings_from(file);
+        options_.saving = read.saving;
+        options_.drawing = read.drawing;
+        options_.settings_from = file;
+        automatic_tone_ = read.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "--settings-from", read_settings,
+            "Draw as a project or as a drawing (.svg, .png) that Dapple made, with "
+            "what the other options change")
+        ->type_name("FILE");
+    command
+        ->add_option("-o,--output", options_.output,
+                     "The drawing; its name ends in " + drawing_endings() + ". - for the standard output")
+        ->type_name("OUT")
+        ->required();
+    add_choice(*command, "--format", options_.format,
+               {DrawingFormat::svg, DrawingFormat::pdf, DrawingFormat::png, DrawingFormat::tiff,
+                DrawingFormat::gcode, DrawingFormat::hpgl, DrawingFormat::dxf, DrawingFormat::csv,
+                DrawingFormat::json},
+               "What is written where no name says it: an SVG without this");
+    command->add_option("--stats", options_.stats, "Save figures about the drawing, as JSON")
+        ->type_name("FILE");
+    command->add_flag_callback(
+        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+    add_dot_options(*command, options_.drawing);
+    add_tone_options(*command, options_.drawing);
+    add_page_options(*command, options_.drawing);
+    add_number(*command, "--dpi", options_.saving.dpi, {.least = 1, .most = 100'000}, "N",
+               "PNG, TIFF: pixels to the inch")
+        ->group("Page");
+    const auto read_bits = [this](const std::string& text) {
+        if (text != "8" && text != "16")
+            throw CLI::ValidationError("--bits", text + " is not possible; give 8 or 16");
+        options_.saving.bits = text == "8" ? 8 : 16;
+    };
+    command
+        ->add_option_function<std::string>("--bits", read_bits, "PNG, TIFF: bits for each channel of a pixel")
+        ->type_name("8|16")
+        ->default_str("8")
+        ->group("Page");
+    command
+        ->add_flag("--background", options_.drawing.background,
+                   "SVG, PDF: paint the paper under the dots, as a PNG always has it")
+        ->group("Page");
+    command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
+        ->group("Page");
+    add_choice(
+        *command, "--machine", options_.saving.machine, kMachines,
+        "Tell how long this machine will plot, with its program's own settings; without it, an AxiDraw "
+        "V3, and a GRBL machine for G-code")
+        ->group("Page");
+    add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
+    add_gcode_options(*command, options_.saving);
+    command->footer(
+        std::string(gcode_help()) +
+        "\nExamples:\n"
+        "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
+        "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
+        "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
+        "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
+        "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
+        "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
+        "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
+        "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
+        "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
+        "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
+        "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
+        "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
+        "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
+    command->callback([this, command] {
+        check_options(*command, options_.drawing, automatic_tone_);
+        check_that_fit(*command, options_);
+        render(options_);
+    });
+}
+
+}  // namespace dapple

@@ -1,0 +1,24 @@
+#pragma once
+// dapple render: its options, and what they come to.
+
+#include "app/commands/render.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dapple {
+
+/// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
+class RenderCommand {
+ public:
+    explicit RenderCommand(CLI::App& program);
+    RenderCommand(const RenderCommand&) = delete;
+    RenderCommand& operator=(const RenderCommand&) = delete;
+
+ private:
+    RenderOptions options_;
+    bool automatic_tone_ = true;  // before the options say another
+};
+
+}  // namespace dapple

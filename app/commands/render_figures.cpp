@@ -1,0 +1,69 @@
+#include "app/commands/render_figures.h"
+
+#include <optional>
+
+#include "app/files/drawing_facts.h"
+#include "core/image/ink_use.h"
+#include "core/output/raster.h"
+
+namespace dapple {
+namespace {
+
+std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double scale) {
+    if (plan.size.sizing != DotSizing::fixed) return std::nullopt;
+    return DrawingFacts::Tone{plan.dots_for_tone(),
+                              plan.radius_for_its_tone(scale) * plan.page.mm_per_page_unit};
+}
+
+// The time that the machine takes.
+void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved) {
+    const PageSize& page = saved.page.part.size;
+    const MachineSpeeds speeds = speeds_of(rendered.machine);
+    if (!saved.held) {
+        facts.plotting = expected_plotting_time(static_cast<double>(saved.dots.count),
+                                                page.width_mm * page.height_mm, speeds);
+    } else {
+        facts.plotting = plotting_time(*saved.held, page.mm_per_page_unit, speeds);
+    }
+    rendered.plotting = facts.plotting;
+}
+
+}  // namespace
+
+Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
+    const DrawingSettings& settings = options.drawing;
+    const DrawingPlan& plan = saved.plan;
+    const Excerpt& part = saved.page.part;
+    DrawingFacts facts = facts_of(settings, options.saving, saved.format, saved.file);
+    facts.whole_page = draws_whole_page(options);
+    Rendered rendered{.width = saved.picture.x,
+                      .height = saved.picture.y,
+                      .mean_density = plan.density->mean(),
+                      .tone = plan.tone,
+                      .steps = plan.steps,
+                      .dots = saved.dots.count,
+                      .scale = saved.dots.scale,
+                      .page = part.size,
+                      .picture = saved.page.layout.picture,
+                      .radius_mm = saved.file.dot_radius_mm,
+                      .mostly_black = mostly_black(*plan.histogram, plan.tone)};
+    // Where on the page Figure 8's duplicates lie is not known.
+    if (saved.dots.duplicates == 0 || facts.whole_page) rendered.duplicates = saved.dots.duplicates;
+    if (has_pixels(saved.format)) {
+        const RasterSize size = raster_size(part.size, options.saving.dpi);
+        rendered.pixels = {size.width, size.height};
+    }
+    if (saved.held) {
+        const InkedDot& ink = facts.ink;
+        const Dots inked = inked_dots(stream_of(*saved.held), ink, part.size);
+        facts.measured = preflight(inked, part.size, ink.radius_mm, margins_on(part, saved.page.layout));
+        rendered.preflight = facts.measured;
+    }
+    rendered.machine = facts.machine.value_or(rendered.machine);
+    if (facts.machine) add_plotting(rendered, facts, saved);
+    facts.for_tone = tone_reached(plan, saved.dots.scale);
+    rendered.findings = findings_of(facts);
+    return rendered;
+}
+
+}  // namespace dapple

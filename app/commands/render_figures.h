@@ -1,0 +1,25 @@
+#pragma once
+// What can be told of a drawing that `dapple render` has saved: measured, timed, and found worth knowing
+// before it is plotted.
+
+#include "app/commands/render_page.h"
+#include "app/commands/render_report.h"
+#include "app/files/save_drawing.h"
+#include "core/drawing/pipeline.h"
+
+namespace dapple {
+
+struct SavedDrawing {
+    glm::ivec2 picture;  // pixels
+    const DrawingPlan& plan;
+    const DrawnPage& page;
+    DrawingFormat format;
+    const DrawingToSave& file;
+    const DotStream& dots;
+    const Dots* held = nullptr;  // the same in memory, as they are drawn; none if they are too many
+};
+
+/// All but the order, the way before it was shortened, and the times of the work.
+Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options);
+
+}  // namespace dapple

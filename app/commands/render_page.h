@@ -1,0 +1,30 @@
+#pragma once
+// Where `dapple render` draws: the page, the picture on it, and the part of it that is wanted.
+
+#include <glm/vec2.hpp>
+
+#include "app/commands/render.h"
+#include "core/drawing/page_setup.h"
+#include "core/output/sheet.h"
+
+namespace dapple {
+
+struct DrawnPage {
+    PageLayout layout;
+    Excerpt part;  // the sheet or the region that is drawn, or the whole
+};
+
+/// Whether neither a sheet nor a region was asked for.
+bool draws_whole_page(const RenderOptions& options);
+
+/// The layout for a picture of so many pixels, before it is known how large the dots are if that follows from
+/// their number. Throws std::runtime_error, "--option: why", for a page that cannot be.
+PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options);
+
+/// Throws as layout_for() does, for a part that does not lie on the page.
+DrawnPage drawn_page(const PageLayout& layout, const RenderOptions& options);
+
+/// What the margins leave, seen from the excerpt's corner, in millimetres.
+Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout);
+
+}  // namespace dapple

@@ -1,0 +1,139 @@
+#include "app/commands/render_report.h"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands/options.h"
+#include "app/files/save_drawing.h"
+#include "app/shown_text.h"
+#include "core/tile/tile_file.h"
+
+namespace dapple {
+namespace {
+
+// Of a file that was saved; none of the standard output or a pipe.
+std::optional<std::uint64_t> bytes_in(const std::filesystem::path& output) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(output, error);
+    if (error || is_standard_stream(output)) return std::nullopt;
+    return bytes;
+}
+
+}  // namespace
+
+void print_summary(const RenderOptions& options, const Rendered& drawn) {
+    const std::optional<std::uint64_t> bytes = bytes_in(options.output);
+    const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
+    const std::string saved =
+        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
+    const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size;
+    if (drawn.pixels.x > 0)
+        fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
+    else if (drawn.preflight)
+        fmt::print(stderr, "{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
+                   dots, drawn.preflight->pen_up_m, saved, drawn.preflight->nearest_mm);
+    else
+        fmt::print(stderr, "{}\n", dots);
+    if (drawn.plotting && drawn.dots > 0) {
+        fmt::print(stderr, "{} on {}: {}\n", time_in_words(drawn.plotting->total_s()),
+                   words_for(drawn.machine), what_takes_longest(*drawn.plotting));
+    }
+    for (const Finding& finding : drawn.findings) {
+        // The line above has said how long it takes.
+        if (finding.kind == FindingKind::hours)
+            fmt::print(stderr, "to plot for less time: {}\n", finding.cure);
+        else
+            fmt::print(stderr, "{}\n", sentence_of(finding));
+    }
+}
+
+std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
+    const DrawingSettings& settings = options.drawing;
+    const int threads = settings.placing.threads;
+    nlohmann::ordered_json distinct, duplicates;
+    if (drawn.duplicates) {
+        distinct = drawn.dots - *drawn.duplicates;
+        duplicates = *drawn.duplicates;
+    }
+    nlohmann::ordered_json preflight;
+    if (drawn.preflight) {
+        const Preflight& found = *drawn.preflight;
+        preflight = {{"pen_up_m", found.pen_up_m},
+                     {"pen_up_before_m", drawn.curve_way_m ? nlohmann::ordered_json(*drawn.curve_way_m)
+                                                           : nlohmann::ordered_json()},
+                     {"nearest_mm", found.nearest_mm},  // null if there are not two
+                     {"nearer_than_0.5_mm", found.nearer_than_saxi},
+                     {"nearer_than_0.152_mm", found.nearer_than_axidraw},
+                     {"over_the_edge", found.over_edge},
+                     {"outside_the_margins", found.outside_margins},
+                     {"overlapping", found.overlapping},
+                     {"rings_m", found.rings_m}};
+    }
+    auto findings = nlohmann::ordered_json::array();
+    for (const Finding& finding : drawn.findings)
+        findings.push_back({{"kind", name_of(finding.kind)}, {"text", finding.text}, {"cure", finding.cure}});
+    nlohmann::ordered_json plotting;
+    if (drawn.plotting) {
+        plotting = {{"machine", name_of(drawn.machine)},      {"moving_s", drawn.plotting->moving_s},
+                    {"lifting_s", drawn.plotting->lifting_s}, {"dots_s", drawn.plotting->dots_s},
+                    {"drawing_s", drawn.plotting->drawing_s}, {"total_s", drawn.plotting->total_s()}};
+    }
+    const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
+                                      {"exposure", drawn.tone.exposure},
+                                      {"black_point", drawn.tone.black_point},
+                                      {"white_point", drawn.tone.white_point},
+                                      {"contrast", drawn.tone.contrast},
+                                      {"brightness", drawn.tone.brightness},
+                                      {"gamma", drawn.tone.gamma},
+                                      {"blur", drawn.tone.blur},
+                                      {"detail", drawn.tone.detail},
+                                      {"invert", drawn.tone.invert}};
+    const auto [top, right, bottom, left] = settings.page.margins;
+    nlohmann::ordered_json margin = top;
+    if (settings.page.margins != Margins{top, top, top, top}) margin = {top, right, bottom, left};
+    const nlohmann::ordered_json stats{
+        {"image", options.image ? options.image->string() : "sample"},
+        {"image_width", drawn.width},
+        {"image_height", drawn.height},
+        {"output", options.output.string()},
+        {"dots", distinct},
+        {"emitted", drawn.dots},
+        {"duplicates", duplicates},
+        {"scale", drawn.scale},
+        {"mean_density", drawn.mean_density},
+        {"tone", tone},
+        {"relaxing_steps", drawn.steps},
+        {"placer", name_of(settings.placer)},
+        {"tile", tile_in_use(settings)},
+        {"ranking", name_of(settings.ranking)},
+        {"width_mm", drawn.page.width_mm},
+        {"height_mm", drawn.page.height_mm},
+        {"dot_radius_mm", drawn.radius_mm},
+        {"page", paper_titles()[static_cast<std::size_t>(settings.page.paper)]},
+        {"margin_mm", margin},
+        {"picture_mm",
+         {drawn.picture.low.x, drawn.picture.low.y, drawn.picture.size().x, drawn.picture.size().y}},
+        {"order", name_of(drawn.order)},
+        {"preflight", preflight},
+        {"findings", findings},
+        {"plotting", plotting},
+        {"file_bytes", bytes_in(options.output).value_or(0)},
+        {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
+        {"tile_ms", drawn.times.tile},
+        {"read_ms", drawn.times.read},
+        {"tone_ms", drawn.times.tone},
+        {"place_ms", drawn.times.place},
+        {"write_ms", drawn.times.write},
+    };
+    // File names need not be UTF-8, JSON has to be.
+    return stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace dapple

@@ -1,0 +1,53 @@
+#pragma once
+// What `dapple render` says of drawings once they are saved: a few lines for whoever plots them, and figures
+// as JSON.
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/render.h"
+#include "core/image/tone.h"
+#include "core/output/findings.h"
+#include "core/output/plotting_time.h"
+#include "core/output/preflight.h"
+
+namespace dapple {
+
+/// Milliseconds.
+struct RenderTimes {
+    double tile = 0, read = 0, tone = 0, place = 0, write = 0;
+};
+
+/// What was drawn.
+struct Rendered {
+    int width = 0, height = 0;  // of the picture
+    double mean_density = 0;
+    Tone tone;  // as drawn
+    int steps = 0;
+    std::uint64_t dots = 0;
+    double scale = 0;
+    std::optional<std::uint64_t> duplicates = {};  // among them; none if that is not known
+    PageSize page;                                 // the sheet, the region or all of it
+    glm::ivec2 pixels{0, 0};    // of the file, if it has some
+    Rectangle<double> picture;  // on the whole page, in millimetres
+    double radius_mm = 0;
+    DotOrder order = DotOrder::recursion;
+    std::optional<double> curve_way_m = {};   // of the pen, before it was shortened
+    bool mostly_black = false;                // light ink would draw the picture better
+    std::optional<Preflight> preflight = {};  // if its dots were in memory
+    std::vector<Finding> findings = {};       // what someone should know of it
+    Machine machine = {};                     // that would draw it
+    std::optional<PlottingTime> plotting = {};
+    RenderTimes times = {};
+};
+
+/// What someone who is about to plot it should know, to standard error.
+void print_summary(const RenderOptions& options, const Rendered& drawn);
+
+/// One drawing's figures, a JSON object.
+std::string stats_of(const RenderOptions& options, const Rendered& drawn);
+
+}  // namespace dapple

@@ -1,0 +1,22 @@
+#pragma once
+// What is known of a drawing before it is plotted, for the command and the window alike: see
+// core/output/findings.h.
+
+#include "app/drawing_settings.h"
+#include "app/files/save_drawing.h"
+#include "core/output/findings.h"
+
+namespace dapple {
+
+/// How such a file brings the dots onto the paper.
+DotsAs dots_as(DrawingFormat format);
+
+/// How far the ink of its dots reaches.
+InkedDot inked_dot(DrawingFormat format, const DrawingToSave& drawing);
+
+/// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time and
+/// the tone.
+DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
+                      const DrawingToSave& drawing);
+
+}  // namespace dapple

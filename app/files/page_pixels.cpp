@@ -1,0 +1,19 @@
+#include "app/files/page_pixels.h"
+
+#include <algorithm>
+
+#include "core/output/raster.h"
+#include "core/text/length.h"
+
+namespace dapple {
+
+Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing) {
+    const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi};
+    return ink_on_paper(coverage_of(drawing.dots, drawing.page, request), settings.ink, settings.paper);
+}
+
+double dpi_for(const PageSize& page, int longer_side) {
+    return longer_side * kMmPerInch / std::max(page.width_mm, page.height_mm);
+}
+
+}  // namespace dapple

@@ -1,0 +1,16 @@
+#pragma once
+// A page as a picture in memory: small ones, to be shown.
+
+#include "app/drawing_settings.h"
+#include "app/files/save_drawing.h"
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// The pixels that save_drawing() would write as a PNG, of dots in the order given.
+Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
+
+/// The resolution at which a page's longer side has so many pixels.
+double dpi_for(const PageSize& page, int longer_side);
+
+}  // namespace dapple

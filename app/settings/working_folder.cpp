@@ -1,0 +1,25 @@
+#include "app/settings/working_folder.h"
+
+#include <system_error>
+
+#include "app/settings/xdg_folders.h"
+
+namespace dapple {
+
+namespace fs = std::filesystem;
+
+fs::path working_folder() {
+    std::error_code gone;
+    fs::path folder = fs::current_path(gone);
+    if (!gone) return folder;
+    folder = home_folder();
+    return folder.empty() ? fs::path("/") : folder;
+}
+
+fs::path whole_path(const fs::path& path) {
+    std::error_code gone;
+    const fs::path whole = fs::absolute(path, gone);
+    return (gone ? path : whole).lexically_normal();
+}
+
+}  // namespace dapple

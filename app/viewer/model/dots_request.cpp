@@ -1,0 +1,13 @@
+#include "app/viewer/model/dots_request.h"
+
+namespace dapple {
+
+DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
+    return {.drawing = request_of(settings),
+            .tile = tile_in_use(settings),
+            .ranking = settings.ranking,
+            .outlines = settings.show_tiles,
+            .density = density};
+}
+
+}  // namespace dapple

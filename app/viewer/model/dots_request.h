@@ -1,0 +1,37 @@
+#pragma once
+// Which dots the window asks for.
+
+#include <optional>
+#include <string>
+
+#include "app/drawing_settings.h"
+#include "app/viewer/model/density_choice.h"
+#include "app/viewer/model/dot_colours.h"
+
+namespace dapple {
+
+/// What the canvas shows of the page, placed at a scale that goes with the zoom.
+struct CloseView {
+    PageWindow window;
+    double scale = 0;
+
+    bool operator==(const CloseView&) const = default;
+};
+
+/// Those of the settings that dots depend on.
+struct DotsRequest {
+    DrawingRequest drawing;
+    std::string tile;
+    std::optional<RankingMethod> ranking;
+    bool outlines = false;                // the tiles too
+    std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
+    DensityChoice density = {};
+    DotColourChoice colours = {};
+    bool settled_only = false;  // nothing is shown on the way
+    bool in_part = true;        // of kShownInPart dots and more, an EvenPart may be shown for a while
+
+    bool operator==(const DotsRequest&) const = default;
+};
+DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density = {});
+
+}  // namespace dapple

@@ -1,0 +1,25 @@
+#pragma once
+// A drawing of the window's as it goes into a file: the page or a sheet of it, seen from its own corner.
+
+#include <glm/vec2.hpp>
+
+#include "app/viewer/model/placed_drawing.h"
+#include "core/output/sheet.h"
+
+namespace dapple {
+
+struct DrawnSheet {
+    PageSize page;              // the sheet's
+    Rectangle<double> picture;  // page units: where it ends
+};
+
+/// Which dots are left, seen from where.
+enum class SheetDots {
+    own,       // of the sheet
+    reaching,  // and those beside it that reach onto it
+};
+
+/// Moves dots and outlines from the picture's corner to the sheet's, and leaves out the others.
+DrawnSheet see_sheet(PlacedDrawing& drawing, const Sheet& sheet = {}, SheetDots dots = SheetDots::own);
+
+}  // namespace dapple

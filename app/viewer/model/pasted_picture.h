@@ -1,0 +1,16 @@
+#pragma once
+// A picture on the clipboard, by the desktop's own programs: wl-paste on Wayland, xclip on X11.
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+
+namespace dapple {
+
+/// Writes the picture on the clipboard into a new file of that folder, which is made: PNG if it can be had as
+/// that, else as it is. Nothing if stopped. Throws std::runtime_error with one sentence for the person if
+/// there is none, if neither program is there, or if the file cannot be written.
+std::optional<std::filesystem::path> save_pasted_picture(const std::filesystem::path& folder,
+                                                         const std::stop_token& stop);
+
+}  // namespace dapple

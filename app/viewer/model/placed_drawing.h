@@ -1,0 +1,40 @@
+#pragma once
+// A drawing as the window has it: its dots, and what is to be known of them.
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <vector>
+
+#include "app/viewer/model/dot_blocks.h"
+#include "core/drawing/page_setup.h"
+#include "core/image/framing.h"
+#include "core/image/histogram.h"
+#include "core/image/tone.h"
+#include "core/placing/stipple.h"
+
+namespace dapple {
+
+struct PlacedDrawing {
+    Stippling stippling;
+    Tone tone;                                   // as drawn, with the values that were chosen automatically
+    std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
+    int steps = 0, all_steps = 0;                // of relaxation: done, and to be done
+    double dot_radius = 0;                       // page units: of all, or of the largest ones
+    double dots_for_tone = 0;                    // that would give the picture's, of a fixed size; 0: they do
+    double radius_for_tone_mm = 0;               // of these dots, that would do so
+    std::vector<PlacedTile> outlines;
+    std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
+    std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
+    glm::dvec2 page_size{1, 1};        // of the picture, page units
+    PageLayout layout;                 // of the whole page
+    Framing framing;                   // of the picture that was opened,
+    glm::ivec2 picture_pixels{1, 1};   // which has so many
+    PageWindow window;                 // dots and outlines are relative to its corner
+    double tone_ms = 0;                // density and its pyramid, 0 if they were still there
+    double relax_ms = 0;
+
+    bool settled() const { return steps == all_steps; }
+};
+
+}  // namespace dapple

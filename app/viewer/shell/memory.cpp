@@ -1,0 +1,210 @@
+#include "app/viewer/shell/memory.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "app/descriptor.h"
+#include "app/files/atomic_file.h"
+#include "app/settings/drawing_fields.h"
+#include "app/settings/project.h"
+#include "app/settings/settings_text.h"
+#include "app/settings/working_folder.h"
+#include "app/shown_text.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFarthest = 100'000;  // of a window's place: further than any desktop is wide
+
+void describe(Fields& fields, Preferences& preferences) {
+    auto& [appearance, dialog] = preferences;
+    auto& [theme, text_size] = appearance;
+    fields.choice("theme", theme,
+                  {NamedValue{"light", Theme::light}, NamedValue{"dark", Theme::dark},
+                   NamedValue{"high_contrast", Theme::high_contrast}});
+    fields.number("text_size", text_size, {kSmallestText, kLargestText});
+    fields.choice("dialog", dialog,
+                  {NamedValue{"own", DialogChoice::own}, NamedValue{"desktop", DialogChoice::desktop}});
+}
+
+void describe(Fields& fields, WindowPlace& place) {
+    auto& [x, y, width, height, maximised] = place;
+    fields.whole("x", x, {-kFarthest, kFarthest});
+    fields.whole("y", y, {-kFarthest, kFarthest});
+    fields.whole("width", width, {0, kFarthest});
+    fields.whole("height", height, {0, kFarthest});
+    fields.flag("maximised", maximised);
+}
+
+void describe(Fields& fields, KeptView& view) {
+    auto& [zoom_mode, unit, saving, drawing] = view;
+    fields.choice("zoom_mode", zoom_mode,
+                  {NamedValue{"drawing", ZoomMode::drawing},
+                   NamedValue{"constant_density", ZoomMode::constant_density}});
+    fields.choice("unit", unit, {NamedValue{"mm", LengthUnit::mm}, NamedValue{"inch", LengthUnit::inch}});
+    fields.group("saving", saving);
+    fields.group("drawing", drawing);
+}
+
+void describe(Fields& fields, WindowState& state) {
+    auto& [window, panels_shown, folder, view, recent, bookmarks] = state;
+    fields.group("window", [&](Fields& inner) { describe(inner, state.window); });
+    fields.flag("panels_shown", panels_shown);
+    fields.remembered_files("folder", folder, 1);
+    fields.group("view", [&](Fields& inner) { describe(inner, state.view); });
+    fields.remembered_files("recent", recent, kMostRecent);
+    fields.remembered_files("bookmarks", bookmarks, kMostBookmarks);
+}
+
+/// Its text, and what it says; neither if there is no such file.
+template <class Settings>
+std::string read_remembered(const fs::path& file, Settings& settings) {
+    std::error_code ignored;
+    if (file.empty() || !fs::exists(file, ignored)) return {};
+    std::string text = text_of_settings(file);
+    Settings read;
+    read_settings(text, {file}, [&](Fields& fields) { describe(fields, read); });
+    settings = std::move(read);
+    return text;
+}
+
+template <class Settings>
+void read_or_move_aside(const fs::path& file, Settings& settings, std::optional<std::string>& trouble) {
+    try {
+        read_remembered(file, settings);
+    } catch (const std::exception& error) {
+        const fs::path aside = fs::path(file).concat(".broken");
+        std::error_code failed;
+        fs::rename(file, aside, failed);
+        trouble = fmt::format("{}; what is usual stands in, and the file {}", error.what(),
+                              failed ? "stays as it is" : "was moved to " + printable(aside.native()));
+    }
+}
+
+/// A file that another window broke meanwhile is written anew.
+template <class Settings>
+std::string text_there_now(const fs::path& file, Settings& settings) {
+    try {
+        return read_remembered(file, settings);
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+template <class Settings>
+void write_remembered(const fs::path& file, const std::string& kept, Settings settings) {
+    fs::create_directories(file.parent_path());
+    const std::string text = settings_text(kept, {file}, [&](Fields& fields) { describe(fields, settings); });
+    if (text != kept) save_atomically(file, [&](std::ostream& out) { out << text; });
+}
+
+/// Takes over what this window changed.
+template <class Value>
+void take_changed(Value& there, const Value& ours, const Value& known) {
+    if (ours != known) there = ours;
+}
+
+void take_changed_list(std::vector<fs::path>& there, const std::vector<fs::path>& ours,
+                       const std::vector<fs::path>& known) {
+    const auto is_in = [](const std::vector<fs::path>& list, const fs::path& each) {
+        return std::ranges::find(list, each) != list.end();
+    };
+    std::erase_if(there, [&](const fs::path& each) { return is_in(known, each) && !is_in(ours, each); });
+    for (const fs::path& each : ours)
+        if (!is_in(known, each) && !is_in(there, each) && there.size() < kMostBookmarks)
+            there.push_back(each);
+}
+
+// Held while a file is read, changed and written again. A window that hangs with it stops no other for longer
+// than a second.
+class MemoryLock {
+ public:
+    explicit MemoryLock(const fs::path& folder) {
+        constexpr std::chrono::milliseconds kPause(5);
+        constexpr int kTries = 200;
+        fs::create_directories(folder);
+        file_ = Descriptor(::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+        for (int i = 0; file_ && i < kTries && ::flock(file_.get(), LOCK_EX | LOCK_NB) != 0; ++i)
+            std::this_thread::sleep_for(kPause);
+    }
+
+ private:
+    Descriptor file_;  // its lock goes with it
+};
+
+}  // namespace
+
+std::vector<fs::path> with_recent(const fs::path& file, std::vector<fs::path> recent) {
+    std::erase(recent, file);
+    recent.insert(recent.begin(), file);
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+    return recent;
+}
+
+Memory::Memory(const fs::path& config_folder, const fs::path& state_folder)
+    : preferences_file_(config_folder.empty() ? fs::path() : config_folder / "preferences.json"),
+      state_file_(state_folder.empty() ? fs::path() : state_folder / "state.json") {
+    read_or_move_aside(preferences_file_, preferences, trouble_);
+    read_or_move_aside(state_file_, state, trouble_);
+    known_preferences_ = preferences;
+    known_state_ = state;
+}
+
+void Memory::opened(const fs::path& file) {
+    const fs::path whole = whole_path(file);
+    opened_.push_back(whole);
+    std::erase(forgotten_, whole);
+    state.recent = with_recent(whole, std::move(state.recent));
+    state.folder = {whole.parent_path()};
+}
+
+void Memory::forget(const fs::path& file) {
+    std::erase(state.recent, file);
+    std::erase(opened_, file);
+    forgotten_.push_back(file);
+}
+
+void Memory::save() {
+    if (!preferences_file_.empty() && preferences != known_preferences_) {
+        const MemoryLock lock(preferences_file_.parent_path());
+        Preferences there;
+        const std::string kept = text_there_now(preferences_file_, there);
+        take_changed(there.appearance, preferences.appearance, known_preferences_.appearance);
+        take_changed(there.dialog, preferences.dialog, known_preferences_.dialog);
+        write_remembered(preferences_file_, kept, there);
+        known_preferences_ = preferences;
+    }
+    if (!state_file_.empty() && state != known_state_) {
+        const MemoryLock lock(state_file_.parent_path());
+        WindowState there;
+        const std::string kept = text_there_now(state_file_, there);
+        take_changed(there.window, state.window, known_state_.window);
+        take_changed(there.panels_shown, state.panels_shown, known_state_.panels_shown);
+        take_changed(there.folder, state.folder, known_state_.folder);
+        take_changed(there.view, state.view, known_state_.view);
+        take_changed_list(there.bookmarks, state.bookmarks, known_state_.bookmarks);
+        for (const fs::path& file : forgotten_) std::erase(there.recent, file);
+        for (const fs::path& file : opened_) there.recent = with_recent(file, std::move(there.recent));
+        write_remembered(state_file_, kept, there);
+        opened_.clear();
+        forgotten_.clear();
+        state.recent = there.recent;
+        state.bookmarks = there.bookmarks;
+        known_state_ = state;
+    }
+}
+
+std::optional<std::string> Memory::take_trouble() {
+    return std::exchange(trouble_, std::nullopt);
+}
+
+}  // namespace dapple

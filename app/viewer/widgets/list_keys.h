@@ -1,0 +1,37 @@
+#pragma once
+// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one.
+//
+//     keys.begin("files", low, high);
+//     for (const std::string& file : files) {
+//         const bool clicked = ImGui::Selectable(file.c_str(), keys.next_is_marked());
+//         if (keys.end_entry().press || clicked) open(file);
+//     }
+
+#include "app/viewer/widgets/row_keys.h"
+
+namespace dapple {
+
+class ListKeys {
+ public:
+    /// Before the entries, in the ImGui window that the list lies in; from `low` to `high` as row_keys() has
+    /// it.
+    void begin(const char* name, ImVec2 low, ImVec2 high);
+
+    /// Of the entry that is drawn next.
+    bool next_is_marked() const { return keys_.focused && drawn_ == marked_; }
+
+    /// After each entry: scrolls to it and outlines it if it is marked, and what the keys then ask of it.
+    RowKeys end_entry();
+
+    /// Of another list: its first entry is marked.
+    void forget() { marked_ = 0; }
+
+ private:
+    RowKeys keys_;
+    int marked_ = 0, drawn_ = 0;
+};
+
+/// What notes in WidgetPlaces the entry that is marked.
+inline constexpr char kMarkedEntry[] = "Marked entry";
+
+}  // namespace dapple

@@ -1,0 +1,209 @@
+#include "core/output/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text/length.h"
+#include "core/text/number_words.h"
+
+namespace dapple {
+namespace {
+
+constexpr double kTold = 0.01;  // of the dots: what befalls fewer is not worth a word
+
+double share_of(std::uint64_t some, const DrawingFacts& facts) {
+    return static_cast<double>(some) / std::max(static_cast<double>(facts.dots), 1.0);
+}
+
+bool is_drawn_by_pen(const DrawingFacts& facts) {
+    return facts.ink.as != DotsAs::printed && facts.ink.as != DotsAs::listed;
+}
+
+std::string dots_that(std::uint64_t count, const char* one, const char* many) {
+    return count == 1 ? fmt::format("1 dot {}", one) : fmt::format("{} dots {}", grouped(count), many);
+}
+
+void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const double seconds = facts.plotting.total_s();
+    if (!facts.machine || seconds < kLongPlottingS) return;
+    std::string cure =
+        fmt::format("{} dots take about an hour", about(static_cast<double>(facts.dots) * 3600 / seconds));
+    found.push_back({FindingKind::hours,
+                     fmt::format("plotting takes {} on {}, {}", time_in_words(seconds),
+                                 words_for(*facts.machine), what_takes_longest(facts.plotting)),
+                     std::move(cure)});
+}
+
+void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
+    if (!facts.for_tone || facts.dots == 0 || !facts.whole_page) return;
+    const double ratio = facts.for_tone->dots / static_cast<double>(facts.dots);
+    if (!far_from_tone(ratio)) return;
+    const double own = facts.ink.radius_mm;
+    found.push_back({FindingKind::tone,
+                     fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
+                     fmt::format("{} dots {:.2g} mm wide would give its tone, or these dots {:.2g} mm wide",
+                                 about(facts.for_tone->dots), 2 * own, 2 * facts.for_tone->radius_mm)});
+}
+
+void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const Preflight& measured = *facts.measured;
+    if (facts.ink.as == DotsAs::rings && facts.dots > 0)
+        found.push_back(
+            {FindingKind::rings,
+             fmt::format("a plotter follows the circles' outlines: {:.1f} m of rings", measured.rings_m),
+             "a dot radius of half the pen's width makes points of them"});
+    const double share = share_of(measured.overlapping, facts);
+    if (is_drawn_by_pen(facts) && share >= kTold) {
+        found.push_back({FindingKind::overlap,
+                         fmt::format("{:.0f} % of the dots overlap others, with ink up to {:.2g} mm wide",
+                                     std::ceil(100 * share - 1e-9), 2 * facts.ink.radius_mm),
+                         facts.ink.as == DotsAs::touches
+                             ? "fewer dots, a wider page or a finer pen part them"
+                             : "fewer dots, a wider page or smaller dots part them"});
+    }
+}
+
+void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const Preflight& measured = *facts.measured;
+    if (!facts.is_svg) return;
+    if (share_of(measured.nearer_than_saxi, facts) <= kTold) return;
+    found.push_back(
+        {FindingKind::joined,
+         fmt::format("{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
+                     "than {:g} mm, which AxiDraw's program does",
+                     grouped(measured.nearer_than_saxi), kSaxiJoins, grouped(measured.nearer_than_axidraw),
+                     kAxiDrawJoins),
+         "fewer dots or a wider page part them"});
+}
+
+void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
+    if (!facts.whole_page || facts.ink.as == DotsAs::listed) return;
+    const Preflight& measured = *facts.measured;
+    const double reach = std::ceil(facts.ink.radius_mm * 10) / 10;
+    if (measured.over_edge > 0)
+        found.push_back({FindingKind::over_edge,
+                         dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
+                         fmt::format("a margin of {:.1f} mm keeps them on it", reach)});
+    if (facts.has_margins && measured.outside_margins > 0)
+        found.push_back({FindingKind::in_margins,
+                         dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",
+                         fmt::format("margins wider by {:.1f} mm keep them out", reach)});
+}
+
+void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
+    if (!facts.machine) return;
+    const auto travel = travel_of(*facts.machine);
+    if (!travel) return;
+    const double width = facts.page.width_mm, height = facts.page.height_mm;
+    // What the machine is said to reach is rounded; half a millimetre is no reason to worry anyone.
+    if (std::max(width, height) <= travel->longer_mm + 0.5 &&
+        std::min(width, height) <= travel->shorter_mm + 0.5)
+        return;
+    found.push_back(
+        {FindingKind::too_large,
+         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} "
+                     "reaches",
+                     width, height, travel->longer_mm, travel->shorter_mm, words_for(*facts.machine)),
+         "a smaller page or several sheets fit"});
+}
+
+void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
+    if (facts.is_svg && facts.dots > kMostSvgElements)
+        found.push_back(
+            {FindingKind::too_many,
+             fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse more than {} "
+                         "dots",
+                         grouped(kMostSvgElements)),
+             "fewer dots, a region or sheets are read, and so is a PDF"});
+    if (!facts.measured && facts.ink.as != DotsAs::listed)
+        found.push_back({FindingKind::not_looked,
+                         "how near so many dots are to each other and to the edges was not looked at",
+                         "a region of the page tells"});
+}
+
+void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const double width = 2 * facts.ink.radius_mm;
+    if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
+    found.push_back(
+        {FindingKind::fine_pixels,
+         fmt::format("dots {:.2g} mm wide are finer than a pixel, and come out as greys", width),
+         fmt::format("{:.0f} dots per inch or more show each", std::ceil(2 * kMmPerInch / width / 10) * 10)});
+}
+
+}  // namespace
+
+std::string_view name_of(FindingKind kind) {
+    switch (kind) {
+        case FindingKind::hours:
+            return "hours";
+        case FindingKind::tone:
+            return "tone";
+        case FindingKind::rings:
+            return "rings";
+        case FindingKind::overlap:
+            return "overlap";
+        case FindingKind::joined:
+            return "joined";
+        case FindingKind::over_edge:
+            return "over_edge";
+        case FindingKind::in_margins:
+            return "in_margins";
+        case FindingKind::too_large:
+            return "too_large";
+        case FindingKind::too_many:
+            return "too_many";
+        case FindingKind::not_looked:
+            return "not_looked";
+        case FindingKind::fine_pixels:
+            return "fine_pixels";
+        case FindingKind::tile_layer:
+            return "tile_layer";
+    }
+    return "";
+}
+
+std::string sentence_of(const Finding& finding) {
+    return finding.text + "; " + finding.cure;
+}
+
+std::optional<MachineTravel> travel_of(Machine machine) {
+    switch (machine) {
+        case Machine::axidraw_v3:
+            return MachineTravel{11.81 * kMmPerInch, 8.58 * kMmPerInch};
+        case Machine::axidraw_se_a3:
+            return MachineTravel{16.93 * kMmPerInch, 11.69 * kMmPerInch};
+        case Machine::idraw:
+        case Machine::grbl_pen:
+        case Machine::grbl_laser:
+            break;
+    }
+    return std::nullopt;
+}
+
+std::vector<Finding> findings_of(const DrawingFacts& facts) {
+    std::vector<Finding> found;
+    if (facts.dots == 0) return found;
+    add_hours(found, facts);
+    add_tone(found, facts);
+    if (facts.measured) {
+        add_ink(found, facts);
+        add_joined(found, facts);
+        add_edges(found, facts);
+    }
+    add_travel(found, facts);
+    add_numbers(found, facts);
+    add_pixels(found, facts);
+    if (facts.tile_layer > 0)
+        found.push_back(
+            {FindingKind::tile_layer,
+             fmt::format("the layer \"{} Tiles\" has lines that a plotter draws too", facts.tile_layer),
+             facts.tile_layer == 2
+                 ? std::string("plot layer 1 only, or leave the tile boundaries away")
+                 : fmt::format("plot layers 1 to {} only, or leave the tile boundaries away",
+                               facts.tile_layer - 1)});
+    return found;
+}
+
+}  // namespace dapple

@@ -1,0 +1,81 @@
+#pragma once
+// What someone who is about to plot or print a drawing should know of it, each with its cure. The command,
+// its --stats and the window all show this list.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/output/plotting_time.h"
+#include "core/output/preflight.h"
+#include "core/placing/page.h"
+
+namespace dapple {
+
+/// What is known of a drawing and of the file that it goes into.
+struct DrawingFacts {
+    std::uint64_t dots = 0;
+    InkedDot ink = {};
+    std::optional<Preflight> measured = {};  // none: there are too many dots to look at each
+    bool is_svg = false;                     // which programs read path by path, and join near ones
+    int tile_layer = 0;                      // the layer with the tiles' outlines, from 1; 0: there is none
+    bool whole_page = true;                  // rather than a sheet or a region: its edges are the paper's
+    bool has_margins = false;
+    PageSize page = {};
+    double dpi = 0;                       // of pixels; 0: there are none
+    std::optional<Machine> machine = {};  // none: it is not plotted
+    PlottingTime plotting = {};
+    struct Tone {
+        double dots = 0;       // that would give the picture's tone with their radius,
+        double radius_mm = 0;  // and the radius that would with these dots
+    };
+    std::optional<Tone> for_tone = {};  // of round dots with a fixed radius
+};
+
+enum class FindingKind {
+    hours,        // plotting takes long
+    tone,         // paler or darker than the picture
+    rings,        // a plotter follows outlines
+    overlap,      // dots run into others
+    joined,       // programs draw a line between near dots
+    over_edge,    // dots reach over the page's edge
+    in_margins,   // or into the margins
+    too_large,    // a page that the machine does not reach
+    too_many,     // for programs that read the file
+    not_looked,   // too many to look at each
+    fine_pixels,  // dots finer than a pixel
+    tile_layer,   // its lines would be plotted
+};
+/// "hours", "tone", "rings", ...
+std::string_view name_of(FindingKind kind);
+
+struct Finding {
+    FindingKind kind{};
+    std::string text, cure;  // each without a full stop, beginning small; "dots" may begin it
+
+    bool operator==(const Finding&) const = default;
+};
+
+/// "40 % of the dots run into others; fewer dots part them"
+std::string sentence_of(const Finding& finding);
+
+/// From this many seconds on plotting is said to take long.
+inline constexpr double kLongPlottingS = 2 * 3600;
+
+/// So many elements, and no more, are read by librsvg, which rsvg-convert and many desktops show an SVG by
+/// ("cannot load more than 1000000 XML elements").
+inline constexpr std::uint64_t kMostSvgElements = 1'000'000;
+
+/// How far a machine's pen reaches, in millimetres, the longer side first; nothing where machines of its kind
+/// differ. AxiDraws by axidraw_conf.py: 11.81 x 8.58 and 16.93 x 11.69 in.
+struct MachineTravel {
+    double longer_mm = 0, shorter_mm = 0;
+};
+std::optional<MachineTravel> travel_of(Machine machine);
+
+/// The most important first; nothing where all is well.
+std::vector<Finding> findings_of(const DrawingFacts& facts);
+
+}  // namespace dapple

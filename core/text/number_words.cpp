@@ -1,0 +1,50 @@
+#include "core/text/number_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace dapple {
+
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+        text.insert(static_cast<std::size_t>(at), 1, ',');
+    return text;
+}
+
+std::string about(double number) {
+    const double step = std::pow(10, std::max(std::floor(std::log10(std::max(number, 1.0))) - 1, 0.0));
+    return grouped(static_cast<std::uint64_t>(std::round(number / step) * step));
+}
+
+bool far_from_tone(double ratio) {
+    constexpr double kFar = 1.5;
+    return ratio >= kFar || ratio <= 1 / kFar;
+}
+
+std::string in_round_words(double number) {
+    if (number < 999'999.5) return grouped(static_cast<std::uint64_t>(std::llround(number)));
+    for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}}) {
+        if (number < 999.5 * unit) return fmt::format("{:#.3g} {}", number / unit, name);
+    }
+    return fmt::format("{:.2g}", number);
+}
+
+std::string bytes_in_words(double bytes) {
+    const char* unit = "kB";
+    double size = bytes / 1e3;
+    for (const char* larger : {"MB", "GB", "TB"}) {
+        if (size < 999.5) break;
+        size /= 1e3;
+        unit = larger;
+    }
+    if (size < 9.95) return fmt::format("{:.1f} {}", std::max(size, 0.1), unit);
+    const double step = size < 99.5 ? 1 : 10;
+    return fmt::format("{:.0f} {}", std::round(size / step) * step, unit);
+}
+
+}  // namespace dapple

@@ -1,0 +1,25 @@
+#pragma once
+// How numbers are shown to people.
+
+#include <cstdint>
+#include <string>
+
+namespace dapple {
+
+/// A number as people write it: 12345 -> "12,345".
+std::string grouped(std::uint64_t number);
+
+/// In two digits, as more would promise too much: 12,345 -> "12,000".
+std::string about(double number);
+
+/// Whether a drawing that so many times its dots would give the picture's tone is plainly paler or darker.
+bool far_from_tone(double ratio);
+
+/// A number of any size, in three digits or as people say it: "1,234", "17.4 million", "2.20 trillion", and
+/// from 10^15 on "1.5e+16". From 1 up.
+std::string in_round_words(double number);
+
+/// "24 MB": two digits, or a whole number below a hundred thousand bytes.
+std::string bytes_in_words(double bytes);
+
+}  // namespace dapple

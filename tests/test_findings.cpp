@@ -1,0 +1,169 @@
+// What someone should know of a drawing before it is plotted, from the facts alone.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/output/findings.h"
+
+using namespace dapple;
+
+namespace {
+
+// 10,000 dots of a plotted drawing, with which all is well.
+DrawingFacts good_facts() {
+    DrawingFacts facts{
+        .dots = 10'000, .ink = {.as = DotsAs::touches, .radius_mm = 0.15}, .page = {200, 150, 200}};
+    facts.measured = Preflight{.pen_up_m = 20, .nearest_mm = 1};
+    facts.machine = Machine::axidraw_v3;
+    facts.plotting = {.moving_s = 600, .lifting_s = 2400};
+    return facts;
+}
+
+std::vector<FindingKind> kinds_of(const DrawingFacts& facts) {
+    std::vector<FindingKind> kinds;
+    for (const Finding& finding : findings_of(facts)) {
+        CHECK_FALSE(finding.text.empty());
+        CHECK_FALSE(finding.cure.empty());
+        CHECK_FALSE(name_of(finding.kind).empty());
+        kinds.push_back(finding.kind);
+    }
+    return kinds;
+}
+
+using Kinds = std::vector<FindingKind>;
+
+std::string sentences_of(const DrawingFacts& facts) {
+    std::string all;
+    for (const Finding& finding : findings_of(facts)) all += sentence_of(finding) + "\n";
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("of a drawing with which all is well nothing is said, and of one without dots neither") {
+    CHECK(kinds_of(good_facts()).empty());
+    DrawingFacts none = good_facts();
+    none.dots = 0;
+    none.tile_layer = 2;
+    CHECK(kinds_of(none).empty());
+}
+
+TEST_CASE("dots that run into others are told from one in a hundred on, where a pen draws them") {
+    DrawingFacts facts = good_facts();
+    facts.measured->overlapping = 99;
+    CHECK(kinds_of(facts).empty());
+    facts.measured->overlapping = 4000;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::overlap});
+    CHECK(sentences_of(facts).find("40 % of the dots") != std::string::npos);
+    DrawingFacts printed = good_facts();
+    printed.ink.as = DotsAs::printed;
+    printed.measured->overlapping = 4000;
+    CHECK(kinds_of(printed).empty());
+}
+
+TEST_CASE("circles are told as rings that a plotter follows, how long they are and what else there is") {
+    DrawingFacts facts = good_facts();
+    facts.ink.as = DotsAs::rings;
+    facts.measured->rings_m = 31.4;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::rings});
+    CHECK(sentences_of(facts).find("31.4 m of rings; a dot radius of half") != std::string::npos);
+}
+
+TEST_CASE("the layer of tiles is called by the number that it has behind those of the dots") {
+    DrawingFacts facts = good_facts();
+    facts.tile_layer = 5;
+    CHECK(sentences_of(facts).find(
+              "the layer \"5 Tiles\" has lines that a plotter draws too; plot layers 1 to 4") !=
+          std::string::npos);
+    facts.tile_layer = 2;
+    CHECK(sentences_of(facts).find("\"2 Tiles\" has lines that a plotter draws too; plot layer 1 only") !=
+          std::string::npos);
+}
+
+TEST_CASE("hours of plotting come with how many dots take one") {
+    DrawingFacts facts = good_facts();
+    facts.plotting = {.moving_s = 3600, .lifting_s = 3 * 3600};
+    CHECK(kinds_of(facts) == Kinds{FindingKind::hours});
+    CHECK(sentences_of(facts).find(
+              "about 4 h on an AxiDraw V3, mostly pen raising and lowering; 2,500 dots take "
+              "about an hour\n") != std::string::npos);
+    facts.machine.reset();
+    CHECK(kinds_of(facts).empty());
+}
+
+TEST_CASE("more dots than programs read, and more than are looked at, are told with what can be done") {
+    DrawingFacts facts = good_facts();
+    facts.is_svg = true;
+    facts.dots = kMostSvgElements;
+    CHECK(kinds_of(facts).empty());
+    facts.dots = kMostSvgElements + 1;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::too_many});
+    facts.is_svg = false;
+    CHECK(kinds_of(facts).empty());
+    facts.measured.reset();
+    CHECK(kinds_of(facts) == Kinds{FindingKind::not_looked});
+}
+
+TEST_CASE("a page that the machine does not reach is told, lying or upright, and A4 is not") {
+    DrawingFacts facts = good_facts();
+    for (const PageSize& page : {PageSize{297, 210, 297}, PageSize{210, 297, 297}}) {
+        facts.page = page;
+        CHECK(kinds_of(facts).empty());
+    }
+    facts.page = {297, 420, 420};
+    CHECK(kinds_of(facts) == Kinds{FindingKind::too_large});
+    facts.machine = Machine::axidraw_se_a3;
+    CHECK(kinds_of(facts).empty());
+    facts.machine = Machine::grbl_pen;  // which may be of any size
+    facts.page = {5000, 5000, 5000};
+    CHECK(kinds_of(facts).empty());
+}
+
+TEST_CASE("edges and margins are told of a whole page, not of a sheet whose edges are seams") {
+    DrawingFacts facts = good_facts();
+    facts.ink = {.as = DotsAs::printed, .radius_mm = 0.44};
+    facts.measured->over_edge = 1;
+    facts.measured->outside_margins = 7;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge});
+    CHECK(sentences_of(facts) == "1 dot reaches over the page's edge; a margin of 0.5 mm keeps them on it\n");
+    facts.has_margins = true;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge, FindingKind::in_margins});
+    facts.whole_page = false;
+    CHECK(kinds_of(facts).empty());
+}
+
+TEST_CASE("near dots are told where programs join them") {
+    DrawingFacts facts = good_facts();
+    facts.measured->nearer_than_saxi = 300;
+    facts.measured->nearer_than_axidraw = 20;
+    CHECK(kinds_of(facts).empty());
+    facts.is_svg = true;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::joined});
+    CHECK(sentences_of(facts).find(
+              "300 dots are nearer to others than 0.5 mm, which saxi joins by a line, and 20 "
+              "nearer than 0.152 mm") != std::string::npos);
+}
+
+TEST_CASE("a drawing far from the picture's tone is told with the dots, or the radius, that would reach it") {
+    DrawingFacts facts = good_facts();
+    facts.for_tone = DrawingFacts::Tone{14'000, 0.2};
+    CHECK(kinds_of(facts).empty());
+    facts.for_tone = DrawingFacts::Tone{80'000, 0.42};
+    CHECK(sentences_of(facts) ==
+          "the drawing is paler than the picture; 80,000 dots 0.3 mm wide would give its tone, or these "
+          "dots 0.84 mm wide\n");
+}
+
+TEST_CASE("dots finer than a pixel are told with the resolution that shows each") {
+    DrawingFacts facts = good_facts();
+    facts.ink = {.as = DotsAs::printed, .radius_mm = 0.1};
+    facts.machine.reset();
+    facts.dpi = 150;
+    CHECK(kinds_of(facts).empty());
+    facts.dpi = 100;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::fine_pixels});
+    CHECK(sentences_of(facts).find("260 dots per inch") != std::string::npos);
+}

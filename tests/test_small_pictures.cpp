@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "app/files/png_file.h"
+#include "app/viewer/model/small_pictures.h"
+#include "app/viewer/model/thumbnail.h"
+#include "tests/temporary_folder.h"
+#include "tests/wait_until.h"
+
+namespace dapple {
+namespace {
+
+const glm::u8vec4 kRed(255, 0, 0, 255), kBlue(0, 0, 255, 255);
+
+SmallPicture one_pixel(glm::u8vec4 colour) {
+    SmallPicture picture(1, 1);
+    picture.at(0, 0) = colour;
+    return picture;
+}
+
+}  // namespace
+
+TEST_CASE("what is asked for is there after a while, and is made once") {
+    SmallPictures pictures([] {});
+    int made = 0;
+    const auto red = [&](const std::stop_token&) { return ++made, one_pixel(kRed); };
+    const auto blue = [](const std::stop_token&) { return one_pixel(kBlue); };
+    CHECK(pictures.of("red", red) == nullptr);
+    REQUIRE(wait_until([&] { return pictures.of("red", red) && pictures.of("blue", blue); }));
+    CHECK(pictures.of("red", red)->at(0, 0) == kRed);
+    CHECK(pictures.of("blue", blue)->at(0, 0) == kBlue);
+    CHECK(made == 1);
+    pictures.forget();
+    CHECK(pictures.of("red", red) == nullptr);
+    REQUIRE(wait_until([&] { return pictures.of("red", red); }));
+    CHECK(made == 2);
+}
+
+TEST_CASE("an entry without a picture is empty, and keeps no other from its own") {
+    SmallPictures pictures([] {});
+    const SmallPictures::Make none = [](const std::stop_token&) -> SmallPicture {
+        throw std::runtime_error("no picture");
+    };
+    const auto red = [](const std::stop_token&) { return one_pixel(kRed); };
+    REQUIRE(wait_until([&] { return pictures.of("none", none) && pictures.of("red", red); }));
+    CHECK(pictures.of("none", none)->empty());
+}
+
+TEST_CASE("a file's thumbnail is the picture, small, and another once the file is written anew") {
+    const TemporaryFolder folder;
+    const auto write_half_red = [&](int height) {
+        Grid<glm::u8vec3> picture(800, height);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < 800; ++x) picture.at(x, y) = x < 400 ? kRed : kBlue;
+        std::ofstream out(folder / "a.png", std::ios::binary);
+        write_png(out, {.width = 800, .height = height}, [&](const PixelSink& sink) { sink(picture); });
+    };
+    write_half_red(400);
+    const SmallPicture small = thumbnail_of(folder / "a.png", {});
+    CHECK(small.width <= kThumbnailSide);
+    CHECK(small.width > kThumbnailSide / 2);
+    CHECK(small.width == 2 * small.height);
+    CHECK(small.at(0, 0) == kRed);
+    CHECK(small.at(small.width - 1, small.height - 1) == kBlue);
+
+    const std::string key = thumbnail_key(folder / "a.png");
+    CHECK(thumbnail_key(folder / "a.png") == key);
+    write_half_red(200);
+    CHECK(thumbnail_key(folder / "a.png") != key);
+    CHECK_THROWS_AS(thumbnail_of(folder / "none.png", {}), std::exception);
+}
+
+}  // namespace dapple
