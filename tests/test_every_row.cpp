@@ -202,7 +202,8 @@ TEST_CASE("in the usual column every label is there to its last letter") {
             CAPTURE(panel.name);
             HeadlessUi ui(panel.draw);
             make_high(ui, 340);
-            for (const auto& [label, place] : ui.places()) {
+            for (const auto& [name, place] : ui.places()) {
+                const std::string& label = name;  // clang captures no structured binding
                 if (!label.ends_with(" name")) continue;
                 CAPTURE(label);
                 const std::string shown = label.substr(0, label.size() - 5);
