@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -45,6 +46,26 @@ TEST_CASE("of maps that are opened while another is read the last one is shown, 
     CHECK(session.lit()->map.width() == 16);
     CHECK(session.maps() <= 2);  // that of 32 was never read
     CHECK(session.banner.message.empty());
+}
+
+TEST_CASE("a file that is asked for while another is written is written after it, as it was asked for") {
+    const TemporaryFolder folder;
+    LightsSettings settings;
+    settings.request.count = 30'000;
+    LightSession session(settings, [] {});
+    write_even_map(folder / "even.hdr", 64);
+    session.open(folder / "even.hdr");
+    REQUIRE(brings(session, [&] { return session.lit() != nullptr; }));
+    session.save(folder / "first.json");
+    session.settings.request.count = 10;
+    session.save(folder / "second.json");
+    session.settings.request.count = 20;
+    REQUIRE(brings(session, [&] { return session.saved_path() == folder / "second.json"; }));
+    CHECK_FALSE(session.saving());
+    const auto lines = [&](const char* name) { return std::ranges::count(text_of(folder / name), '\n'); };
+    CHECK(lines("first.json") > 30'000);
+    CHECK(lines("second.json") >= 10);
+    CHECK(lines("second.json") < 20);
 }
 
 TEST_CASE("a map that does not come is given up for the next one, and when the window closes") {

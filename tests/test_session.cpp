@@ -122,6 +122,22 @@ TEST_CASE("zooming in with more dots, both sides show the dots that the page has
     CHECK(session.right()->tile().name == "paper16");
 }
 
+TEST_CASE("dots that a close view stopped from settling settle once the page is shown again") {
+    SplitSession split(20'000);
+    Session& session = split.session;
+    session.settings.comparison.on = false;
+    session.settings.drawing.relax = 20;
+    REQUIRE(split.brings([&] { return session.pane().page().steps == 20; }));
+    split.zoom_in(ZoomMode::constant_density, 12);
+    session.settings.drawing.tone.gamma = 1.25f;
+    REQUIRE(split.brings([&] { return session.pane().page_request()->drawing.tone.gamma == 1.25f; }));
+    CHECK(session.pane().page().steps < 20);
+    REQUIRE(split.brings([&] { return session.pane().shows_close(); }));
+    split.zoom.mode = ZoomMode::drawing;
+    CHECK(split.brings([&] { return session.pane().page().steps == 20; }));
+    CHECK_FALSE(session.pane().shows_close());
+}
+
 TEST_CASE("however deep one zooms in with more dots, there are as many in view") {
     SplitSession split(2000);
     split.zoom_in(ZoomMode::constant_density, 12);

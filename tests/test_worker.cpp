@@ -371,7 +371,7 @@ TEST_CASE("a worker that ends does not finish what is still to do") {
     CHECK_FALSE(next_begun);
 }
 
-TEST_CASE("cancelled, neither the file that is written nor one that waits for it is") {
+TEST_CASE("cancelled, neither the file that is written nor one that waits for it is, but one asked for later") {
     Worker worker([] {});
     std::atomic<bool> writes = false;
     std::atomic<int> written = 0;
@@ -389,20 +389,20 @@ TEST_CASE("cancelled, neither the file that is written nor one that waits for it
         return writes.load();
     }));
     worker.cancel_saving();
-    std::vector<std::string> cancelled;
+    worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
+        return [](const SavingWatch&) { return true; };
+    });
+    std::vector<std::string> cancelled, saved;
     listen(worker, [&](const WorkerEvent& event) {
         if (const auto* one = std::get_if<SavingCancelled>(&event)) cancelled.push_back(one->path);
-        return cancelled.size() == 2;
+        if (const auto* one = std::get_if<DrawingSaved>(&event)) saved.push_back(one->path);
+        return cancelled.size() + saved.size() == 3;
     });
     std::ranges::sort(cancelled);
     CHECK(cancelled == std::vector<std::string>{"a.svg", "b.svg"});
     CHECK(written == 0);
+    CHECK(saved == std::vector<std::string>{"c.svg"});
     CHECK_FALSE(worker.saving());
-    // That was about those two.
-    worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
-        return [](const SavingWatch&) { return true; };
-    });
-    listen(worker, [](const WorkerEvent& event) { return std::holds_alternative<DrawingSaved>(event); });
 }
 
 TEST_CASE("a placing that takes long is given up for a new request, and nothing is told of it") {

@@ -87,15 +87,23 @@ void LightSession::take_dropped(const fs::path& file) {
 }
 
 void LightSession::save(const fs::path& file) {
-    if (!lit_ || saving()) return;
-    const LightSaving style{settings.convention, settings.turn_degrees, name_, settings.stops};
-    saving_path_ = file;
-    saving_.begin([file, style, lit = lit_, asked = settings](const auto& todo) -> std::optional<fs::path> {
-        RankedTile tile = tile_named(asked.tile, RankingMethod::energy);
-        const LightSamples lights = light_samples(lit->map, tile, asked.request, watch_of(todo));
+    if (!lit_) return;
+    to_save_.push_back(
+        {file, {settings.convention, settings.turn_degrees, name_, settings.stops}, lit_, settings});
+    save_next();
+}
+
+void LightSession::save_next() {
+    if (saving_.busy() || to_save_.empty()) return;
+    ToSave next = std::move(to_save_.front());
+    to_save_.pop_front();
+    saving_path_ = next.file;
+    saving_.begin([next = std::move(next)](const auto& todo) -> std::optional<fs::path> {
+        RankedTile tile = tile_named(next.settings.tile, RankingMethod::energy);
+        const LightSamples lights = light_samples(next.lit->map, tile, next.settings.request, watch_of(todo));
         if (lights.samples.empty()) return std::nullopt;
-        save_lights(file, lit->map, lights, style);
-        return file;
+        save_lights(next.file, next.lit->map, lights, next.style);
+        return next.file;
     });
 }
 
@@ -118,6 +126,7 @@ void LightSession::stop(LightWork work) {
         case LightWork::saving:
             // If that is too late, it says so instead.
             banner = {BannerKind::notice, "Cancelled: " + saving_path_.string() + " was not written"};
+            to_save_.clear();
             return saving_.stop();
     }
 }
@@ -183,6 +192,7 @@ void LightSession::take_samples() {
 }
 
 void LightSession::take_saved() {
+    const bool over = !saving_.busy();  // asked first: there may be a result between the two
     try {
         if (const std::optional<fs::path> saved = saving_.result()) {
             saved_path_ = *saved;
@@ -191,6 +201,7 @@ void LightSession::take_saved() {
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }
+    if (over) save_next();
 }
 
 }  // namespace dapple

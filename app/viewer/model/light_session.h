@@ -3,6 +3,7 @@
 // is saved of them.
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "app/files/save_lights.h"
 #include "app/viewer/model/background.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/history.h"
@@ -43,10 +45,10 @@ class LightSession {
     void take_dropped(const std::filesystem::path& file);
     std::span<const std::string> tiles() const { return tiles_.names(); }
 
-    /// Writes the samples that the settings ask for, in the background; the name's ending says as what. One
-    /// file at a time.
+    /// Writes the samples that the settings ask for now, in the background; the name's ending says as what.
+    /// One file after the other, in the order in which they were asked for.
     void save(const std::filesystem::path& file);
-    bool saving() const { return saving_.busy(); }
+    bool saving() const { return saving_.busy() || !to_save_.empty(); }
 
     /// Takes what was read, sampled or saved since the last call, and has samples taken anew where the
     /// settings ask for it. Throws what reading threw if there is no map yet.
@@ -77,7 +79,7 @@ class LightSession {
     /// Once there is a map: what takes longer than half a second, and is to be told.
     std::optional<LongLightWork> long_work() const;
     /// Gives that up: the map before stays, the settings are again those of the samples that are shown, or
-    /// the file stays as it was.
+    /// the file stays as it was, and so do those that wait for it.
     void stop(LightWork work);
 
     /// Where the samples were saved last; empty: nowhere.
@@ -97,8 +99,16 @@ class LightSession {
         SampledMap samples;
     };
 
+    struct ToSave {
+        std::filesystem::path file;
+        LightSaving style;
+        std::shared_ptr<const LitMap> lit;
+        LightsSettings settings;
+    };
+
     void stop_sampling();
     void read_next();
+    void save_next();
     void take_map();
     void take_samples();
     void take_saved();
@@ -108,6 +118,7 @@ class LightSession {
     std::filesystem::path map_path_, saved_path_;
     int maps_ = 0;
     std::optional<std::filesystem::path> to_read_;
+    std::deque<ToSave> to_save_;
     std::filesystem::path reading_path_, saving_path_;
     // Of this map: what samples were asked for last, and what those are that are shown.
     std::optional<LightsSettings> asked_with_, shown_with_;

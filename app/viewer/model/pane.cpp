@@ -38,6 +38,8 @@ bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {
         close_requested_.reset();
         shows_close_ = false;
         ++version_;
+        // A close view has stopped the page's dots on their way.
+        if (!page_.settled()) page_requested_.reset();
     }
     // The whole drawing comes first: its scale is what a close view starts from.
     const bool is_close = close && page_requested_ == page && page_placed_ == page;

@@ -53,22 +53,21 @@ void Worker::clear() {
 }
 
 void Worker::save(std::filesystem::path path, PrepareFile prepare) {
-    if (saves_.empty()) saving_cancelled_ = false;
-    saves_.push_back(path);
-    tasks_.push_back(SaveTask{std::move(path), std::move(prepare)});
+    saves_.push_back({all_saves_++, std::move(path)});
+    tasks_.push_back(SaveTask{saves_.back(), std::move(prepare)});
     go_on();
 }
 
 void Worker::cancel_saving() {
     if (saves_.empty()) return;
-    saving_cancelled_ = true;
+    cancelled_saves_ = all_saves_;
     if (under_way_ && std::holds_alternative<SaveTask>(*under_way_)) placing_.stop();
     writing_.stop();
 }
 
 std::optional<SavingInfo> Worker::saving() const {
     if (saves_.empty()) return std::nullopt;
-    return SavingInfo{written_ ? written_->path : saves_.front(), writing_.share().value_or(0)};
+    return SavingInfo{written_ ? written_->save.path : saves_.front().path, writing_.share().value_or(0)};
 }
 
 std::optional<Clock::time_point> Worker::placing_since() const {
@@ -155,7 +154,7 @@ void Worker::take_results() {
     } catch (...) {
         const std::string message = words_of_exception();
         if (const auto* save = std::get_if<SaveTask>(&*under_way_))
-            end_saving(save->path, TaskFailed{message});
+            end_saving(save->save, TaskFailed{message});
         else
             events_.push_back(TaskFailed{message});
     }
@@ -175,22 +174,23 @@ void Worker::take(DotsPlaced& placed) {
 }
 
 void Worker::take(FilePrepared& prepared) {
-    const std::filesystem::path& path = std::get<SaveTask>(*under_way_).path;
+    const Save& save = std::get<SaveTask>(*under_way_).save;
     if (prepared.write)
-        writes_.push_back({path, std::move(prepared.write)});
+        writes_.push_back({save, std::move(prepared.write)});
     else
-        end_saving(path, SavingCancelled{path});
+        end_saving(save, SavingCancelled{save.path});
 }
 
 void Worker::begin_next() {
-    while (saving_cancelled_ && !tasks_.empty() && std::holds_alternative<SaveTask>(tasks_.front())) {
-        const std::filesystem::path path = std::get<SaveTask>(tasks_.front()).path;
-        end_saving(path, SavingCancelled{path});
+    while (!tasks_.empty() && std::holds_alternative<SaveTask>(tasks_.front())) {
+        const Save& save = std::get<SaveTask>(tasks_.front()).save;
+        if (!cancelled(save)) break;
+        end_saving(save, SavingCancelled{save.path});
         tasks_.pop_front();
     }
     if (!whole_missing_.empty() && !opening_ && !tasks_.empty() &&
         std::holds_alternative<SaveTask>(tasks_.front())) {
-        end_saving(std::get<SaveTask>(tasks_.front()).path, TaskFailed{whole_missing_});
+        end_saving(std::get<SaveTask>(tasks_.front()).save, TaskFailed{whole_missing_});
         tasks_.pop_front();
     }
     // What is told of a picture comes before anything else is done; what was requested later waits for it.
@@ -230,9 +230,9 @@ void Worker::take_written() {
     const bool over = !writing_.busy();
     try {
         while (std::optional<WorkerEvent> outcome = writing_.result())
-            end_saving(written_->path, std::move(*outcome));
+            end_saving(written_->save, std::move(*outcome));
     } catch (...) {
-        end_saving(written_->path, TaskFailed{words_of_exception()});
+        end_saving(written_->save, TaskFailed{words_of_exception()});
     }
     if (over) written_.reset();
 }
@@ -241,22 +241,21 @@ void Worker::write_next() {
     while (!written_ && !writes_.empty()) {
         WriteTask next = std::move(writes_.front());
         writes_.pop_front();
-        if (saving_cancelled_) {
-            end_saving(next.path, SavingCancelled{next.path});
+        if (cancelled(next.save)) {
+            end_saving(next.save, SavingCancelled{next.save.path});
             continue;
         }
         written_ = std::move(next);
         writing_.begin([this](const Background<WorkerEvent>::Task& todo) -> std::optional<WorkerEvent> {
             const SavingWatch watch{todo.stop(), [&todo](double share) { todo.report_share(share); }};
-            if (written_->write(watch)) return DrawingSaved{written_->path};
-            return SavingCancelled{written_->path};
+            if (written_->write(watch)) return DrawingSaved{written_->save.path};
+            return SavingCancelled{written_->save.path};
         });
     }
 }
 
-void Worker::end_saving(const std::filesystem::path& path, WorkerEvent outcome) {
-    const auto ended = std::ranges::find(saves_, path);
-    if (ended != saves_.end()) saves_.erase(ended);
+void Worker::end_saving(const Save& save, WorkerEvent outcome) {
+    std::erase_if(saves_, [number = save.number](const Save& each) { return each.number == number; });
     events_.push_back(std::move(outcome));
 }
 

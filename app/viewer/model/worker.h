@@ -4,6 +4,7 @@
 // on while a large drawing is saved. Used by the window's thread alone.
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -111,15 +112,20 @@ class Worker {
         ReadPicture read;
         OpenedPicture about;
     };
-    struct SaveTask {
+    /// A file that was asked for; the same one may be asked for again.
+    struct Save {
+        std::uint64_t number = 0;  // they are counted
         std::filesystem::path path;
+    };
+    struct SaveTask {
+        Save save;
         PrepareFile prepare;
     };
     struct ClearTask {};
     struct SortTask {};  // of drawings given back
     using Task = std::variant<OpenTask, ShowTask, SaveTask, ClearTask, SortTask, DotsRequest>;
     struct WriteTask {
-        std::filesystem::path path;
+        Save save;
         WriteFile write;
     };
 
@@ -135,7 +141,8 @@ class Worker {
     void begin(Task task);
     void take_written();
     void write_next();
-    void end_saving(const std::filesystem::path& path, WorkerEvent outcome);
+    bool cancelled(const Save& save) const { return save.number < cancelled_saves_; }
+    void end_saving(const Save& save, WorkerEvent outcome);
     bool placing() const { return under_way_ && std::holds_alternative<DotsRequest>(*under_way_); }
 
     std::deque<Task> tasks_;
@@ -146,9 +153,10 @@ class Worker {
     std::deque<ShowTask> read_;
     std::string whole_missing_;  // why only a first look is shown; empty: it is not so
     std::deque<WriteTask> writes_;
-    std::optional<WriteTask> written_;          // the one under way
-    std::vector<std::filesystem::path> saves_;  // all that were not ended
-    bool saving_cancelled_ = false;             // every one of these
+    std::optional<WriteTask> written_;   // the one under way
+    std::deque<Save> saves_;             // all that were not ended
+    std::uint64_t all_saves_ = 0;        // so many were asked for,
+    std::uint64_t cancelled_saves_ = 0;  // and the first so many of them have ended or are cancelled
     std::vector<PlacedDrawing> given_back_;
     std::vector<WorkerEvent> events_;
 
