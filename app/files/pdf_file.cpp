@@ -131,15 +131,6 @@ class PdfDots {
     std::size_t count_ = 0;
 };
 
-void draw_marks(cairo_t* context, std::span<const CutMark> marks, double width_mm) {
-    cairo_set_line_width(context, width_mm * kPointsPerMm);
-    for (const CutMark& mark : marks) {
-        cairo_move_to(context, mark.from.x * kPointsPerMm, mark.from.y * kPointsPerMm);
-        cairo_line_to(context, mark.to.x * kPointsPerMm, mark.to.y * kPointsPerMm);
-        cairo_stroke(context);
-    }
-}
-
 }  // namespace
 
 void check_fits_pdf(const PageSize& page, std::uint64_t dots) {

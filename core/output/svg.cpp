@@ -24,16 +24,6 @@ void begin_layer(TextBuffer& text, int number, std::string_view label) {
          << R"(" id="layer)" << std::int64_t{number} << '"';
 }
 
-void write_marks(TextBuffer& text, std::span<const CutMark> marks) {
-    for (const CutMark& mark : marks) {
-        text << R"(<path d="M)";
-        text.fixed(mark.from.x * kPxPerMm, 3) << ' ';
-        text.fixed(mark.from.y * kPxPerMm, 3) << 'L';
-        text.fixed(mark.to.x * kPxPerMm, 3) << ' ';
-        text.fixed(mark.to.y * kPxPerMm, 3) << "\"/>\n";
-    }
-}
-
 void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                 const WritingProgress& progress) {
     const int decimals = decimals_for(dots.count, page);
