@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/project_input.h"
 #include "app/commands/render_command.h"
 #include "app/settings/drawing_fields.h"
 #include "app/settings/embedded_settings.h"
@@ -253,6 +254,75 @@ TEST_CASE("opening a project brings picture and settings, and undo takes the set
     CHECK(session.project_path().empty());
 }
 
+TEST_CASE("of a project whose picture cannot be read nothing is taken, and the one before goes on") {
+    const TemporaryFolder folder;
+    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "icon.png");
+    put_text(folder / "damaged.png", "\x89PNG\r\n\x1a\n and no more");
+    ViewerSettings usual, other;
+    other.drawing.tone.gamma = 1.5f;
+    save_project(folder / "a.dapple", {folder / "icon.png", {}, R"({"dapple": 1, "by": "hand"})"},
+                 all_of(usual));
+    save_project(folder / "b.dapple", {folder / "damaged.png"}, all_of(other));
+    const std::string damaged_one = text_of(folder / "b.dapple");
+    ProjectSession window;
+    Session& session = window.session;
+    window.until([&] { return session.pictures() == 1; });
+    session.take_dropped(folder / "a.dapple");
+    window.until([&] { return session.picture().file == folder / "icon.png"; });
+    session.remember(false);
+    const ViewerSettings before = session.settings;
+
+    session.take_dropped(folder / "b.dapple");
+    session.remember(false);
+    window.until([&] { return session.banner.kind == BannerKind::error; });
+    CHECK(session.banner.message.find("damaged.png") != std::string::npos);
+    session.remember(false);
+    CHECK(session.settings == before);
+    CHECK(session.project_path() == folder / "a.dapple");
+    session.undo();
+    CHECK(session.settings.drawing.tone.gamma == 1);
+    session.redo();
+    session.save_project(session.project_path());
+    CHECK(text_of(folder / "b.dapple") == damaged_one);
+    const Json kept = Json::parse(text_of(folder / "a.dapple"));
+    CHECK(kept["by"] == "hand");
+    CHECK(kept["picture"]["file"] == "icon.png");
+}
+
+TEST_CASE("a project whose picture is missing opens, keeps its name when saved, and takes the one found") {
+    const TemporaryFolder folder;
+    const fs::path icon = fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", file = folder / "p.dapple";
+    ViewerSettings saved;
+    saved.drawing.tone.gamma = 1.5f;
+    save_project(file, {folder / "gone.png"}, all_of(saved));
+    const Json named = Json::parse(text_of(file))["picture"];
+    ProjectSession window;
+    Session& session = window.session;
+    window.until([&] { return session.pictures() == 1; });
+
+    session.take_dropped(file);
+    CHECK(session.settings.drawing.tone.gamma == 1.5f);
+    CHECK(session.banner.message.find("gone.png is not there") != std::string::npos);
+    CHECK(session.banner.offer == "Find the picture");
+    CHECK(session.picture_is_missing());
+    session.settings.drawing.tone.gamma = 1.25f;
+    session.save_project(session.project_path());
+    const Json again = Json::parse(text_of(file));
+    CHECK(again["picture"] == named);
+    CHECK(again["drawing"]["tone"]["gamma"] == 1.25);
+
+    session.find_picture(folder / "not_there.png");
+    window.until([&] { return session.banner.message.find("not_there.png") != std::string::npos; });
+    CHECK(session.picture_is_missing());
+    session.find_picture(icon);
+    window.until([&] { return session.picture().file == icon; });
+    CHECK_FALSE(session.picture_is_missing());
+    CHECK(session.project_path() == file);
+    CHECK(session.settings.drawing.tone.gamma == 1.25f);
+    session.save_project(file);
+    CHECK(Json::parse(text_of(file))["picture"]["absolute"] == icon.string());
+}
+
 TEST_CASE("a project brings back every setting") {
     const TemporaryFolder folder;
     ViewerSettings saved = nothing_usual(), usual, read;
@@ -317,8 +387,9 @@ TEST_CASE("a project finds picture and tile when both have moved with it, and wh
     CHECK(read_project(folder / "b/p.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
     CHECK(read.drawing.tile == (folder / "b/mine.tile").string());
 
-    CHECK_THROWS_WITH(read_project(folder / "alone/p.dapple", all_of(read)),
-                      doctest::Contains("p.dapple: picture cannot be found, neither "));
+    const Project alone = read_project(folder / "alone/p.dapple", all_of(read));
+    CHECK(alone.why_missing.find("p.dapple: picture cannot be found, neither ") != std::string::npos);
+    CHECK_THROWS_WITH(read_project_input(folder / "alone/p.dapple"), alone.why_missing.c_str());
     put_text(folder / "b/by_hand.dapple", R"({"dapple": 1, "picture": "pictures/cat.png"})");
     CHECK(read_project(folder / "b/by_hand.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
 }

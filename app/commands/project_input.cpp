@@ -1,6 +1,7 @@
 #include "app/commands/project_input.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
@@ -11,14 +12,16 @@ namespace dapple {
 ProjectInput read_project_input(const std::filesystem::path& file) {
     ProjectInput input;
     bool photograph = true;
-    input.picture = read_project(file, [&](Fields& fields) {
-                        describe_drawing(fields, input.drawing, input.saving);
-                        fields.group("density", [&](Fields& density) {
-                            density.choice("source", photograph,
-                                           {NamedValue{"photograph", true}, NamedValue{"grey", false},
-                                            NamedValue{"ramp", false}});
-                        });
-                    }).picture;
+    Project project = read_project(file, [&](Fields& fields) {
+        describe_drawing(fields, input.drawing, input.saving);
+        fields.group("density", [&](Fields& density) {
+            density.choice(
+                "source", photograph,
+                {NamedValue{"photograph", true}, NamedValue{"grey", false}, NamedValue{"ramp", false}});
+        });
+    });
+    if (!project.why_missing.empty()) throw std::runtime_error(project.why_missing);
+    input.picture = std::move(project.picture);
     if (!photograph)
         throw std::runtime_error(
             printable(file.native()) +

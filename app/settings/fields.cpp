@@ -70,7 +70,11 @@ bool Fields::has(const char* name) const {
 }
 
 void Fields::refuse(const char* name, const std::string& why) const {
-    throw std::runtime_error(fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name, why));
+    throw std::runtime_error(sentence(name, why));
+}
+
+std::string Fields::sentence(const char* name, const std::string& why) const {
+    return fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name, why);
 }
 
 void Fields::refuse_value(const char* name, const Json& value, const std::string& wanted) const {
@@ -200,7 +204,8 @@ fs::path Fields::file_in(const char* name, const Json& value) const {
         absolute.empty() || absolute == beside
             ? fmt::format("{} is not there", beside.string())
             : fmt::format("neither {} nor {} is there", beside.string(), absolute.string());
-    refuse(name, fmt::format("cannot be found, {}; put that file back, or name another", printable(where)));
+    throw MissingFile(sentence(name, fmt::format("cannot be found, {}; put that file back, or name another",
+                                                 printable(where))));
 }
 
 void Fields::text(const char* name, const std::string& value,

@@ -19,6 +19,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,11 @@ struct SettingsPlace {
     FileNames names = FileNames::relative_and_absolute;
 };
 
+/// Settings that are right, but for a file that they name and that is not there.
+struct MissingFile : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 class Fields {
  public:
     enum class Way { read, write };
@@ -77,7 +83,7 @@ class Fields {
               const std::function<void(const std::string& text)>& take);
     /// A name for tile_named(). Of a tile's file, its path.
     void tile(const char* name, std::string& value);
-    /// A file; none is null.
+    /// A file; none is null. Reading throws MissingFile if it is not there, as tile() does.
     void file(const char* name, std::optional<std::filesystem::path>& value);
     /// Absolute names of files that may be gone meanwhile, at most so many; those that are not UTF-8 are left
     /// out.
@@ -155,6 +161,7 @@ class Fields {
     double whole_in(const char* name, const nlohmann::ordered_json& value, FieldRange range,
                     const char* or_else = "") const;
     double number_in(const char* name, const nlohmann::ordered_json& value, FieldRange range) const;
+    std::string sentence(const char* name, const std::string& why) const;
     [[noreturn]] void refuse_value(const char* name, const nlohmann::ordered_json& value,
                                    const std::string& wanted) const;
     std::filesystem::path file_in(const char* name, const nlohmann::ordered_json& value) const;

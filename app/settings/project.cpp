@@ -25,7 +25,11 @@ Project read_project(const fs::path& file, const Describe& describe) {
     Project project;
     project.kept = text_of_settings(file);
     read_settings(project.kept, {file}, [&](Fields& fields) {
-        fields.file("picture", project.picture);
+        try {
+            fields.file("picture", project.picture);
+        } catch (const MissingFile& missing) {
+            project.why_missing = missing.what();
+        }
         describe(fields);
     });
     return project;
@@ -33,7 +37,7 @@ Project read_project(const fs::path& file, const Describe& describe) {
 
 void save_project(const fs::path& file, Project project, const Describe& describe) {
     const std::string text = settings_text(project.kept, {file}, [&](Fields& fields) {
-        fields.file("picture", project.picture);
+        if (project.why_missing.empty()) fields.file("picture", project.picture);
         describe(fields);
     });
     save_atomically(file, [&](std::ostream& out) { out << text; });

@@ -28,7 +28,8 @@ std::string text_of_settings(const std::filesystem::path& file);
 
 struct Project {
     std::optional<std::filesystem::path> picture = {};  // none: the built-in sample
-    std::string kept = {};  // as it was read: what is not known here is saved again
+    std::string why_missing = {};  // a sentence, if the picture it names is not there; that name is then kept
+    std::string kept = {};         // as it was read: what is not known here is saved again
 };
 
 /// Throws std::runtime_error with one sentence that names the file and what is wrong in it. `describe` says

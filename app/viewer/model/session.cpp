@@ -1,6 +1,8 @@
 #include "app/viewer/model/session.h"
 
 #include <stdexcept>
+#include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "app/files/file_ending.h"
@@ -74,11 +76,33 @@ DotsRequest Session::page_request() const {
 }
 
 void Session::open_sample() {
-    picture_path_.clear();
-    pane_.worker().open("Still life", [] { return sample_picture(); });
+    begin_reading({});
+    read_sample();
 }
 
 void Session::open(const fs::path& path) {
+    begin_reading({.picture = path});
+    read(path);
+    if (!banner.offer.empty()) banner = {};  // it was about the picture before
+}
+
+void Session::find_picture(const fs::path& file) {
+    Source found = source_;
+    found.picture = file;
+    found.project.why_missing.clear();
+    begin_reading(std::move(found));
+    read(file);
+}
+
+void Session::begin_reading(Source next) {
+    readings_.push_back({next.picture, std::exchange(source_, std::move(next))});
+}
+
+void Session::read_sample() {
+    pane_.worker().open("Still life", [] { return sample_picture(); });
+}
+
+void Session::read(const fs::path& path) {
     Opening opening{.whole = [path](const std::stop_token& stop) {
         return read_picture(path, PictureLimit::usual, stop);
     }};
@@ -87,10 +111,25 @@ void Session::open(const fs::path& path) {
     if (!crop || crop->unit == Crop::Unit::percent)
         opening.first_look = [path](const std::stop_token& stop) { return read_first_look(path, stop); };
     pane_.worker().open(printable(path.filename().native()), std::move(opening), path);
-    picture_path_ = path;
-    project_ = {};
-    project_path_.clear();
-    if (!banner.offer.empty()) banner = {};  // it was about the picture before
+}
+
+// Those before it were overtaken.
+void Session::end_reading(const fs::path& picture) {
+    const auto read = std::ranges::find(readings_, picture, &Reading::picture);
+    if (read != readings_.end()) readings_.erase(readings_.begin(), read + 1);
+}
+
+void Session::go_back_before(const fs::path& picture) {
+    const auto failed = std::ranges::find(readings_, picture, &Reading::picture);
+    if (failed == readings_.end()) return;
+    if (const auto next = failed + 1; next != readings_.end()) {
+        next->before = std::move(failed->before);
+        if (failed->settings_before) next->settings_before = std::move(failed->settings_before);
+    } else {
+        source_ = std::move(failed->before);
+        if (failed->settings_before) std::tie(settings, history_) = std::move(*failed->settings_before);
+    }
+    readings_.erase(failed);
 }
 
 void Session::open_tile(const fs::path& file) {
@@ -107,20 +146,29 @@ void Session::load_project(const fs::path& file) {
     Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
     if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
     read.every_frame = settings.every_frame;
-    settings = read;
+    std::pair before(std::exchange(settings, read), history_);
     if (!placed_once()) history_ = History(settings);  // there is nothing to go back to
-    if (project.picture)
-        open(*project.picture);
+    banner = {};
+    Source source{.picture = project.picture.value_or(fs::path()),
+                  .project = std::move(project),
+                  .project_path = whole_path(file)};
+    if (const std::string& why = source.project.why_missing; !why.empty()) {
+        banner = {.kind = BannerKind::error, .message = why, .offer = "Find the picture"};
+        source_ = std::move(source);
+        if (!placed_once()) read_sample();
+        return;
+    }
+    begin_reading(std::move(source));
+    readings_.back().settings_before = std::move(before);
+    if (source_.picture.empty())
+        read_sample();
     else
-        open_sample();
-    project_ = std::move(project);
-    project_path_ = whole_path(file);
+        this->read(source_.picture);
 }
 
 void Session::open_project(const fs::path& file) {
     try {
         load_project(file);
-        banner = {};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }
@@ -140,12 +188,12 @@ void Session::take_settings(const fs::path& file) {
 }
 
 void Session::save_project(const fs::path& file) {
-    Project project = project_;
+    Project project = source_.project;
     project.picture.reset();
-    if (!picture_.file.empty()) project.picture = picture_.file;
+    if (!source_.picture.empty()) project.picture = source_.picture;
     try {
         dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
-        project_path_ = whole_path(file);
+        source_.project_path = whole_path(file);
         banner = {BannerKind::notice, "Saved " + file.string()};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
@@ -227,7 +275,10 @@ void Session::take_events(std::chrono::milliseconds patience) {
     if (!right_) return;
     for (WorkerEvent& event : right_->worker().events()) {
         if (auto* placed = std::get_if<DotsPlaced>(&event)) take_right(*placed);
-        if (auto* failed = std::get_if<TaskFailed>(&event)) take(*failed);
+        if (auto* failed = std::get_if<TaskFailed>(&event)) {
+            failed->picture.reset();  // the left one's, read again
+            take(*failed);
+        }
     }
 }
 
@@ -239,14 +290,17 @@ void Session::take_right(DotsPlaced& event) {
 }
 
 void Session::take(DotsPlaced& event) {
-    if (event.picture) ++previews_;
+    if (event.picture) {
+        ++previews_;
+        end_reading(event.picture->file);
+    }
     if (event.picture && event.picture->refines) {
         picture_ = std::move(*event.picture);
     } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
         saved_path_.clear();  // it shows another picture
-        banner = {};          // whatever it said was about the one before
+        if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",
                       .offer = "Open as lights"};
@@ -264,6 +318,7 @@ void Session::take(DotsPlaced& event) {
 void Session::take(TaskFailed& event) {
     // The picture named on the command line: there is nothing to go on showing.
     if (!placed_once()) throw std::runtime_error(event.message);
+    if (event.picture) go_back_before(*event.picture);
     banner = {BannerKind::error, event.message};
 }
 
@@ -277,6 +332,7 @@ void Session::take(SavingCancelled& event) {
 }
 
 void Session::take(OpeningStopped& event) {
+    go_back_before(event.picture);
     banner = {BannerKind::notice, "Stopped: not all of " + event.name + " was read"};
 }
 

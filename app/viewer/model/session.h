@@ -3,11 +3,13 @@
 // neither panels nor OpenGL.
 
 #include <chrono>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
@@ -38,9 +40,14 @@ class Session {
     /// The picture and all settings of a project. Throws std::runtime_error if they cannot be read, and
     /// nothing changes.
     void load_project(const std::filesystem::path& file);
-    /// The same, but the banner says what is wrong.
+    /// The same, but the banner says what is wrong. Of a picture that is only found not to be readable later,
+    /// everything is then again as it was before. One that is not there is told of in the banner, which
+    /// offers to find it; the project keeps its name until then.
     void open_project(const std::filesystem::path& file);
-    /// The picture shown and all settings into a file; the banner says how that went.
+    /// The project's picture is this one.
+    void find_picture(const std::filesystem::path& file);
+    bool picture_is_missing() const { return !source_.project.why_missing.empty(); }
+    /// The picture that was opened last and all settings into a file; the banner says how that went.
     void save_project(const std::filesystem::path& file);
 
     /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
@@ -91,16 +98,34 @@ class Session {
     /// How many were opened, and how many there were to see: a first look is another.
     int pictures() const { return pictures_; }
     int previews() const { return previews_; }
-    const std::filesystem::path& picture_path() const { return picture_path_; }  // empty: none yet
+    const std::filesystem::path& picture_path() const { return source_.picture; }  // empty: none yet
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
 
     /// The project that was opened or saved last, and not left for another picture; empty: none.
-    const std::filesystem::path& project_path() const { return project_path_; }
+    const std::filesystem::path& project_path() const { return source_.project_path; }
 
     DrawnInfo drawn(const Pane& pane) const;
 
  private:
+    /// What is drawn, as it was asked for.
+    struct Source {
+        std::filesystem::path picture = {};  // empty: the sample
+        Project project = {};                // whose picture may be missing: then another is shown
+        std::filesystem::path project_path = {};
+    };
+    /// A picture that is being read, and what there was before: that comes back if it cannot be.
+    struct Reading {
+        std::filesystem::path picture;
+        Source before;
+        std::optional<std::pair<ViewerSettings, History<ViewerSettings>>> settings_before = {};
+    };
+
+    void read(const std::filesystem::path& picture);
+    void read_sample();
+    void begin_reading(Source next);
+    void end_reading(const std::filesystem::path& picture);
+    void go_back_before(const std::filesystem::path& picture);
     /// What the whole page is requested with.
     DotsRequest page_request() const;
     void name_changes();
@@ -128,9 +153,9 @@ class Session {
         false;  // the last one: what the banner says of it goes with the next that does not
     OpenedPicture picture_;
     int pictures_ = 0, previews_ = 0;
-    std::filesystem::path picture_path_, saved_path_;
-    Project project_;
-    std::filesystem::path project_path_;
+    std::filesystem::path saved_path_;
+    Source source_;
+    std::deque<Reading> readings_;  // in the order in which they were asked for
 };
 
 }  // namespace dapple

@@ -125,9 +125,9 @@ void Worker::take_read() {
 void Worker::fail_opening() {
     const std::string message = words_of_exception();
     if (opening_stopped_)
-        events_.push_back(OpeningStopped{opening_->name});
+        events_.push_back(OpeningStopped{opening_->name, opening_->file});
     else
-        events_.push_back(TaskFailed{message});
+        events_.push_back(TaskFailed{message, opening_->file});
     if (looked_)
         whole_missing_ =
             opening_->name + ": only a first look at it was read, which is not saved; open it again";

@@ -21,6 +21,7 @@ namespace dapple {
 /// What has happened since the window asked last.
 struct TaskFailed {
     std::string message;
+    std::optional<std::filesystem::path> picture = {};  // that could not be read; none: it was other work
 };
 struct DrawingSaved {
     std::filesystem::path path;
@@ -31,6 +32,7 @@ struct SavingCancelled {
 /// A picture was not opened, or no more than a first look at it, as nobody wanted to wait.
 struct OpeningStopped {
     std::string name;
+    std::filesystem::path picture;
 };
 using WorkerEvent = std::variant<DotsPlaced, TaskFailed, DrawingSaved, SavingCancelled, OpeningStopped>;
 

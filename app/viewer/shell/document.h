@@ -45,6 +45,8 @@ class Document {
     virtual bool is_picture_with_settings(const std::filesystem::path&) const { return false; }
     /// Whatever settings it holds.
     virtual void open_as_picture(const std::filesystem::path& file) { open(file); }
+    /// Of the project whose picture is missing.
+    virtual void find_picture(const std::filesystem::path&) {}
     virtual void save(const std::filesystem::path& file) = 0;
 
     // What the dialogs for these ask.

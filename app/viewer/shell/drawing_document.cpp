@@ -242,7 +242,7 @@ void DrawingDocument::draw(const Frame& frame) {
     session_.remember(ImGui::IsAnyItemActive() || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
-    draw_over_canvas(place);
+    draw_over_canvas(place, frame.act);
     canvas_.handle_mouse(place, cropping);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
@@ -266,8 +266,11 @@ Zoom DrawingDocument::zoom() const {
     return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()};
 }
 
-void DrawingDocument::draw_over_canvas(const CanvasPlace& place) {
-    if (draw_banner(session_.banner, place.corner, place.size))
+void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act) {
+    const bool offer_taken = draw_banner(session_.banner, place.corner, place.size);
+    if (offer_taken && session_.picture_is_missing())
+        act(Action::find_picture);
+    else if (offer_taken)
         successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
     Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {

@@ -37,6 +37,7 @@ class DrawingDocument : public Document {
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     bool is_picture_with_settings(const std::filesystem::path& file) const override;
     void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
+    void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override;
@@ -61,7 +62,7 @@ class DrawingDocument : public Document {
     };
     Layout layout(const Frame& frame) const;
     Zoom zoom() const;
-    void draw_over_canvas(const CanvasPlace& place);
+    void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
     void draw_split(const CanvasPlace& place);
     void draw_loupe(const CanvasPlace& place);
     void explain_dot(const CanvasPlace& place) const;

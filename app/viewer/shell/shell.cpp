@@ -146,14 +146,17 @@ void Shell::frame(Document& document) {
 
 void Shell::act(Action action, Document& document, const Frame& frame) {
     switch (action) {
-        case Action::open: {
+        case Action::open:
+        case Action::find_picture: {
             OpenQuestion question = document.what_to_open();
             if (question.start.empty()) question.start = folder_to_open();
             question.recent = memory_.state.recent;
             question.places = desktop_folders(home_folder(), shared_config_folder());
             question.bookmarks = memory_.state.bookmarks;
             question.pictures = true;
-            return ask_what_to_open(std::move(question), Asked::picture);
+            if (action == Action::open) return ask_what_to_open(std::move(question), Asked::picture);
+            question.title = "Find the project's picture";
+            return ask_what_to_open(std::move(question), Asked::found_picture);
         }
         case Action::open_tile:
             return ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},
@@ -291,6 +294,8 @@ void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document
     switch (asked) {
         case Asked::picture:
             return take_files({path}, document);
+        case Asked::found_picture:
+            return document.find_picture(path);
         case Asked::tile:
             return document.open_tile(path);
         case Asked::drawing:
