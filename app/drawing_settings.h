@@ -28,6 +28,9 @@ inline constexpr double kLongestSideMm = 100'000;
 /// Of a page, a region, or what a margin leaves: finer than any pen.
 inline constexpr double kShortestSideMm = 0.01;
 
+/// Of a dot.
+inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
+
 struct DrawingSettings {
     bool automatic_tone = true, automatic_exposure = true;  // see DrawingRequest
     Tone tone{.detail = kAutoDetail};

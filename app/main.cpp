@@ -1,12 +1,15 @@
 // dapple: stipples pictures, in a window and on the command line.
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "app/commands/analyse.h"
 #include "app/commands/complete.h"
@@ -29,6 +32,13 @@ constexpr int kUsage = 2;
 int report(std::string_view sentence, int code) {
     std::fprintf(stderr, "dapple: %s\n", dapple::printable(sentence).c_str());
     return code;
+}
+
+// What was printed may still be on its way, to a disk that is full.
+int written(int status) {
+    std::cout.flush();
+    if (std::fflush(stdout) == 0 && std::cout) return status;
+    return report("the standard output cannot be written: " + std::generic_category().message(errno), kFailed);
 }
 
 int run(CLI::App& program, int argc, char** argv, const int& status) {
@@ -104,5 +114,5 @@ int main(int argc, char** argv) {
         if (tile_of_window->count() > 0) viewer.tile = window_tile;
         status = dapple::run_viewer(viewer);
     });
-    return run(program, argc, argv, status);
+    return written(run(program, argc, argv, status));
 }

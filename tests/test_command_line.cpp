@@ -12,6 +12,15 @@
 
 using namespace dapple;
 
+TEST_CASE("what is printed onto a full disk is told of, and is a failure") {
+    for (const char* arguments : {"tile list", "--help", "render --help", "--version"}) {
+        CAPTURE(arguments);
+        const Outcome full = run_in_shell(std::string("\"$DAPPLE\" ") + arguments + " >/dev/full");
+        CHECK(full.status == 1);
+        CHECK(full.err.find("the standard output cannot be written: ") != std::string::npos);
+    }
+}
+
 TEST_CASE("help names every option and shows examples") {
     const Outcome all = run_dapple("--help"), render = run_dapple("render --help");
     CHECK(all.status == 0);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <stop_token>
 #include <vector>
 
 #include "core/placing/figure8.h"
@@ -95,6 +96,17 @@ TEST_CASE("a count asked of Figure 8 is met by as many distinct dots, or a hundr
         REQUIRE(stipple(paper, density, PlacerKind::figure8, {.scale = result.scale}, again));
         CHECK(again.dots.size() == result.dots.size());
     }
+}
+
+TEST_CASE("Figure 8 stops when it is asked to, by count and by scale") {
+    RankedTile paper(make_tile(14217, 2895, 16), RankingMethod::paper);
+    const Density density(Grid<float>(4, 4, 1.0f));
+    std::stop_source stop;
+    stop.request_stop();
+    Stippling result;
+    CHECK_FALSE(stipple(paper, density, PlacerKind::figure8, {.count = 2000}, result, stop.get_token()));
+    CHECK_FALSE(stipple(paper, density, PlacerKind::figure8, {.scale = 2500}, result, stop.get_token()));
+    CHECK(place_figure8(density, paper.tile(), paper.own_ranks(), 2500, stop.get_token()).dots.size() == 0);
 }
 
 TEST_CASE("Figure 8 says so where it does not find as many dots as asked for") {

@@ -1,6 +1,7 @@
 // Projects and other settings in files: nothing is lost, and whatever is wrong is told in a sentence.
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
@@ -387,9 +388,19 @@ TEST_CASE("a project finds picture and tile when both have moved with it, and wh
     CHECK(read_project(folder / "b/p.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
     CHECK(read.drawing.tile == (folder / "b/mine.tile").string());
 
-    const Project alone = read_project(folder / "alone/p.dapple", all_of(read));
-    CHECK(alone.why_missing.find("p.dapple: picture cannot be found, neither ") != std::string::npos);
-    CHECK_THROWS_WITH(read_project_input(folder / "alone/p.dapple"), alone.why_missing.c_str());
+    CHECK_THROWS_WITH(read_project(folder / "alone/p.dapple", all_of(read)),
+                      doctest::Contains("p.dapple: drawing.tile cannot be found, neither "));
+    put_text(folder / "alone/q.dapple", R"({"dapple": 1, "picture": {"file": "a.png", "absolute": "/b.png"}})");
+    const Project alone = read_project(folder / "alone/q.dapple", all_of(read));
+    CHECK(alone.why_missing.find("q.dapple: picture cannot be found, neither ") != std::string::npos);
+    CHECK_THROWS_WITH(read_project_input(folder / "alone/q.dapple"), alone.why_missing.c_str());
+    // Nothing that has no end, or may never begin.
+    REQUIRE(mkfifo((folder / "b/pipe.png").c_str(), 0600) == 0);
+    for (const char* odd : {"pipe.png", "/dev/zero", "pictures"}) {
+        put_text(folder / "b/odd.dapple", std::string(R"({"dapple": 1, "picture": ")") + odd + "\"}");
+        CHECK_THROWS_WITH(read_project(folder / "b/odd.dapple", all_of(read)),
+                          doctest::Contains("which is no regular file; name one that is"));
+    }
     put_text(folder / "b/by_hand.dapple", R"({"dapple": 1, "picture": "pictures/cat.png"})");
     CHECK(read_project(folder / "b/by_hand.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");
 }

@@ -234,6 +234,42 @@ TEST_CASE("dots too small for the picture's tone are told, with a number and a w
           doctest::Approx(std::stod(told[2]) / 2).epsilon(0.03));
 }
 
+TEST_CASE("options say another size or tone than the project does, as of a new drawing") {
+    const Scene scene;
+    const auto stats_of = [&](const std::string& project, const std::string& options) {
+        put_text(scene("p.dapple"), R"({"dapple": 1, "picture": "cat.png", "drawing": )" + project + "}");
+        const Outcome made = run_dapple("render " + scene("p.dapple") + " --dots 300 --stats " +
+                                        scene("s.json") + " -o " + scene("a.svg") + options);
+        CAPTURE(made.err);
+        REQUIRE(made.status == 0);
+        return read_json(scene("s.json"));
+    };
+    const std::string high = R"({"page": {"height_mm": 90}})",
+                      custom = R"({"page": {"paper": "custom", "width_mm": 300, "height_mm": 200}})";
+    CHECK(stats_of(high, "")["height_mm"] == 90);
+    for (const std::string& project : {high, custom}) {
+        CHECK(stats_of(project, " --width 60")["width_mm"] == 60);
+        CHECK(stats_of(project, " --height 50")["height_mm"] == 50);
+    }
+    CHECK(stats_of(custom, " --width 60 --height 50")["width_mm"] == 60);
+
+    const std::string true_light = R"({"automatic_tone": false, "tone": {"detail": 0}})";
+    CHECK(stats_of(true_light, "")["tone"]["detail"] == 0);
+    CHECK(stats_of(true_light, " --tone auto")["tone"]["detail"] == 0.5);
+    CHECK(stats_of(true_light, " --tone auto --detail 0.25")["tone"]["detail"] == 0.25);
+    CHECK(stats_of("{}", " --tone true")["tone"]["detail"] == 0);
+}
+
+TEST_CASE("a radius that a drawing could not be read with again is refused") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 100 -o " + scene("a.svg");
+    scene.must_fail(from + " --dot-radius 0.0000001", "--dot-radius");
+    REQUIRE(run_dapple(from + " --dot-radius 0.000001").status == 0);
+    CHECK(run_dapple("render " + scene("cat.png") + " --settings-from " + scene("a.svg") + " -o " +
+                     scene("b.svg"))
+              .status == 0);
+}
+
 TEST_CASE("a PNG says how large it is on paper") {
     const Scene scene;
     REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("big.PNG") + " --width 100 --dpi 254")

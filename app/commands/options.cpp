@@ -68,7 +68,7 @@ int whole_number_in(const std::string& name, const std::string& text, const Numb
 
 // "0.2"; or "0.1..0.4", from the smallest to the largest.
 DotSize dot_size_in(const std::string& name, const std::string& text) {
-    const NumberRange range{.least = 0, .most = 1000, .at_least = NumberRange::Least::excluded};
+    const NumberRange range{.least = kSmallestRadiusMm, .most = kLargestRadiusMm};
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
         return {.sizing = DotSizing::fixed, .radius_mm = length_in(name, text, range)};
@@ -383,7 +383,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         settings.automatic_tone = false;
     }
     // True light is left as it is.
-    if (was_automatic && !settings.automatic_tone && !given("--detail")) settings.tone.detail = 0;
+    if (was_automatic != settings.automatic_tone && !given("--detail"))
+        settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     for (const char* name : {"--dots", "--scale"}) {
         if (!by_tone || !given(name)) continue;
@@ -399,7 +400,13 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     }
     // Both make a page of that size.
     PageSetup& page = settings.page;
-    if (given("--width") && given("--height")) page.paper = Paper::custom;
+    if (given("--width") && given("--height")) {
+        page.paper = Paper::custom;
+    } else if ((given("--width") || given("--height")) && !given("--page")) {
+        // Of one the other follows, whatever a project says.
+        page.paper = Paper::as_picture;
+        if (given("--width")) page.height_mm.reset();
+    }
     if (given("--page")) {
         refuse(command, {"--width", "--height"}, "cannot be given together with --page, which says it");
     } else if (page.paper == Paper::as_picture && command.get_option_no_throw("--fit")) {

@@ -7,8 +7,7 @@
 namespace dapple {
 namespace {
 
-constexpr double kLargestRadiusMm = 1000;
-constexpr double kSmallestRadiusMm = 1e-6;
+constexpr double kSmallestScale = 1e-9;
 
 }  // namespace
 
@@ -89,7 +88,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.choice("placer", placer, {PlacerKind::exact, PlacerKind::figure8});
     // Of the placing, what people choose; the number of threads belongs to the computer.
     fields.whole("count", placing.count, 1, kMostDots);
-    fields.number("scale", placing.scale, {});
+    fields.number("scale", placing.scale, {kSmallestScale});
     fields.whole("relax", relax, {0, kMostRelaxingSteps});
     fields.group("dot_size", dot_size);
     fields.group("page", page);

@@ -44,6 +44,12 @@ bool file_is_there(const fs::path& file) {
     return !file.empty() && fs::exists(file, ignored);
 }
 
+// A device may have no end, and a pipe may never begin.
+bool is_read_at_once(const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored);
+}
+
 fs::path folder_holding(const fs::path& file) {
     return whole_path(file).parent_path();
 }
@@ -197,9 +203,12 @@ fs::path Fields::file_in(const char* name, const Json& value) const {
     if (given.empty() || given.find('\0') != std::string::npos)
         refuse_value(name, value, "the name of a file");
     const fs::path beside = (folder_holding(place_.file) / given).lexically_normal();
-    if (file_is_there(beside)) return beside;
     const fs::path absolute = value.is_object() ? text_at("absolute") : "";
-    if (file_is_there(absolute)) return absolute;
+    for (const fs::path& file : {beside, absolute}) {
+        if (!file_is_there(file)) continue;
+        if (is_read_at_once(file)) return file;
+        refuse(name, fmt::format("is {}, which is no regular file; name one that is", printable(file.native())));
+    }
     const std::string where =
         absolute.empty() || absolute == beside
             ? fmt::format("{} is not there", beside.string())

@@ -14,8 +14,13 @@ namespace {
 class Figure8 {
  public:
     Figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks, double scale,
-            Figure8Result& result)
-        : density_(density), scale_(scale), ranks_(ranks), successor_(tile.successor), result_(result) {
+            Figure8Result& result, const std::stop_token& stop)
+        : density_(density),
+          scale_(scale),
+          ranks_(ranks),
+          successor_(tile.successor),
+          result_(result),
+          stop_(stop) {
         for (const BinaryPoint p : tile.points) points_.push_back(to_unit_square(p));
         for (const BinaryPoint p : tile.points) quadrant_.push_back(quadrant_of(p));
     }
@@ -23,6 +28,7 @@ class Figure8 {
     // `placed_before`: for each point, whether an ancestor has placed it. It changes nothing but the count of
     // duplicates.
     void place_tile(glm::dvec2 corner, int level, std::uint64_t placed_before) {
+        if (stop_.stop_requested()) return;
         const auto count = static_cast<double>(points_.size());
         const double side = std::ldexp(1.0, -level);
         // The paper's 1/A is for 16 points; with other sizes scale keeps its meaning.
@@ -62,6 +68,7 @@ class Figure8 {
     const std::vector<int>& ranks_;
     const std::vector<std::uint32_t>& successor_;
     Figure8Result& result_;
+    const std::stop_token& stop_;
     std::vector<glm::dvec2> points_;
     std::vector<int> quadrant_;
 };
@@ -69,7 +76,7 @@ class Figure8 {
 }  // namespace
 
 Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
-                            double scale) {
+                            double scale, const std::stop_token& stop) {
     if (tile.rule != Rule{} || tile.size() > 62) {
         throw std::runtime_error(
             "the paper's placer (figure8) knows only tiles whose children are not turned; use paper16 or "
@@ -80,7 +87,7 @@ Figure8Result place_figure8(const Density& density, const Tile& tile, const std:
         throw std::runtime_error("the scale must be a number from 0 up");
     Figure8Result result;
     result.scale = scale;
-    Figure8(density, tile, ranks, scale, result).place_tile({0, 0}, 0, 0);
+    Figure8(density, tile, ranks, scale, result, stop).place_tile({0, 0}, 0, 0);
     return result;
 }
 
@@ -94,8 +101,8 @@ std::optional<Figure8Result> place_figure8_count(const Density& density, const T
     const double first = scale_for(density, wanted);
     double scale = first;
     for (int round = 1; scale <= first * kMostGrowth; ++round) {
+        Figure8Result result = place_figure8(density, tile, ranks, scale, stop);
         if (stop.stop_requested()) return std::nullopt;
-        Figure8Result result = place_figure8(density, tile, ranks, scale);
         const auto found = static_cast<double>(result.dots.size() - result.duplicates);
         if (found >= wanted && (found <= kClose * wanted + 1 || round > kCloseRounds)) return result;
         // Aims at the middle of what is close enough.

@@ -23,9 +23,10 @@ struct Figure8Result {
 
 /// Recursive, in double precision; decides about subdivision at the tile's N points and tests inherited
 /// points again. ranks: each point's place in the tile's own order, from farthest_point_ranks(). Throws
-/// std::runtime_error if the tile's rule is not the identity: the paper knows no other.
+/// std::runtime_error if the tile's rule is not the identity: the paper knows no other. Stopped, it returns
+/// what it has so far.
 Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
-                            double scale);
+                            double scale, const std::stop_token& stop = {});
 
 /// The same at a scale that has so many distinct dots, or a few more: how many a scale has is known once they
 /// are placed. Nothing if stopped. Throws std::runtime_error as above, and if so many are not found: what a

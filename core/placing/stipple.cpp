@@ -24,8 +24,8 @@ bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const 
     if (placer == PlacerKind::figure8) {
         std::optional<Figure8Result> placed =
             request.count ? place_figure8_count(density, tile.tile(), tile.own_ranks(), *request.count, stop)
-                          : place_figure8(density, tile.tile(), tile.own_ranks(), request.scale);
-        if (!placed) return false;
+                          : place_figure8(density, tile.tile(), tile.own_ranks(), request.scale, stop);
+        if (!placed || stop.stop_requested()) return false;
         result.dots = in_one_piece(std::move(placed->dots));
         result.duplicates = placed->duplicates;
         result.scale = placed->scale;

@@ -10,6 +10,7 @@ namespace {
 constexpr Shortcut kShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a picture or a project"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
+    {Action::find_picture, "", "Use another picture in this project"},
     {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},

@@ -9,7 +9,7 @@ namespace dapple {
 enum class Action {
     open,
     open_tile,
-    find_picture,  // that a project names; offered only where it is missing
+    find_picture,  // that a project is to have, as where its own is missing
     paste,
     save,
     save_as,

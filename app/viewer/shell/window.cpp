@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <glm/common.hpp>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/shell/window_icon.h"
 #include "app/viewer/widgets/keys.h"
+#include "core/image/rectangle.h"
 
 namespace dapple {
 namespace {
@@ -66,6 +68,31 @@ bool is_on_a_screen(const WindowPlace& place) {
             return true;
     }
     return false;
+}
+
+/// The one that most of the window is on; null: there is none.
+GLFWmonitor* monitor_under(GLFWwindow* window) {
+    Rectangle<int> own;
+    glm::ivec2 size{0};
+    glfwGetWindowPos(window, &own.low.x, &own.low.y);
+    glfwGetWindowSize(window, &size.x, &size.y);
+    own.high = own.low + size;
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    int count = 0, most = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+        if (!mode) continue;
+        glm::ivec2 corner{0};
+        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+        const glm::ivec2 shared = glm::max(
+            glm::min(own.high, corner + glm::ivec2(mode->width, mode->height)) - glm::max(own.low, corner), 0);
+        if (shared.x * shared.y > most) {
+            most = shared.x * shared.y;
+            best = monitors[i];
+        }
+    }
+    return best;
 }
 
 void put_where_it_was(GLFWwindow* window, const WindowPlace& place) {
@@ -141,7 +168,7 @@ void Window::toggle_full_screen() {
                              windowed_size_.y, GLFW_DONT_CARE);
         return;
     }
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    GLFWmonitor* monitor = monitor_under(window_);
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     if (!mode) return;
     glfwGetWindowPos(window_, &windowed_corner_.x, &windowed_corner_.y);
