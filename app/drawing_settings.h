@@ -14,6 +14,8 @@
 #include "core/output/gcode.h"
 #include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
+#include "core/strokes/dot_shape.h"
+#include "core/strokes/drawing_style.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {
@@ -27,6 +29,8 @@ inline constexpr const char* kDefaultTile = "aperiodic4096";
 inline constexpr double kLongestSideMm = 100'000;
 /// Of a page, a region, or what a margin leaves: finer than any pen.
 inline constexpr double kShortestSideMm = 0.01;
+/// The least and the most that a pen's width may be.
+inline constexpr double kFinestPenMm = 0.001, kWidestPenMm = 50;
 
 /// Of a dot.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
@@ -45,6 +49,9 @@ struct DrawingSettings {
     glm::vec3 paper = kWhite;
     bool background = false;  // paint the paper under an SVG's dots
     bool show_tiles = false;  // the boundaries of the tiles, coloured by level
+    DrawingStyle style = DrawingStyle::dots;
+    DotMark mark = {};          // each dot's shape, where the style is dots
+    double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
     bool operator==(const DrawingSettings&) const = default;
 };
@@ -74,7 +81,16 @@ struct SavingChoice {
 /// that turn their children, meets the default one.
 std::string tile_in_use(const DrawingSettings& settings);
 
-/// What is asked of the pipeline.
+/// Whether a pen draws lines, rather than that dots are filled circles.
+bool draws_strokes(const DrawingSettings& settings);
+
+/// Whether each dot is a touch of the pen, and as large as the pen's line is wide.
+bool draws_touches(const DrawingSettings& settings);
+
+/// The widest line that a pen draws, in millimetres; 0 where dots are filled circles.
+double widest_stroke(const DrawingSettings& settings);
+
+/// What is asked of the pipeline. Touches are as large as the pen's line is wide.
 DrawingRequest request_of(const DrawingSettings& settings);
 
 }  // namespace dapple

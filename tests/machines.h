@@ -16,14 +16,18 @@ namespace dapple {
 struct Plotted {
     std::vector<glm::dvec2> dots{};
     glm::dvec2 at{0, 0};
+    std::vector<std::vector<glm::dvec2>> lines{};  // where it moved with its tool down
 };
+
+/// Whether the tool may move while it is down.
+enum class Lines { refused, drawn };
 
 /// A machine with a Z axis, or a servo or a laser that M3 drives at over S50. It makes a dot where it rests
 /// with its tool down. Throws std::runtime_error if the tool moves while it is down, if anything moves before
 /// millimetres and places are agreed on, or at a word that such machines don't know.
-inline Plotted plotted_gcode(const std::string& text) {
+inline Plotted plotted_gcode(const std::string& text, Lines may = Lines::refused) {
     Plotted plot;
-    bool millimetres = false, places = false, on = false;
+    bool millimetres = false, places = false, on = false, goes_on = false;
     double power = 0, z = 1, feed = 0;
     int motion = -1;
     const auto is_down = [&] { return z <= 0 || (on && power > 50); };
@@ -67,10 +71,14 @@ inline Plotted plotted_gcode(const std::string& text) {
         }
         if (values.contains('Z')) z = values['Z'];
         if (!values.contains('X') && !values.contains('Y')) continue;
-        if (!millimetres || !places || is_down() || (motion == 1 && feed <= 0) || motion < 0)
+        const bool draws = is_down() && may == Lines::drawn && motion == 1;
+        if (draws && (plot.lines.empty() || !goes_on)) plot.lines.push_back({plot.at});
+        goes_on = draws;
+        if (!millimetres || !places || (is_down() && !draws) || (motion == 1 && feed <= 0) || motion < 0)
             throw std::runtime_error("must not move: " + line);
         if (values.contains('X')) plot.at.x = values['X'];
         if (values.contains('Y')) plot.at.y = values['Y'];
+        if (draws) plot.lines.back().push_back(plot.at);
     }
     if (is_down()) throw std::runtime_error("the tool stays down");
     return plot;
@@ -78,9 +86,9 @@ inline Plotted plotted_gcode(const std::string& text) {
 
 /// A pen plotter, 40 units to the millimetre. It makes a dot where the pen goes down, and throws
 /// std::runtime_error if that is then moved, before there is a pen, or at an unknown instruction.
-inline Plotted plotted_hpgl(const std::string& text) {
+inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused) {
     Plotted plot;
-    bool down = false, ready = false;
+    bool down = false, ready = false, goes_on = false;
     int pen = 0;
     std::istringstream instructions(text);
     for (std::string each; std::getline(instructions >> std::ws, each, ';');) {
@@ -91,13 +99,26 @@ inline Plotted plotted_hpgl(const std::string& text) {
             pen = std::stoi(rest);
         } else if (name == "PU" || name == "PD") {
             const bool was_down = std::exchange(down, name == "PD");
+            if (!down) goes_on = false;
             if (!ready || (down && pen == 0)) throw std::runtime_error("no pen: " + each);
             if (down && !was_down) plot.dots.push_back(plot.at);
-            if (rest.empty()) continue;
-            const std::size_t comma = rest.find(',');
-            const glm::dvec2 to(std::stoi(rest) / 40.0, std::stoi(rest.substr(comma + 1)) / 40.0);
-            if (down && to != plot.at) throw std::runtime_error("a line: " + each);
-            plot.at = to;
+            std::istringstream numbers(rest);
+            int x = 0, y = 0;
+            char comma = 0;
+            while (numbers >> x >> comma >> y) {
+                const glm::dvec2 to(x / 40.0, y / 40.0);
+                if (down && to != plot.at) {
+                    if (may == Lines::refused) throw std::runtime_error("a line: " + each);
+                    if (!goes_on) {
+                        plot.lines.push_back({plot.at});
+                        plot.dots.pop_back();
+                    }
+                    goes_on = true;
+                    plot.lines.back().push_back(to);
+                }
+                plot.at = to;
+                numbers >> comma;
+            }
         } else {
             throw std::runtime_error("unknown: " + each);
         }

@@ -89,6 +89,10 @@ TEST_CASE("analyse says why a drawing without its dots cannot be read") {
         scene.refuses(file + to_old,
                       "is not read; give points (.csv, .tsv, .txt), a drawing by dapple render");
     }
+    REQUIRE(run_dapple("render -o " + scene("line.svg") + " --dots 300 --style line").status == 0);
+    scene.refuses(scene("line.svg") + to_old, "is drawn with strokes");
+    REQUIRE(run_dapple("render -o " + scene("crosses.svg") + " --dots 300 --dot-shape cross").status == 0);
+    scene.refuses(scene("crosses.svg") + to_old, "save it as .json or .csv");
 }
 
 TEST_CASE("analyse draws a picture with the tone that is asked for") {

@@ -127,6 +127,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--region 0,0,1e-9x1e-9", "--region: 1e-09 x 1e-09 mm is too small"},
           Wrong{"--crop 0,0,1e-9x1e-9", "--crop: the part is 1e-09 x 1e-09 pixels"},
           Wrong{"--crop 0%,0%,1e-9%x100%", "--crop: the part is"},
+          Wrong{"--dot-shape point --dot-radius 1", "--dot-radius: a point is as large as the pen makes it"},
           Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
           Wrong{"--dot-radius 900..1000", "--dot-radius: no dots so large come out"},
           Wrong{"--nonsense", "--nonsense"}}) {

@@ -49,6 +49,7 @@ Everything with_all_in_use() {
     ViewerSettings& all = one.all;
     all.density.source = DensitySource::grey;
     all.comparison.on = all.loupe.on = true;
+    all.drawing.mark = {DotShape::path, "M0,0 L1,1"};
     all.drawing.dot_size.sizing = DotSizing::fixed;
     all.drawing.page.paper = Paper::custom;
     all.drawing.page.margins = {1, 2, 3, 4};
@@ -58,6 +59,7 @@ Everything with_all_in_use() {
 Everything with_other_choices() {
     Everything one;
     one.all.drawing.dot_size.sizing = DotSizing::by_tone;
+    one.all.drawing.style = DrawingStyle::line;
     return one;
 }
 

@@ -14,8 +14,9 @@ namespace {
 
 // 10,000 dots of a plotted drawing, with which all is well.
 DrawingFacts good_facts() {
-    DrawingFacts facts{
-        .dots = 10'000, .ink = {.as = DotsAs::touches, .radius_mm = 0.15}, .page = {200, 150, 200}};
+    DrawingFacts facts{.dots = 10'000,
+                       .ink = {.as = DotsAs::touches, .radius_mm = 0.5, .stroke_width_mm = 0.3},
+                       .page = {200, 150, 200}};
     facts.measured = Preflight{.pen_up_m = 20, .nearest_mm = 1};
     facts.machine = Machine::axidraw_v3;
     facts.plotting = {.moving_s = 600, .lifting_s = 2400};
@@ -51,13 +52,16 @@ TEST_CASE("of a drawing with which all is well nothing is said, and of one witho
     CHECK(kinds_of(none).empty());
 }
 
-TEST_CASE("dots that run into others are told from one in a hundred on, where a pen draws them") {
-    DrawingFacts facts = good_facts();
-    facts.measured->overlapping = 99;
-    CHECK(kinds_of(facts).empty());
-    facts.measured->overlapping = 4000;
-    CHECK(kinds_of(facts) == Kinds{FindingKind::overlap});
-    CHECK(sentences_of(facts).find("40 % of the dots") != std::string::npos);
+TEST_CASE("dots that run into others are told from one in a hundred on, however a pen draws them") {
+    for (const DotsAs as : {DotsAs::touches, DotsAs::shapes, DotsAs::lines}) {
+        DrawingFacts facts = good_facts();
+        facts.ink.as = as;
+        facts.measured->overlapping = 99;
+        CHECK(kinds_of(facts).empty());
+        facts.measured->overlapping = 4000;
+        CHECK(kinds_of(facts) == Kinds{FindingKind::overlap});
+        CHECK(sentences_of(facts).find("40 % of the dots") != std::string::npos);
+    }
     DrawingFacts printed = good_facts();
     printed.ink.as = DotsAs::printed;
     printed.measured->overlapping = 4000;
@@ -69,7 +73,7 @@ TEST_CASE("circles are told as rings that a plotter follows, how long they are a
     facts.ink.as = DotsAs::rings;
     facts.measured->rings_m = 31.4;
     CHECK(kinds_of(facts) == Kinds{FindingKind::rings});
-    CHECK(sentences_of(facts).find("31.4 m of rings; a dot radius of half") != std::string::npos);
+    CHECK(sentences_of(facts).find("31.4 m of rings; with the dot shape point") != std::string::npos);
 }
 
 TEST_CASE("the layer of tiles is called by the number that it has behind those of the dots") {
@@ -89,7 +93,7 @@ TEST_CASE("hours of plotting come with how many dots take one") {
     CHECK(kinds_of(facts) == Kinds{FindingKind::hours});
     CHECK(sentences_of(facts).find(
               "about 4 h on an AxiDraw V3, mostly pen raising and lowering; 2,500 dots take "
-              "about an hour\n") != std::string::npos);
+              "about an hour, and one line") != std::string::npos);
     facts.machine.reset();
     CHECK(kinds_of(facts).empty());
 }
@@ -105,6 +109,10 @@ TEST_CASE("more dots than programs read, and more than are looked at, are told w
     CHECK(kinds_of(facts).empty());
     facts.measured.reset();
     CHECK(kinds_of(facts) == Kinds{FindingKind::not_looked});
+    facts.is_svg = true;
+    facts.ink.as = DotsAs::lines;
+    facts.dots = kMostSvgPathDots + 1;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::too_many, FindingKind::not_looked});
 }
 
 TEST_CASE("a page that the machine does not reach is told, lying or upright, and A4 is not") {

@@ -164,3 +164,11 @@ TEST_CASE("with sizes by tone, light greys have the more dots the smaller the sm
     CHECK(static_cast<double>(counts[2]) ==
           doctest::Approx(0.2 * 200 * 200 / std::numbers::pi).epsilon(0.02));
 }
+
+TEST_CASE(
+    "lines through dots are twice as long, and so cover twice as much, where there are four times as many") {
+    const InkCurve curve({.joined = true});
+    for (const float coverage : {0.1f, 0.25f, 0.5f, 0.9f})
+        CHECK(curve.density(coverage) == doctest::Approx(coverage * coverage).epsilon(1e-3));
+    CHECK(curve.density(1) == 1);
+}

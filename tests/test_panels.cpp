@@ -633,6 +633,22 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK(settings.saving.bits == 8);
 }
 
+TEST_CASE("dots are drawn as lines or in another shape by the pen whose width is typed") {
+    DrawingSettings drawing;
+    HeadlessUi ui([&] { draw_dots_panel(drawing, {}); });
+    ui.click("Dot shape");
+    ui.click("spiral");
+    CHECK(drawing.mark.shape == DotShape::spiral);
+    ui.enter("Pen width, mm", "0.5");
+    CHECK(drawing.pen_width_mm == 0.5);
+    ui.click("one line");
+    CHECK(drawing.style == DrawingStyle::line);
+    ui.click("nearest");
+    CHECK(drawing.style == DrawingStyle::nearest);
+    ui.click("dots");
+    CHECK(drawing.style == DrawingStyle::dots);
+}
+
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
     const TemporaryFolder folder;
     const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
@@ -663,6 +679,22 @@ TEST_CASE("a G-code template of one's own is named by its file, and what it says
     ui.click("laser");
     CHECK(saving.gcode_template == OwnTemplate{});
     CHECK(saving.tool == GcodeTool::laser);
+}
+
+TEST_CASE("a dot's own path is typed: what is none is told and changes nothing") {
+    DrawingSettings drawing;
+    drawing.mark.shape = DotShape::path;
+    drawing.mark.path = "M0,0 L1,1";
+    HeadlessUi ui([&] { draw_dots_panel(drawing, {}); });
+    ui.click("Own shape");
+    ui.key(Key::end);
+    ui.type(" L9,9");
+    CHECK(drawing.mark.path == "M0,0 L1,1");
+    CHECK(ui.has("Refusal"));
+    for (int i = 0; i < 3; ++i) ui.key(Key::backspace);
+    ui.type("1,0");
+    CHECK(drawing.mark.path == "M0,0 L1,1 L1,0");
+    CHECK_FALSE(ui.has("Refusal"));
 }
 
 TEST_CASE("a file's size is told in round words") {

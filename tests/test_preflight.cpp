@@ -58,6 +58,17 @@ TEST_CASE("dots seen from a corner on the page are measured where they lie on it
     CHECK(preflight(dots, kPage, 0.4, {}, {20, 0}).over_edge == 0);
 }
 
+TEST_CASE(
+    "the ink of a touch is as wide as the pen, that of a shape as the dot or the pen, whichever is wider") {
+    InkedDot ink{.as = DotsAs::touches, .radius_mm = 0.4, .stroke_width_mm = 0.3};
+    CHECK(ink.reach_mm(0.4) == 0.15);
+    ink.as = DotsAs::shapes;
+    CHECK(ink.reach_mm(0.4) == 0.4);
+    CHECK(ink.reach_mm(0.1) == 0.15);
+    ink.as = DotsAs::rings;
+    CHECK(ink.reach_mm(0.4) == 0.4);
+}
+
 TEST_CASE("dots with a part in the margins are counted, each with its own radius") {
     const Rectangle<double> within{{10, 5}, {90, 45}};
     Dots dots = dots_at_mm({{10.3f, 20}, {50, 5.3f}, {89.7f, 20}, {50, 44.7f}, {50, 25}, {10.4f, 20}});

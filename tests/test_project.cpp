@@ -62,7 +62,9 @@ ViewerSettings nothing_usual() {
         .paper = parse_colour("#f1faee"),
         .background = true,
         .show_tiles = true,
-        };
+        .style = DrawingStyle::nearest,
+        .mark = parse_dot_mark("M0,0 L1,1"),
+        .pen_width_mm = 0.7};
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;

@@ -281,3 +281,39 @@ TEST_CASE(
           std::string::npos);
     scene.must_fail(file + scene("c.svg") + " --format png", "--format: png, but the name");
 }
+
+TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and as short as it is told") {
+    const Scene scene;
+    const std::string picture = scene("cat.png");
+    const Outcome told = run_dapple("render " + picture + " --dots 2000 --width 96 --style line --stats " +
+                                    scene("a.json") + " -o " + scene("a.svg"));
+    CAPTURE(told.err);
+    REQUIRE(told.status == 0);
+    CHECK(told.err.find("the pen draws 1 line of ") != std::string::npos);
+    const std::string svg = text_of(scene("a.svg"));
+    // As svg says it, in px from the upper left corner.
+    const std::size_t begin = svg.find("<path d=\"M") + 10;
+    REQUIRE(svg.find("<path", begin) == std::string::npos);
+    std::string path = svg.substr(begin, svg.find('"', begin) - begin);
+    for (char& c : path)
+        if (c == 'L') c = ' ';
+    std::vector<glm::dvec2> line;
+    std::istringstream numbers(path);
+    for (glm::dvec2 p; numbers >> p.x >> p.y;) line.push_back(p * 25.4 / 96.0);
+    REQUIRE(line.size() == 2000);
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    CHECK(std::abs(length / 1000 - std::stod(told.err.substr(told.err.find("line of ") + 8))) < 0.06);
+    // The shortest of all is about 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006), and
+    // less where they crowd.
+    CHECK(length < 0.93 * std::sqrt(2000 * kWidth * kHeight));
+    REQUIRE(run_dapple("render " + picture + " --dots 2000 --width 96 --style line -o " + scene("a.gcode"))
+                .status == 0);
+    const Plotted plot = plotted_gcode(text_of(scene("a.gcode")), Lines::drawn);
+    REQUIRE(plot.lines.size() == 1);
+    REQUIRE(plot.lines[0].size() == line.size());
+    double most = 0;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        most = std::max(most, glm::distance(plot.lines[0][i], glm::dvec2(line[i].x, kHeight - line[i].y)));
+    CHECK(most < 0.005);
+}

@@ -180,11 +180,12 @@ std::set<std::string> kinds_in(const nlohmann::json& stats) {
 
 }  // namespace
 
-TEST_CASE("overlap is told of every file that is plotted, and as the same figures") {
+TEST_CASE("overlap by the pen's width is told of every file that is plotted, and as the same figures") {
     const Scene scene;
-    const std::string from =
-        "render " + scene("cat.png") + " --dots 3000 --width 60 --stats " + scene("s.json") + " -o ";
-    for (const std::string how : {"a.gcode", "a.hpgl", "a.svg", "a.dxf"}) {
+    const std::string from = "render " + scene("cat.png") + " --dots 3000 --width 60 --stats " +
+                             scene("s.json") + " --pen-width 0.8 -o ";
+    for (const std::string how : {"a.gcode", "a.hpgl", "a.svg --dot-shape point", "a.dxf --dot-shape cross",
+                                  "a.gcode --dot-shape spiral", "a.svg --style line"}) {
         CAPTURE(how);
         const Outcome outcome = run_dapple(from + scene("") + how);
         REQUIRE(outcome.status == 0);
@@ -193,12 +194,12 @@ TEST_CASE("overlap is told of every file that is plotted, and as the same figure
         CHECK(outcome.err.find(" part them\n") != std::string::npos);
     }
     REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 300 --width 200 --stats " + scene("s.json") +
-                       " --dot-radius 0.05 -o " + scene("a.hpgl"))
+                       " --pen-width 0.1 -o " + scene("a.hpgl"))
                 .status == 0);
     CHECK_FALSE(kinds_in(read_json(scene("s.json"))).contains("overlap"));
 }
 
-TEST_CASE("circles in SVG and DXF are told as rings") {
+TEST_CASE("circles in SVG and DXF take the time of following them, and are told as rings") {
     const Scene scene;
     const auto stats = [&](const std::string& name) {
         REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 900 --width 100 --stats " +
@@ -206,8 +207,17 @@ TEST_CASE("circles in SVG and DXF are told as rings") {
                     .status == 0);
         return read_json(scene("s.json"));
     };
-    for (const std::string name : {"a.svg", "a.dxf"}) CHECK(kinds_in(stats(name)).contains("rings"));
-    CHECK_FALSE(kinds_in(stats("a.hpgl")).contains("rings"));
+    for (const std::string name : {"a.svg", "a.dxf"}) {
+        const nlohmann::json rings = stats(name);
+        CHECK(kinds_in(rings).contains("rings"));
+        // At the speed of lines, and slower where it turns.
+        const double mm_per_s = 25.0 / 110 * 8.6979 * 25.4;
+        CHECK(rings["plotting"]["drawing_s"].get<double>() >
+              rings["preflight"]["rings_m"].get<double>() * 1000 / mm_per_s);
+    }
+    const nlohmann::json touches = stats("a.hpgl");
+    CHECK_FALSE(kinds_in(touches).contains("rings"));
+    CHECK(touches["plotting"]["drawing_s"] == 0);
 }
 
 TEST_CASE("a picture of pixels is told about too, and a table's tone") {
@@ -260,7 +270,8 @@ TEST_CASE("a large file's size is said before it is written") {
 TEST_CASE("xmllint finds every SVG well formed") {
     if (!is_installed("xmllint --version")) return;
     const Scene scene;
-    for (const std::string how : {"--tiles", "--background", "--sheet 1,1/2x1"}) {
+    for (const std::string how :
+         {"--tiles", "--style line", "--background", "--dot-shape spiral", "--sheet 1,1/2x1"}) {
         CAPTURE(how);
         REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 400 -o " + scene("a.svg") + " " + how)
                     .status == 0);
@@ -268,5 +279,36 @@ TEST_CASE("xmllint finds every SVG well formed") {
         CAPTURE(checked.err);
         CHECK(checked.status == 0);
         CHECK(checked.err.empty());
+    }
+}
+
+TEST_CASE("within the margins lies all ink of a pen, however wide it is beside its dots") {
+    const Scene scene;
+    for (const std::string how :
+         {"--dot-shape point", "--dot-shape cross", "--style line", "--style nearest"}) {
+        CAPTURE(how);
+        REQUIRE(run_dapple("render " + scene("cat.png") + " --page a5 --margin 15 --dots 9000 --relax 1 " +
+                           how + " --pen-width 2 -o " + scene("a.svg") + " --stats " + scene("s.json"))
+                    .status == 0);
+        CHECK(read_json(scene("s.json"))["preflight"]["outside_the_margins"] == 0);
+        const double px = 96 / 25.4;
+        double least = 1e9;  // from the line's edge to the nearest margin
+        const Svg svg = read_svg(scene("a.svg"));
+        const pugi::xml_node root = svg.document.child("svg");
+        const double width = root.attribute("width").as_double(),
+                     height = root.attribute("height").as_double();
+        REQUIRE(width * height == 148 * 210);
+        for (const pugi::xpath_node& found : root.select_nodes(".//path")) {
+            std::string d = found.node().attribute("d").value();
+            if (d.find('h') != std::string::npos) d = d.substr(0, d.find('h'));
+            for (char& c : d)
+                if (c == 'M' || c == 'L') c = ' ';
+            std::istringstream numbers(d);
+            for (double x, y; numbers >> x >> y;)
+                least =
+                    std::min({least, x / px - 16, y / px - 16, width - 16 - x / px, height - 16 - y / px});
+        }
+        CHECK(least > -0.02);
+        CHECK(least < 1.5);
     }
 }

@@ -149,6 +149,25 @@ TEST_CASE("dots have a colour each until there are other dots") {
     }
 }
 
+TEST_CASE("lines are drawn in place of the dots, in ink and as wide as the pen") {
+    Picture200 picture;
+    picture.radius(3);
+    picture.add(20, 20);
+    picture.draw();
+    const float unit = kPixelsPerUnit;
+    ShownStrokes strokes;
+    strokes.lines = {{20 / unit, 40 / unit, 180 / unit, 40 / unit},
+                     {20 / unit, 100 / unit, 180 / unit, 100 / unit}};
+    strokes.blocks = {{.count = 2, .low = {0.2f, 0.4f}, .high = {1.8f, 1.0f}}};
+    strokes.width = 20 / unit;
+    picture.renderer.set_strokes(strokes);
+    const Grid<glm::u8vec4> pixels = picture.draw_again();
+    CHECK(glm::u8vec3(pixels.at(100, 40)) == glm::u8vec3(0, 0, 0));
+    CHECK(glm::u8vec3(pixels.at(100, 107)) == glm::u8vec3(0, 0, 0));
+    CHECK(glm::u8vec3(pixels.at(100, 113)) == glm::u8vec3(255, 255, 255));
+    CHECK(glm::u8vec3(pixels.at(20, 20)) == glm::u8vec3(255, 255, 255));  // no dots
+}
+
 TEST_CASE("outside the page is the desk, and no shadow falls on the page") {
     Picture200 picture;
     picture.look.page_size = {1, 1};

@@ -80,6 +80,14 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
                            .margins = {15, 15, 15, 15},
                            .fit = PageFit::fill,
                            .quarter_turns = 1};
+    DrawingSettings lines = drawing, spirals = drawing;
+    lines.style = DrawingStyle::line;
+    spirals.mark.shape = DotShape::spiral;
+    for (const auto& each : {std::pair(lines, "lines.svg"), std::pair(lines, "lines.gcode"),
+                             std::pair(spirals, "spirals.svg"), std::pair(spirals, "spirals.png")}) {
+        CAPTURE(each.second);
+        check(each.first, each.second);
+    }
     // A table has all digits of every number.
     for (const auto& each : {std::pair(PageSetup{}, "plain.csv"), std::pair(margins, "margins.svg"),
                              std::pair(part, "part.csv"), std::pair(filled, "filled.png")}) {
@@ -97,6 +105,9 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
     drawing.placing.count = 500;
     drawing.relax = 1;
     SavingWindow window(drawing);
+    DrawingSettings touches = drawing, nearest = drawing;
+    touches.mark.shape = DotShape::point;
+    nearest.style = DrawingStyle::nearest;
     const auto by_machine = [](GcodeTool tool) { return SavingChoice{.tool = tool, .dwell_s = 0.25}; };
     const SavingChoice own{
         .gcode_template = {"start G1 F{feed}\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own"},
@@ -108,11 +119,11 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
         const char* name;
     };
     for (const Case& each :
-         {Case{drawing, by_priority, "a.hpgl"}, Case{drawing, {.dpi = kDpi}, "b.hpgl"},
-          Case{drawing, {.dpi = kDpi}, "d.dxf"}, Case{drawing, deep, "e.tif"}, Case{drawing, deep, "f.png"},
-          Case{drawing, by_priority, "g.json"}, Case{drawing, {.dpi = kDpi}, "h.svg"},
-          Case{drawing, by_machine(GcodeTool::servo), "i.gcode"},
-          Case{drawing, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"}}) {
+         {Case{drawing, by_priority, "a.hpgl"}, Case{touches, {.dpi = kDpi}, "b.hpgl"},
+          Case{nearest, {.dpi = kDpi}, "c.dxf"}, Case{drawing, {.dpi = kDpi}, "d.dxf"},
+          Case{drawing, deep, "e.tif"}, Case{touches, deep, "f.png"}, Case{drawing, by_priority, "g.json"},
+          Case{nearest, {.dpi = kDpi}, "h.svg"}, Case{drawing, by_machine(GcodeTool::servo), "i.gcode"},
+          Case{touches, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"}}) {
         CAPTURE(each.name);
         const std::filesystem::path by_window = folder / each.name,
                                     by_command = folder / ("c_" + std::string(each.name));

@@ -15,6 +15,7 @@
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
 #include "core/drawing/pipeline.h"
+#include "core/output/stroke_figures.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
@@ -251,7 +252,7 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
     CHECK(dots == doctest::Approx(2000).epsilon(0.05));
 }
 
-TEST_CASE("the time told before a drawing is saved is about the one that its dots take") {
+TEST_CASE("the time told before a drawing is saved is about the one that its dots or strokes take") {
     Pipeline pipeline;
     pipeline.set_light(sample_picture().light);
     pipeline.set_tile(tile_named(kDefaultTile, {}));
@@ -266,9 +267,29 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
         const MachineSpeeds speeds = speeds_of(machine);
         const DrawingToSave drawing{
             .dots = stream_of(dots, stream.scale), .page = page, .dot_radius_mm = radius};
-        CHECK(estimated_plotting(drawing, DotOrder::shortest, speeds).time.total_s() ==
-              doctest::Approx(plotting_time(dots.pieces[0], page.mm_per_page_unit, speeds).total_s())
+        const auto told = [&] {
+            return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds)
+                .time.total_s();
+        };
+        settings.style = DrawingStyle::dots;
+        settings.mark.shape = DotShape::circle;
+        CHECK(told() ==
+              doctest::Approx(
+                  plotting_time_of_rings(dots.pieces[0], page.mm_per_page_unit, radius, speeds).total_s())
                   .epsilon(0.1));
+        const auto taken = [&] {
+            const auto strokes =
+                strokes_of(settings, {.dots = stream_of(dots), .page = page, .dot_radius_mm = radius},
+                           DrawingFormat::svg);
+            return figures_of(*strokes, speeds).time.total_s();
+        };
+        settings.mark.shape = DotShape::spiral;
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.1));
+        settings.style = DrawingStyle::line;
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.15));
+        settings.style =
+            DrawingStyle::nearest;  // some of the dots are less even than all, and have other near ones
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.2));
     }
 }
 
@@ -291,12 +312,22 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
          {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority}) {
         CAPTURE(name_of(order));
         const Dots dots = sorted_dots(stream, order);
-        const PlottingEstimate told = estimated_plotting(drawing, order, speeds);
+        const PlottingEstimate told =
+            estimated_plotting(settings, drawing, DrawingFormat::hpgl, order, speeds);
         CHECK(told.time.moving_s ==
               doctest::Approx(plotting_time(dots, page.mm_per_page_unit, speeds).moving_s).epsilon(0.15));
         CHECK(told.way_m ==
               doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.2));
         CHECK(told.time.drawing_s == 0);
+        // Circles are followed round in an SVG.
+        const PlottingTime rings =
+            estimated_plotting(settings, drawing, DrawingFormat::svg, order, speeds).time;
+        CHECK(
+            rings.drawing_s ==
+            doctest::Approx(
+                plotting_time_of_rings(dots, page.mm_per_page_unit, drawing.dot_radius_mm, speeds).drawing_s)
+                .epsilon(0.02));
+        CHECK(rings.drawing_s > 100);
     }
 }
 

@@ -89,6 +89,9 @@ PlacedPoints points_of_svg(std::string_view text, const std::string& name) {
         if (!x || !y || circle.find(" transform=") != circle.npos) not_ours(name, kKind);
         placed.points.push_back(glm::dvec2(*x, *y) * kMmPerPx);
     }
+    if (placed.points.empty() && text.find("<path ") != text.npos)
+        throw std::runtime_error(
+            name + ": is drawn with strokes, which do not say where the dots are; save it as .json or .csv");
     return on_page(std::move(placed), name);
 }
 

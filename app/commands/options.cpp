@@ -231,6 +231,30 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
                      "Processor cores to use, 0 for all; the dots are the same with any number");
 }
 
+void add_style_options(CLI::App& app, DrawingSettings& settings) {
+    const Heading heading(app, "Dots");
+    add_choice(
+        app, "--style", settings.style, {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest},
+        "dots: each by itself; line: one line through all dots, by the shortest way that is soon found, "
+        "or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
+    const auto read_mark = [&settings](const std::string& text) {
+        try {
+            settings.mark = parse_dot_mark(text);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError("--dot-shape", error.what());
+        }
+    };
+    add_text(
+        app, "--dot-shape", "SHAPE|PATH",
+        "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
+        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in "
+        "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z",
+        read_mark)
+        ->default_str(text_of(settings.mark));
+    add_length(app, "--pen-width", settings.pen_width_mm, {.least = kFinestPenMm, .most = kWidestPenMm},
+               "How wide the pen draws that makes lines, and dots of another shape than circle");
+}
+
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Tone");
     Tone& tone = settings.tone;

@@ -70,6 +70,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
     return option;
 }
 
+/// --style, --dot-shape, --pen-width.
+void add_style_options(CLI::App& app, DrawingSettings& settings);
+
 /// --ranking, none without it.
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking);
 

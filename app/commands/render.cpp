@@ -166,6 +166,15 @@ Rectangle<double> picture_on(const Excerpt& part, glm::ivec2 pixels) {
     return {corner, corner + glm::dvec2(pixels) / static_cast<double>(std::max(pixels.x, pixels.y))};
 }
 
+// From the corner of where the dots are placed to that of the part that is drawn; none where they are one.
+std::optional<glm::dvec2> part_corner_mm(const DrawnPage& page, const RenderOptions& options,
+                                         DrawingFormat format) {
+    if (!draws_lines(options.drawing, format) || draws_whole_page(options)) return std::nullopt;
+    const PagePart &part = page.part.part, &whole = page.whole.part;
+    return glm::dvec2(part.across.offset - whole.across.offset, part.down.offset - whole.down.offset) *
+           page.part.size.mm_per_page_unit;
+}
+
 }  // namespace
 
 bool reads_standard_input(const RenderOptions& options) {
@@ -206,16 +215,16 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    const DotStream dots = pipeline.stream(plan, page.part.part);
+    const DotStream dots = pipeline.stream(plan, placed_on(page, settings, format).part);
     check_not_empty(plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
     const double radius = plan.radius(dots.scale), unit_mm = page.part.size.mm_per_page_unit;
-    const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count));
-    const auto held =
-        held_dots(dots, has_order(format) ? order : DotOrder::recursion, page.part.size, stages);
+    const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count, settings.style));
+    const bool shows_order = has_order(format, settings.style);
+    const auto held = held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages);
     DotStream drawn = held ? stream_of(held->dots, dots.scale) : dots;
     // Pixels show the part of a dot that reaches over from the next sheet.
-    if (has_pixels(format) && page.part.part != PagePart{})
+    if (has_pixels(format) && !draws_lines(settings, format) && page.part.part != PagePart{})
         drawn = pipeline.stream(plan, widened(page.part.part, radius));
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
@@ -232,7 +241,8 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                        .bits = options.saving.bits,
                        .order = DotOrder::recursion,
                        .format = format,
-                       .settings = embedded_settings(options.output, settings, options.saving)};
+                       .settings = embedded_settings(options.output, settings, options.saving),
+                       .part_corner_mm = part_corner_mm(page, options, format)};
     if (format == DrawingFormat::gcode) file.gcode = gcode_style_of(options.saving);
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes =

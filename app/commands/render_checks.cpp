@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/commands/options.h"
+#include "app/files/drawing_facts.h"
 #include "app/files/save_drawing.h"
 
 namespace dapple {
@@ -50,7 +51,24 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
     if (!has_pixels(format))
         refuse(command, {"--bits"}, "is of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
-    if (!has_order(format)) refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    const DrawingSettings& drawing = options.drawing;
+    if (!has_order(format, drawing.style))
+        refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    if (is_table(format))
+        refuse(command, {"--style", "--dot-shape", "--pen-width"},
+               "a table has the dots alone; leave it away");
+    if (drawing.style != DrawingStyle::dots)
+        refuse(command, {"--dot-shape"},
+               "shows where each dot stands by itself; leave it away, or give --style dots");
+    if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
+        refuse(command, {"--dot-radius"},
+               "a point is as large as the pen makes it; leave it away, or give another --dot-shape");
+    const bool pen_draws = draws_strokes(drawing) || dots_as(drawing, format) == DotsAs::touches;
+    if (!pen_draws)
+        refuse(
+            command, {"--pen-width"},
+            "is of the pen that draws --style line or nearest, or another --dot-shape than circle; give one "
+            "of those too");
     if (!is_plotted(format))
         refuse(command, {"--machine"},
                "is for what is plotted; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));

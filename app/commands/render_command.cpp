@@ -76,6 +76,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
     add_dot_options(*command, options_.drawing);
+    add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
     add_page_options(*command, options_.drawing);
     add_number(*command, "--dpi", options_.saving.dpi, {.least = 1, .most = 100'000}, "N",
@@ -110,6 +111,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
         "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
+        "  dapple render cat.jpg -o cat.svg --style line --dots 20k     one line through all dots\n"
+        "  dapple render cat.jpg -o cat.svg --dot-shape spiral --pen-width 0.3   dots that a pen fills\n"
         "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
         "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"

@@ -9,21 +9,35 @@
 namespace dapple {
 namespace {
 
-std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double scale) {
-    if (plan.size.sizing != DotSizing::fixed) return std::nullopt;
+std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double scale,
+                                               const DrawingSettings& settings) {
+    const bool round = !draws_strokes(settings) || draws_touches(settings);
+    if (plan.size.sizing != DotSizing::fixed || !round) return std::nullopt;
     return DrawingFacts::Tone{plan.dots_for_tone(),
                               plan.radius_for_its_tone(scale) * plan.page.mm_per_page_unit};
 }
 
-// The time that the machine takes.
-void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved) {
+// How long a machine takes for dots, or for what is drawn of them.
+PlottingTime time_of(const Dots& dots, const InkedDot& ink, const PageSize& page,
+                     const MachineSpeeds& speeds) {
+    if (ink.as == DotsAs::rings)
+        return plotting_time_of_rings(dots, page.mm_per_page_unit, ink.radius_mm, speeds);
+    return plotting_time(dots, page.mm_per_page_unit, speeds);
+}
+
+// The time that the machine takes, and the strokes if dots are drawn with some.
+void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
+                  const DrawingSettings& settings) {
     const PageSize& page = saved.page.part.size;
     const MachineSpeeds speeds = speeds_of(rendered.machine);
     if (!saved.held) {
         facts.plotting = expected_plotting_time(static_cast<double>(saved.dots.count),
                                                 page.width_mm * page.height_mm, speeds);
+    } else if (const auto strokes = strokes_of(settings, saved.file, saved.format)) {
+        rendered.strokes = figures_of(*strokes, speeds);
+        facts.plotting = rendered.strokes->time;
     } else {
-        facts.plotting = plotting_time(*saved.held, page.mm_per_page_unit, speeds);
+        facts.plotting = time_of(*saved.held, facts.ink, page, speeds);
     }
     rendered.plotting = facts.plotting;
 }
@@ -56,12 +70,14 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
     if (saved.held) {
         const InkedDot& ink = facts.ink;
         const Dots inked = inked_dots(stream_of(*saved.held), ink, part.size);
-        facts.measured = preflight(inked, part.size, ink.radius_mm, margins_on(part, saved.page.layout));
+        const Excerpt& excerpt = placed_on(saved.page, settings, saved.format);
+        facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm),
+                                   margins_on(excerpt, saved.page.layout));
         rendered.preflight = facts.measured;
     }
     rendered.machine = facts.machine.value_or(rendered.machine);
-    if (facts.machine) add_plotting(rendered, facts, saved);
-    facts.for_tone = tone_reached(plan, saved.dots.scale);
+    if (facts.machine) add_plotting(rendered, facts, saved, settings);
+    facts.for_tone = tone_reached(plan, saved.dots.scale, settings);
     rendered.findings = findings_of(facts);
     return rendered;
 }

@@ -64,7 +64,15 @@ PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
 }
 
 DrawnPage drawn_page(const PageLayout& layout, const RenderOptions& options) {
-    return {layout, excerpt_of(layout, options)};
+    return {layout, sheet_of(layout.page, {}, layout.picture.low), excerpt_of(layout, options)};
+}
+
+bool draws_lines(const DrawingSettings& settings, DrawingFormat format) {
+    return settings.style != DrawingStyle::dots && !is_table(format);
+}
+
+const Excerpt& placed_on(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format) {
+    return draws_lines(settings, format) ? page.whole : page.part;
 }
 
 Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout) {

@@ -11,6 +11,7 @@ namespace dapple {
 
 struct DrawnPage {
     PageLayout layout;
+    Excerpt whole;
     Excerpt part;  // the sheet or the region that is drawn, or the whole
 };
 
@@ -23,6 +24,13 @@ PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options);
 
 /// Throws as layout_for() does, for a part that does not lie on the page.
 DrawnPage drawn_page(const PageLayout& layout, const RenderOptions& options);
+
+/// Whether lines through the dots are written.
+bool draws_lines(const DrawingSettings& settings, DrawingFormat format);
+
+/// Where dots are placed for what is written: on the part, and on the whole page for lines, which are cut off
+/// at the part's edges.
+const Excerpt& placed_on(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format);
 
 /// What the margins leave, seen from the excerpt's corner, in millimetres.
 Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout);

@@ -34,7 +34,14 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::string saved =
         drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
     const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size;
-    if (drawn.pixels.x > 0)
+    if (const auto& strokes = drawn.strokes)
+        fmt::print(stderr, "{}; the pen draws {} {} of {:.1f} m, and moves {:.1f} m between them{}\n", dots,
+                   grouped(strokes->strokes), strokes->strokes == 1 ? "line" : "lines", strokes->drawn_m,
+                   strokes->pen_up_m,
+                   drawn.curve_way_m && drawn.preflight
+                       ? fmt::format("; from dot to dot {:.1f} m{}", drawn.preflight->pen_up_m, saved)
+                       : "");
+    else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
     else if (drawn.preflight)
         fmt::print(stderr, "{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
@@ -85,6 +92,11 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
                     {"lifting_s", drawn.plotting->lifting_s}, {"dots_s", drawn.plotting->dots_s},
                     {"drawing_s", drawn.plotting->drawing_s}, {"total_s", drawn.plotting->total_s()}};
     }
+    nlohmann::ordered_json strokes;
+    if (drawn.strokes)
+        strokes = {{"count", drawn.strokes->strokes},
+                   {"drawn_m", drawn.strokes->drawn_m},
+                   {"pen_up_m", drawn.strokes->pen_up_m}};
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},
                                       {"black_point", drawn.tone.black_point},
@@ -124,6 +136,9 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"preflight", preflight},
         {"findings", findings},
         {"plotting", plotting},
+        {"style", name_of(settings.style)},
+        {"dot_shape", text_of(settings.mark)},
+        {"strokes", strokes},
         {"file_bytes", bytes_in(options.output).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},

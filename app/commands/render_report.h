@@ -13,6 +13,7 @@
 #include "core/output/findings.h"
 #include "core/output/plotting_time.h"
 #include "core/output/preflight.h"
+#include "core/output/stroke_figures.h"
 
 namespace dapple {
 
@@ -41,6 +42,7 @@ struct Rendered {
     std::vector<Finding> findings = {};       // what someone should know of it
     Machine machine = {};                     // that would draw it
     std::optional<PlottingTime> plotting = {};
+    std::optional<StrokeFigures> strokes = {};  // none where dots are circles or points
     RenderTimes times = {};
 };
 

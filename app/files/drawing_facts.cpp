@@ -2,21 +2,35 @@
 
 namespace dapple {
 
-DotsAs dots_as(DrawingFormat format) {
+DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format) {
     if (is_table(format)) return DotsAs::listed;
     if (!is_plotted(format)) return DotsAs::printed;
+    if (settings.style != DrawingStyle::dots) return DotsAs::lines;
+    if (settings.mark.shape == DotShape::point) return DotsAs::touches;
+    if (settings.mark.shape != DotShape::circle) return DotsAs::shapes;
     const bool touched = format == DrawingFormat::gcode || format == DrawingFormat::hpgl;
     return touched ? DotsAs::touches : DotsAs::rings;
 }
 
-InkedDot inked_dot(DrawingFormat format, const DrawingToSave& drawing) {
-    return {.as = dots_as(format), .radius_mm = drawing.dot_radius_mm};
+InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing) {
+    InkedDot ink{.as = dots_as(settings, format),
+                 .radius_mm = drawing.dot_radius_mm,
+                 .stroke_width_mm = settings.pen_width_mm};
+    if (ink.as == DotsAs::printed) {
+        // What a pen would draw is printed as wide as its lines.
+        if (settings.style != DrawingStyle::dots) ink.radius_mm = widest_stroke(settings) / 2;
+        return ink;
+    }
+    const bool circles = !draws_strokes(settings);
+    if (circles && ink.as == DotsAs::touches && settings.dot_size.sizing != DotSizing::automatic)
+        ink.stroke_width_mm = 2 * drawing.dot_radius_mm;
+    return ink;
 }
 
 DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
                       const DrawingToSave& drawing) {
     DrawingFacts facts{.dots = drawing.dots.count,
-                       .ink = inked_dot(format, drawing),
+                       .ink = inked_dot(settings, format, drawing),
                        .is_svg = format == DrawingFormat::svg,
                        .has_margins = settings.page.margins != Margins{},
                        .page = drawing.page};

@@ -9,10 +9,11 @@
 namespace dapple {
 
 /// How such a file brings the dots onto the paper.
-DotsAs dots_as(DrawingFormat format);
+DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format);
 
-/// How far the ink of its dots reaches.
-InkedDot inked_dot(DrawingFormat format, const DrawingToSave& drawing);
+/// How far the ink of its dots reaches. Where a machine touches the paper and nothing says how large dots
+/// are, they are as wide as the pen's line.
+InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing);
 
 /// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time and
 /// the tone.

@@ -10,6 +10,10 @@ namespace dapple {
 /// The pixels that save_drawing() would write as a PNG, of dots in the order given.
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
 
+/// The same of strokes.
+Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
+                              const PageSize& page, double dpi);
+
 /// The resolution at which a page's longer side has so many pixels.
 double dpi_for(const PageSize& page, int longer_side);
 

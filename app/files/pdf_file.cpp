@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/shown_text.h"
+#include "core/output/plotted_strokes.h"
 
 namespace dapple {
 namespace {
@@ -131,6 +132,15 @@ class PdfDots {
     std::size_t count_ = 0;
 };
 
+void draw_marks(cairo_t* context, std::span<const CutMark> marks, double width_mm) {
+    cairo_set_line_width(context, width_mm * kPointsPerMm);
+    for (const CutMark& mark : marks) {
+        cairo_move_to(context, mark.from.x * kPointsPerMm, mark.from.y * kPointsPerMm);
+        cairo_line_to(context, mark.to.x * kPointsPerMm, mark.to.y * kPointsPerMm);
+        cairo_stroke(context);
+    }
+}
+
 }  // namespace
 
 void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
@@ -190,6 +200,29 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
         });
         drawn.draw();
     });
+}
+
+void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const PdfStyle& style,
+               const WritingProgress& progress) {
+    const auto draw = [&](PdfPages& pdf, const WritingProgress& gathering) {
+        cairo_t* const context = pdf.context();
+        cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_width(context, strokes.width_mm * kPointsPerMm);
+        std::size_t waiting = 0;  // points of the path
+        for_each_stroke(strokes, gathering, [&](std::span<const glm::dvec2> points) {
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const glm::dvec2 p = points[i] * kPointsPerMm;
+                if (i == 0) cairo_move_to(context, p.x, p.y);
+                if (i > 0 || points.size() == 1) cairo_line_to(context, p.x, p.y);
+                if (++waiting % kDotsOfAPath != 0) continue;
+                cairo_stroke(context);
+                cairo_move_to(context, p.x, p.y);  // the stroke goes on: its ends are round
+            }
+        });
+        cairo_stroke(context);
+    };
+    write_page(out, strokes.points, page, style, progress, draw);
 }
 
 }  // namespace dapple

@@ -12,6 +12,7 @@
 #include "core/output/sheet.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 
@@ -34,6 +35,10 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots);
 /// the bytes of circles, which is how PDF defines a dot. Throws what check_fits_pdf() throws; what the stream
 /// throws passes through.
 void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
+               const WritingProgress& progress = {});
+
+/// The same of strokes, as wide as the pen, with round ends; their points count as dots.
+void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const PdfStyle& style,
                const WritingProgress& progress = {});
 
 }  // namespace dapple

@@ -1,5 +1,6 @@
 #include "app/files/save_drawing.h"
 
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "core/output/dxf.h"
 #include "core/output/hpgl.h"
 #include "core/output/raster.h"
+#include "core/output/raster_strokes.h"
 #include "core/output/svg.h"
 
 namespace dapple {
@@ -28,7 +30,8 @@ struct Stopped {};
 
 // By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
 void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
-                  const WritingProgress& progress, const auto& write_image, const auto& colours) {
+                  const std::optional<StrokeStream>& strokes, const WritingProgress& progress,
+                  const auto& write_image, const auto& colours) {
     const RasterSize size = raster_size(drawing.page, drawing.dpi);
     const RasterRequest request{
         .dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi, .threads = settings.placing.threads};
@@ -40,19 +43,44 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
             if (progress) progress(static_cast<double>(first_row) / size.height);
             pixels(colours(coverage, settings.ink, settings.paper));
         };
-        rasterise(drawing.dots, drawing.page, request, sink);
+        if (strokes)
+            rasterise(*strokes, drawing.page, request, sink);
+        else
+            rasterise(drawing.dots, drawing.page, request, sink);
     });
 }
 
 }  // namespace
 
-DotOrder usual_order(DrawingFormat format, std::uint64_t dots) {
+DotOrder usual_order(DrawingFormat format, std::uint64_t dots, DrawingStyle style) {
+    if (style == DrawingStyle::line && !is_table(format))
+        return dots <= kMostSortedDots ? DotOrder::shortest : DotOrder::space;
     if (!is_plotted(format) || dots > kMostSortedDots) return DotOrder::recursion;
     return dots <= kMostRoutedDots ? DotOrder::shortest : DotOrder::space;
 }
 
-bool has_order(DrawingFormat format) {
-    return !has_pixels(format);
+bool has_order(DrawingFormat format, DrawingStyle style) {
+    return !has_pixels(format) || style == DrawingStyle::line;
+}
+
+std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
+                                       DrawingFormat format) {
+    if (is_table(format) || !draws_strokes(settings)) return std::nullopt;
+    const double width = settings.pen_width_mm;
+    if (settings.style == DrawingStyle::dots)
+        return marks_of(drawing.dots, drawing.page, settings.mark, drawing.dot_radius_mm, width);
+    const Dots all_dots = sorted_dots(drawing.dots, DotOrder::recursion);
+    auto lines = std::make_shared<Strokes>(settings.style == DrawingStyle::line
+                                               ? line_through(all_dots, drawing.page)
+                                               : lines_to_nearest(all_dots, drawing.page));
+    if (const auto& corner = drawing.part_corner_mm) {
+        const Rectangle<double> part{*corner,
+                                     *corner + glm::dvec2(drawing.page.width_mm, drawing.page.height_mm)};
+        *lines = cut_to(part, stream_of(*lines, width));
+    }
+    StrokeStream stream = stream_of(*lines, width);
+    stream.for_each_stroke = [lines, all = stream.for_each_stroke](const TakeStroke& take) { all(take); };
+    return stream;
 }
 
 Machine usual_machine(DrawingFormat format, GcodeTool tool) {
@@ -79,8 +107,16 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
     std::optional<glm::vec3> background;
     if (settings.background) background = settings.paper;
     const PageSize& page = drawing.page;
+    const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
+    // As strokes, if it has some.
+    const auto with_ink = [&](const auto& write) {
+        if (strokes)
+            write(*strokes);
+        else
+            write(drawing.dots);
+    };
     const auto pixels = [&](const auto& write_image, const auto& colours) {
-        write_pixels(settings, drawing, progress, write_image, colours);
+        write_pixels(settings, drawing, strokes, progress, write_image, colours);
     };
     const auto in_8_bits = [](const auto&... layers) { return ink_on_paper<std::uint8_t>(layers...); };
     const auto in_16_bits = [](const auto&... layers) { return ink_on_paper<std::uint16_t>(layers...); };
@@ -92,14 +128,14 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                                  .tiles = drawing.tiles,
                                  .picture = drawing.picture,
                                  .settings = drawing.settings};
-            return write_svg(out, drawing.dots, page, style, progress);
+            return with_ink([&](const auto& ink) { write_svg(out, ink, page, style, progress); });
         }
         case DrawingFormat::pdf: {
             const PdfStyle style{.dot_radius_mm = radius,
                                  .ink = settings.ink,
                                  .background = background,
                                  .title = title};
-            return write_pdf(out, drawing.dots, page, style, progress);
+            return with_ink([&](const auto& ink) { write_pdf(out, ink, page, style, progress); });
         }
         case DrawingFormat::png:
             if (drawing.bits == 16)
@@ -112,11 +148,12 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
         case DrawingFormat::gcode: {
             GcodeStyle style = drawing.gcode;
             style.dot_radius_mm = radius;
-            return write_gcode(out, drawing.dots, page, style, progress);
+            return with_ink([&](const auto& ink) { write_gcode(out, ink, page, style, progress); });
         }
         case DrawingFormat::hpgl:
-            return write_hpgl(out, drawing.dots, page, progress);
+            return with_ink([&](const auto& ink) { write_hpgl(out, ink, page, progress); });
         case DrawingFormat::dxf:
+            if (strokes) return write_dxf(out, *strokes, page, progress);
             return write_dxf(out, drawing.dots, page, radius, progress);
         case DrawingFormat::csv:
             return write_csv(out, drawing.dots, page, columns, progress);
@@ -129,7 +166,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
                   const DrawingToSave& drawing, const SavingWatch& watch) {
     const bool to_standard_output = path == kStandardStream;
     const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
-    const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count));
+    const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count, settings.style));
     Dots sorted;
     DrawingToSave ordered = drawing;
     // Of the bar, half is the pen's way.

@@ -30,11 +30,12 @@ inline constexpr std::uint64_t kMostSortedDots = 5'000'000;
 inline constexpr std::uint64_t kMostRoutedDots = 50'000;
 
 /// The order that suits such a file: shortest for one that is plotted, up to kMostRoutedDots, and space, up
-/// to kMostSortedDots; else as placed.
-DotOrder usual_order(DrawingFormat format, std::uint64_t dots);
+/// to kMostSortedDots; else as placed. One line through all dots is the shortest in any file, up to
+/// kMostSortedDots, and then along a Hilbert curve.
+DotOrder usual_order(DrawingFormat format, std::uint64_t dots, DrawingStyle style = DrawingStyle::dots);
 
 /// Whether the order of the dots shows in such a file.
-bool has_order(DrawingFormat format);
+bool has_order(DrawingFormat format, DrawingStyle style);
 
 /// The machine that such a file is most often for.
 Machine usual_machine(DrawingFormat format, GcodeTool tool);
@@ -56,7 +57,15 @@ struct DrawingToSave {
     GcodeStyle gcode = {};               // its radius is the one above
     std::optional<DrawingFormat> format = {};  // none: what the name's ending says
     std::string settings = {};                 // see embedded_settings(); empty: none go into the file
+    /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
+    /// is the part, whose corner is so many millimetres from theirs.
+    std::optional<glm::dvec2> part_corner_mm = {};
 };
+
+/// What a pen draws of the dots in the order given; none where they are filled circles, and of tables, which
+/// have dots alone. Lines from dot to dot are held in memory; the dots have to outlive the stream.
+std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
+                                       DrawingFormat format);
 
 /// For someone who waits.
 struct SavingWatch {

@@ -79,7 +79,7 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
-           ink, paper, background, show_tiles] = drawing;
+           ink, paper, background, show_tiles, style, mark, pen_width_mm] = drawing;
     fields.flag("automatic_tone", automatic_tone);
     fields.flag("automatic_exposure", automatic_exposure);
     fields.group("tone", tone);
@@ -96,6 +96,10 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.colour("paper", paper);
     fields.flag("background", background);
     fields.flag("show_tiles", show_tiles);
+    fields.choice("style", style, {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest});
+    fields.text("dot_shape", text_of(mark),
+                [&mark = mark](const std::string& text) { mark = parse_dot_mark(text); });
+    fields.number("pen_width_mm", pen_width_mm, {kFinestPenMm, kWidestPenMm});
 }
 
 static void describe(Fields& fields, OwnTemplate& own) {

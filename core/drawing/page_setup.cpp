@@ -181,7 +181,8 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
     }
     const Rectangle<double> within{{margins.left, margins.top}, glm::dvec2(margins.left, margins.top) + room};
     if (keeps_dots_inside(setup)) {
-        const glm::dvec2 fitting = (room - 2 * reach.mm) / (pixels + 2 * reach.picture_units * longer);
+        const glm::dvec2 fitting =
+            glm::min((room - 2 * reach.mm) / pixels, room / (pixels + 2 * reach.picture_units * longer));
         mm_per_pixel = std::min(fitting.x, fitting.y);
     }
     if (!(mm_per_pixel > 0)) {

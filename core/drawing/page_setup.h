@@ -111,8 +111,8 @@ bool keeps_dots_inside(const PageSetup& setup);
 /// What is drawn of a picture of so many pixels. Throws std::runtime_error if the crop reaches beyond it.
 Framing framing_of(const PageSetup& setup, glm::ivec2 picture);
 
-/// How far a dot reaches from its centre: in millimetres, or in units of the picture's longer side, whichever
-/// does not depend on how large the picture comes to be; the other is 0.
+/// How far a dot reaches from its centre: in millimetres and in units of the picture's longer side, the
+/// larger of the two.
 struct DotReach {
     double mm = 0, picture_units = 0;
 };

@@ -70,9 +70,11 @@ double DrawingPlan::radius(double scale) const {
 }
 
 PageLayout DrawingPlan::layout(double scale) const {
+    const double half_line = stroke_width_mm / 2;
+    if (joined && half_line > 0) return layout_of(setup, pixels, {.mm = half_line});
     return layout_of(setup, pixels,
-                     size.sizing == DotSizing::automatic ? DotReach{.picture_units = radius(scale)}
-                                                         : DotReach{.mm = reach_mm(size)});
+                     {.mm = std::max(reach_mm(size), half_line),
+                      .picture_units = size.sizing == DotSizing::automatic ? radius(scale) : 0});
 }
 
 void Pipeline::set_light(Grid<float> light, float usual_exposure) {
@@ -139,7 +141,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const glm::dvec2 picture = layout.picture.size();
     plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 
-    Toned toned{plan.tone, {.relaxing_steps = plan.steps, .smallest_area = smallest_area(request.size)}};
+    Toned toned{plan.tone,
+                {.relaxing_steps = plan.steps,
+                 .smallest_area = smallest_area(request.size),
+                 .joined = request.joined}};
     plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;
     plan.placing = request.placing;
@@ -169,6 +174,8 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     frame(request.page);
     plan.tone = request.tone;
     plan.size = request.size;
+    plan.joined = request.joined;
+    plan.stroke_width_mm = request.stroke_width_mm;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
     plan.histogram = histogram(plan.tone.exposure);
     if (request.automatic_tone && !plain_) plan.tone = auto_tone(*plan.histogram, plan.tone);

@@ -34,8 +34,10 @@ struct DrawingPlan {
     bool lowered = false;    // more was asked for
     int steps = 0;           // of relaxation
     DotSize size;
-    PageSize page;         // of the picture
-    double full_load = 0;  // see InkCurve
+    bool joined = false;         // by lines
+    double stroke_width_mm = 0;  // see DrawingRequest
+    PageSize page;               // of the picture
+    double full_load = 0;        // see InkCurve
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 

@@ -44,6 +44,8 @@ struct DrawingRequest {
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
     DotSize size = {};
+    bool joined = false;         // by lines: see InkedDots
+    double stroke_width_mm = 0;  // of a pen's lines, which reach half as far beyond; 0: dots are filled
     PageSetup page = {};
     std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 

@@ -205,6 +205,10 @@ InkCurve::InkCurve(const InkedDots& dots)
         const double density = static_cast<double>(i) / kSteps;
         const double area = dots.smallest_area + (1 - dots.smallest_area) * density;
         const auto load = static_cast<float>(full_load_ * density * area);
+        if (dots.joined) {
+            coverage_[i] = static_cast<float>(std::sqrt(density));
+            continue;
+        }
         // More dots cover more, which rounding in the table hides where nearly all is covered.
         coverage_[i] = std::max(coverage_of(dots, density, load), coverage_[i - 1] + 1e-6f);
     }

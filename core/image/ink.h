@@ -25,6 +25,10 @@ struct InkedDots {
     /// The smallest dots' area over the largest ones', 0..1: at density d a dot has smallest + (1 - smallest)
     /// * d of the largest area.
     double smallest_area = 1;
+    /// The dots are joined by lines of one width, which cover paper in proportion to their length, and that
+    /// is in proportion to the root of how many dots there are (Beardwood, Halton and Hammersley 1959). The
+    /// coverage is then told as a share of what the lines cover at density 1.
+    bool joined = false;
 
     bool operator==(const InkedDots&) const = default;
 };

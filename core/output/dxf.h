@@ -6,6 +6,7 @@
 #include "core/output/progress.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 
@@ -15,6 +16,10 @@ namespace dapple {
 /// lower left corner. A radius is 0.001 mm at least, as readers refuse 0. Needs the memory of a piece and a
 /// buffer.
 void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, double dot_radius_mm,
+               const WritingProgress& progress = {});
+
+/// The same of strokes: a polyline each, on the layer "Lines"; a touch is a point.
+void write_dxf(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                const WritingProgress& progress = {});
 
 }  // namespace dapple

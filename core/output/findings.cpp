@@ -30,6 +30,11 @@ void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.machine || seconds < kLongPlottingS) return;
     std::string cure =
         fmt::format("{} dots take about an hour", about(static_cast<double>(facts.dots) * 3600 / seconds));
+    const bool lifts = facts.plotting.lifting_s > seconds / 2;
+    if (facts.ink.as == DotsAs::lines)
+        cure = "fewer dots make a shorter line";
+    else if (lifts)
+        cure += ", and one line through all dots lifts the pen once";
     found.push_back({FindingKind::hours,
                      fmt::format("plotting takes {} on {}, {}", time_in_words(seconds),
                                  words_for(*facts.machine), what_takes_longest(facts.plotting)),
@@ -40,7 +45,7 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.for_tone || facts.dots == 0 || !facts.whole_page) return;
     const double ratio = facts.for_tone->dots / static_cast<double>(facts.dots);
     if (!far_from_tone(ratio)) return;
-    const double own = facts.ink.radius_mm;
+    const double own = facts.ink.reach_mm(facts.ink.radius_mm);
     found.push_back({FindingKind::tone,
                      fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
                      fmt::format("{} dots {:.2g} mm wide would give its tone, or these dots {:.2g} mm wide",
@@ -53,21 +58,26 @@ void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
         found.push_back(
             {FindingKind::rings,
              fmt::format("a plotter follows the circles' outlines: {:.1f} m of rings", measured.rings_m),
-             "a dot radius of half the pen's width makes points of them"});
+             "with the dot shape point it touches the paper once for each, and a spiral or a "
+             "hatch fills them"});
     const double share = share_of(measured.overlapping, facts);
     if (is_drawn_by_pen(facts) && share >= kTold) {
-        found.push_back({FindingKind::overlap,
-                         fmt::format("{:.0f} % of the dots overlap others, with ink up to {:.2g} mm wide",
-                                     std::ceil(100 * share - 1e-9), 2 * facts.ink.radius_mm),
-                         facts.ink.as == DotsAs::touches
-                             ? "fewer dots, a wider page or a finer pen part them"
-                             : "fewer dots, a wider page or smaller dots part them"});
+        const bool lines = facts.ink.as == DotsAs::lines;
+        found.push_back(
+            {FindingKind::overlap,
+             fmt::format("{:.0f} % of the dots {}, with ink up to {:.2g} mm wide",
+                         std::ceil(100 * share - 1e-9),
+                         lines ? "are so near to others that the lines run together" : "overlap others",
+                         2 * facts.ink.reach_mm(facts.ink.radius_mm)),
+             lines || facts.ink.as == DotsAs::touches
+                 ? "fewer dots, a wider page or a finer pen part them"
+                 : "fewer dots, a wider page or smaller dots part them"});
     }
 }
 
 void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
-    if (!facts.is_svg) return;
+    if (!facts.is_svg || facts.ink.as == DotsAs::lines) return;
     if (share_of(measured.nearer_than_saxi, facts) <= kTold) return;
     found.push_back(
         {FindingKind::joined,
@@ -81,7 +91,7 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.whole_page || facts.ink.as == DotsAs::listed) return;
     const Preflight& measured = *facts.measured;
-    const double reach = std::ceil(facts.ink.radius_mm * 10) / 10;
+    const double reach = std::ceil(facts.ink.reach_mm(facts.ink.radius_mm) * 10) / 10;
     if (measured.over_edge > 0)
         found.push_back({FindingKind::over_edge,
                          dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
@@ -110,13 +120,17 @@ void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
 }
 
 void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
-    if (facts.is_svg && facts.dots > kMostSvgElements)
-        found.push_back(
-            {FindingKind::too_many,
-             fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse more than {} "
-                         "dots",
-                         grouped(kMostSvgElements)),
-             "fewer dots, a region or sheets are read, and so is a PDF"});
+    if (facts.is_svg) {
+        const bool lines = facts.ink.as == DotsAs::lines;
+        const std::uint64_t most = lines ? kMostSvgPathDots : kMostSvgElements;
+        if (facts.dots > most)
+            found.push_back(
+                {FindingKind::too_many,
+                 fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse {}",
+                             lines ? fmt::format("a line through more than about {} dots", grouped(most))
+                                   : fmt::format("more than {} dots", grouped(most))),
+                 "fewer dots, a region or sheets are read, and so is a PDF"});
+    }
     if (!facts.measured && facts.ink.as != DotsAs::listed)
         found.push_back({FindingKind::not_looked,
                          "how near so many dots are to each other and to the edges was not looked at",
@@ -124,7 +138,7 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
 }
 
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
-    const double width = 2 * facts.ink.radius_mm;
+    const double width = 2 * facts.ink.reach_mm(facts.ink.radius_mm);
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
     found.push_back(
         {FindingKind::fine_pixels,

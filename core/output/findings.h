@@ -65,8 +65,9 @@ std::string sentence_of(const Finding& finding);
 inline constexpr double kLongPlottingS = 2 * 3600;
 
 /// So many elements, and no more, are read by librsvg, which rsvg-convert and many desktops show an SVG by
-/// ("cannot load more than 1000000 XML elements").
-inline constexpr std::uint64_t kMostSvgElements = 1'000'000;
+/// ("cannot load more than 1000000 XML elements"); and by libxml2 no attribute longer than ten million
+/// letters, which a path through more dots than the other number is.
+inline constexpr std::uint64_t kMostSvgElements = 1'000'000, kMostSvgPathDots = 600'000;
 
 /// How far a machine's pen reaches, in millimetres, the longer side first; nothing where machines of its kind
 /// differ. AxiDraws by axidraw_conf.py: 11.81 x 8.58 and 16.93 x 11.69 in.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <stdexcept>
 
 #include "core/output/plotted_dots.h"
+#include "core/output/plotted_strokes.h"
 #include "core/text/text_buffer.h"
 #include "core/text/text_lines.h"
 
@@ -27,6 +29,9 @@ constexpr std::string_view kPenTemplate =
     "dot G1 Z0 F{feed}\n"
     "dot G4 P{dwell}\n"
     "dot G0 Z2\n"
+    "down G1 Z0 F{feed}\n"
+    "line G1 X{x} Y{y} F{feed}\n"
+    "up G0 Z2\n"
     "end G0 X0 Y0\n"
     "end M2\n";
 
@@ -43,6 +48,11 @@ constexpr std::string_view kServoTemplate =
     "dot G4 P{dwell}\n"
     "dot M3 S20\n"
     "dot G4 P{dwell}\n"
+    "down M3 S90\n"
+    "down G4 P{dwell}\n"
+    "line G1 X{x} Y{y}\n"
+    "up M3 S20\n"
+    "up G4 P{dwell}\n"
     "end G0 X0 Y0\n"
     "end M5\n"
     "end M2\n";
@@ -58,6 +68,9 @@ constexpr std::string_view kLaserTemplate =
     "dot M3 S250\n"
     "dot G4 P{dwell}\n"
     "dot M5\n"
+    "down M3 S250\n"
+    "line G1 X{x} Y{y}\n"
+    "up M5\n"
     "end G0 X0 Y0\n"
     "end M2\n";
 
@@ -106,11 +119,19 @@ std::string_view without_blanks_before(std::string_view text) {
 }
 
 void check_whole(const GcodeTemplate& lines, const TextLines& at) {
-    const auto has = [&](PieceKind kind) {
-        return std::ranges::find(lines.each_dot, kind, &GcodePiece::kind) != lines.each_dot.end();
+    const auto has_place = [&](std::span<const GcodePiece> pieces) {
+        const auto has = [&](PieceKind kind) {
+            return std::ranges::find(pieces, kind, &GcodePiece::kind) != pieces.end();
+        };
+        return has(PieceKind::x) && has(PieceKind::y);
     };
-    if (!has(PieceKind::x) || !has(PieceKind::y))
+    if (!has_place(lines.each_dot))
         at.fail("the template ends and no line for a dot has {x} and {y}, so the tool would not move");
+    const bool any = !lines.down.empty() || !lines.line.empty() || !lines.up.empty();
+    if (any && (!has_place(lines.line) || !has_place(lines.move) || lines.down.empty() || lines.up.empty()))
+        at.fail(
+            "the template ends; with down, line or up there have to be all three, and {x} and {y} in line "
+            "and in move");
     for (const auto& once : {lines.start, lines.end}) {
         if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
             at.fail("{x}, {y} and {radius} are of a dot; start and end lines have none");
@@ -183,12 +204,19 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
             add_gcode_line(moves, code, lines);
         else if (kind == "dot")
             add_gcode_line(dots, code, lines);
+        else if (kind == "down")
+            add_gcode_line(result.down, code, lines);
+        else if (kind == "line")
+            add_gcode_line(result.line, code, lines);
+        else if (kind == "up")
+            add_gcode_line(result.up, code, lines);
         else if (kind == "end")
             add_gcode_line(result.end, code, lines);
         else
-            lines.fail(fmt::format("\"{}\" is not known; lines begin with start, move, dot or end", kind));
+            lines.fail(fmt::format(
+                "\"{}\" is not known; lines begin with start, move, dot, down, line, up or end", kind));
     }
-    result.each_dot = std::move(moves);
+    result.each_dot = result.move = std::move(moves);
     for (GcodePiece& piece : dots) {
         if (piece.kind == PieceKind::text)
             add_gcode_text(result.each_dot, piece.text);
@@ -199,12 +227,44 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
     return result;
 }
 
+namespace {
+
+void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, double width_mm,
+                        const GcodeStyle& style) {
+    const GcodeTemplate& lines = style.lines;
+    if (lines.line.empty())
+        throw std::runtime_error(
+            "the template for G-code says nothing of lines to draw; add lines that begin with down, line and "
+            "up");
+    const auto write = [&](std::span<const GcodePiece> pieces, glm::dvec2 p) {
+        write_gcode_pieces(text, pieces, style, {p.x, p.y, width_mm / 2});
+    };
+    if (points.size() == 1) return write(lines.each_dot, points[0]);
+    write(lines.move, points[0]);
+    write(lines.down, points[0]);
+    for (std::size_t i = 1; i < points.size(); ++i) write(lines.line, points[i]);
+    write(lines.up, points.back());
+}
+
+}  // namespace
+
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress) {
     TextBuffer text(out);
     write_gcode_pieces(text, style.lines.start, style, {});
     for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
         write_gcode_pieces(text, style.lines.each_dot, style, dot);
+    });
+    write_gcode_pieces(text, style.lines.end, style, {});
+    text.flush();
+}
+
+void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
+                 const GcodeStyle& style, const WritingProgress& progress) {
+    TextBuffer text(out);
+    write_gcode_pieces(text, style.lines.start, style, {});
+    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points) {
+        write_gcode_stroke(text, points, strokes.width_mm, style);
     });
     write_gcode_pieces(text, style.lines.end, style, {});
     text.flush();

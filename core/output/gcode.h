@@ -10,8 +10,14 @@
 //     dot   G4 P{dwell}
 //     end   M5                    once, after all dots
 //
-// {x} and {y} are the dot's place in millimetres from the page's lower left corner, {radius} its radius,
-// {feed} and {dwell} the two numbers of GcodeStyle.
+// Where lines are drawn there are, after `move` to where one begins,
+//
+//     down  M3 S90                the tool begins to draw,
+//     line  G1 X{x} Y{y}          goes to each next point,
+//     up    M5                    and ends.
+//
+// {x} and {y} are the dot's or point's place in millimetres from the page's lower left corner, {radius} its
+// radius, {feed} and {dwell} the two numbers of GcodeStyle.
 
 #include <ostream>
 #include <string>
@@ -21,6 +27,7 @@
 #include "core/output/progress.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 
@@ -47,6 +54,8 @@ struct GcodePiece {
 /// Each part with its line ends.
 struct GcodeTemplate {
     std::vector<GcodePiece> start, each_dot, end;
+    std::vector<GcodePiece> move = {}, down = {}, line = {},
+                            up = {};  // for strokes; each_dot has the move too
 
     bool operator==(const GcodeTemplate&) const = default;
 };
@@ -64,5 +73,9 @@ struct GcodeStyle {
 /// Lengths have three decimals at most. Needs the memory of a piece and a buffer.
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress = {});
+
+/// The same of strokes; a touch is a dot. Throws std::runtime_error if the template has no lines for them.
+void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
+                 const GcodeStyle& style, const WritingProgress& progress = {});
 
 }  // namespace dapple

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/output/plotted_dots.h"
+#include "core/output/plotted_strokes.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {
@@ -22,6 +23,27 @@ void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
     for_each_plotted_dot(dots, page, 0, progress, [&](const PlottedDot& dot) {
         const std::int64_t x = plotter_units(dot.x_mm), y = plotter_units(dot.y_mm);
         text << "PU" << x << ',' << y << ";PD" << x << ',' << y << ";\n";
+    });
+    text << "PU;SP0;\n";
+    text.flush();
+}
+
+void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
+                const WritingProgress& progress) {
+    constexpr std::size_t kPointsOfAnInstruction = 50;  // plotters' memory for one is small
+    TextBuffer text(out);
+    text << "IN;SP1;\n";
+    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points) {
+        const auto place = [&](glm::dvec2 p) { text << plotter_units(p.x) << ',' << plotter_units(p.y); };
+        text << "PU";
+        place(points[0]);
+        text << ";PD";
+        place(points[points.size() > 1 ? 1 : 0]);
+        for (std::size_t i = 2; i < points.size(); ++i) {
+            text << (i % kPointsOfAnInstruction == 0 ? ";\nPD" : ",");
+            place(points[i]);
+        }
+        text << ";\n";
     });
     text << "PU;SP0;\n";
     text.flush();

@@ -67,15 +67,32 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
     return result;
 }
 
+double InkedDot::reach_mm(double own_radius_mm) const {
+    const double half = stroke_width_mm / 2;
+    switch (as) {
+        case DotsAs::touches:
+        case DotsAs::lines:
+            return half;
+        case DotsAs::shapes:
+            return std::max(own_radius_mm, half);
+        case DotsAs::printed:
+        case DotsAs::rings:
+        case DotsAs::listed:
+            break;
+    }
+    return own_radius_mm;
+}
+
 Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page) {
-    const double unit = page.mm_per_page_unit, usual = inked.radius_mm;
+    const double unit = page.mm_per_page_unit, usual = inked.reach_mm(inked.radius_mm);
     Dots all;
     all.reserve(dots.count, false);
     bool alike = true;
     std::vector<float> reaches;
     dots.for_each_piece([&](const Dots& piece) {
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            const double reach = piece.radius.empty() ? inked.radius_mm : piece.radius[i] * unit;
+            const double own = piece.radius.empty() ? inked.radius_mm : piece.radius[i] * unit;
+            const double reach = inked.reach_mm(own);
             all.x.push_back(piece.x[i]);
             all.y.push_back(piece.y[i]);
             reaches.push_back(static_cast<float>(reach / unit));

@@ -43,19 +43,23 @@ enum class DotsAs {
     printed,  // pixels, or what a printer fills
     rings,    // a plotter follows the outlines of circles
     touches,  // the pen goes down and up
+    shapes,   // drawn with the pen's line
+    lines,    // from dot to dot
     listed,   // not at all: a table
 };
 
 /// How far the ink of dots reaches.
 struct InkedDot {
     DotsAs as = DotsAs::printed;
-    double radius_mm = 0;  // of dots that have none of their own
+    double radius_mm = 0;        // of dots that have none of their own
+    double stroke_width_mm = 0;  // of the pen that touches, or draws shapes or lines
 
+    double reach_mm(double own_radius_mm) const;
     bool operator==(const InkedDot&) const = default;
 };
 
 /// All dots of a stream, each as large as the disc that its ink lies in: `radius` is left empty where all are
-/// alike, and InkedDot::radius_mm is theirs.
+/// alike, and InkedDot::reach_mm() is theirs.
 Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page);
 
 }  // namespace dapple

@@ -2,8 +2,11 @@
 // A stretch of a picture's rows, each pixel as 16 x 16 sample points that are ink or not.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -38,6 +41,41 @@ class SampleBand {
             const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
             const double first = std::max(std::ceil(x - half - 0.5), 0.0);
             const double last = std::min(std::floor(x + half - 0.5), words_ * 64.0 - 1.0);
+            if (first <= last) set(row, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
+        }
+    }
+
+    // What lies within a distance of the line from a to b, in the same units.
+    void add_capsule(glm::dvec2 a, glm::dvec2 b, double radius) {
+        const glm::dvec2 way = b - a;
+        const double length = std::hypot(way.x, way.y);
+        if (length == 0) return add_disc(a.x, a.y, radius);
+        const glm::dvec2 aside = glm::dvec2(-way.y, way.x) * (radius / length);
+        const std::array corners{a + aside, b + aside, b - aside, a - aside};
+        const auto first_row = static_cast<int>(std::max(std::ceil(std::min(a.y, b.y) - radius - 0.5), 0.0));
+        const auto last_row =
+            static_cast<int>(std::min(std::floor(std::max(a.y, b.y) + radius - 0.5), sample_rows_ - 1.0));
+        for (int row = first_row; row <= last_row; ++row) {
+            const double y = row + 0.5;
+            // It is convex, so each row of it is one stretch: from the leftmost to the rightmost of both
+            // discs' and of the four sides between them.
+            double left = std::numeric_limits<double>::infinity(), right = -left;
+            const auto reach = [&](double from, double to) {
+                left = std::min(left, from);
+                right = std::max(right, to);
+            };
+            for (const glm::dvec2 end : {a, b}) {
+                const double square = radius * radius - (y - end.y) * (y - end.y);
+                if (square >= 0) reach(end.x - std::sqrt(square), end.x + std::sqrt(square));
+            }
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const glm::dvec2 p = corners[i], q = corners[(i + 1) % corners.size()];
+                if ((p.y <= y) == (q.y <= y)) continue;
+                const double x = p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y);
+                reach(x, x);
+            }
+            const double first = std::max(std::ceil(left - 0.5), 0.0);
+            const double last = std::min(std::floor(right - 0.5), words_ * 64.0 - 1.0);
             if (first <= last) set(row, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
         }
     }

@@ -40,4 +40,11 @@ Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_co
 /// page sizes are often told rounded. Throws std::runtime_error if it reaches further.
 Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dvec2 picture_corner_mm = {});
 
+/// A line in millimetres from a sheet's upper left corner.
+struct CutMark {
+    glm::dvec2 from, to;
+
+    bool operator==(const CutMark&) const = default;
+};
+
 }  // namespace dapple

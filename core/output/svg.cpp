@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output/plotted_strokes.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {
@@ -22,6 +23,16 @@ int decimals_for(std::uint64_t dots, const PageSize& page) {
 void begin_layer(TextBuffer& text, int number, std::string_view label) {
     text << R"(<g inkscape:groupmode="layer" inkscape:label=")" << std::int64_t{number} << ' ' << label
          << R"(" id="layer)" << std::int64_t{number} << '"';
+}
+
+void write_marks(TextBuffer& text, std::span<const CutMark> marks) {
+    for (const CutMark& mark : marks) {
+        text << R"(<path d="M)";
+        text.fixed(mark.from.x * kPxPerMm, 3) << ' ';
+        text.fixed(mark.from.y * kPxPerMm, 3) << 'L';
+        text.fixed(mark.to.x * kPxPerMm, 3) << ' ';
+        text.fixed(mark.to.y * kPxPerMm, 3) << "\"/>\n";
+    }
 }
 
 void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, const SvgStyle& style,
@@ -45,6 +56,37 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
             text << "\"/>\n";
         }
         return true;
+    });
+    text << "</g>\n";
+}
+
+void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
+                   const WritingProgress& progress) {
+    constexpr double kTouchMm = 0.05;
+    const int decimals = decimals_for(strokes.points, page);
+    begin_layer(text, 1, pen_name(style.ink));
+    text << R"( fill="none" stroke=")" << hex_of(style.ink) << R"(" stroke-width=")";
+    text.fixed(std::max(strokes.width_mm * kPxPerMm, 0.001), 3);
+    text << R"(" stroke-linecap="round" stroke-linejoin="round">)" << '\n';
+    const auto number = [&](double mm) { text.fixed(mm * kPxPerMm, decimals); };
+    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points) {
+        text << R"(<path d="M)";
+        const bool touch = points.size() == 1;
+        number(points[0].x - (touch ? kTouchMm / 2 : 0));
+        text << ' ';
+        number(points[0].y);
+        if (touch) {
+            text << 'h';
+            text.fixed(kTouchMm * kPxPerMm, 3);
+        }
+        // A line of text ends now and then, as some readers have a limit.
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            text << (i == 1 ? 'L' : i % 16 == 1 ? '\n' : ' ');
+            number(points[i].x);
+            text << ' ';
+            number(points[i].y);
+        }
+        text << "\"/>\n";
     });
     text << "</g>\n";
 }
@@ -136,6 +178,12 @@ void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, c
                const WritingProgress& progress) {
     write_svg_file(out, page, style,
                    [&](TextBuffer& text) { write_dots(text, dots, page, style, progress); });
+}
+
+void write_svg(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
+               const WritingProgress& progress) {
+    write_svg_file(out, page, style,
+                   [&](TextBuffer& text) { write_strokes(text, strokes, page, style, progress); });
 }
 
 }  // namespace dapple

@@ -18,6 +18,7 @@
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 
@@ -39,6 +40,11 @@ struct SvgStyle {
 /// One filled circle for each dot, in the order given. Coordinates have two decimals of a px, or three where
 /// dots are dense. Needs the memory of a piece and a buffer.
 void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
+               const WritingProgress& progress = {});
+
+/// The same of strokes: a path for each, as wide as the pen and with round ends. A
+/// touch is a line of 0.05 mm, since readers drop what has no length.
+void write_svg(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});
 
 }  // namespace dapple

@@ -24,6 +24,7 @@ void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
     renderer.set_dots(drawing.stippling.dots, drawing.blocks, drawing.window);
     renderer.set_dot_colours(drawing.colours);
+    renderer.set_strokes(drawing.strokes);
     renderer.set_tiles(drawing.outlines, drawing.window);
     if (side == Side::left) page_size_ = drawing.page_size;
     drawn_camera_.reset();

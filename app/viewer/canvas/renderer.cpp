@@ -121,6 +121,7 @@ Renderer::Renderer()
       sheet_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET"})),
       sheet_with_picture_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PICTURE"})),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
+      line_(shaders::line_vert(), shaders::line_frag()),
       tile_(shaders::tile_vert(), shaders::tile_frag()) {
     dot_array_.bind();
     column(0, dot_x_, 1, 0);
@@ -130,6 +131,8 @@ Renderer::Renderer()
     column(0, dot_x_, 1, 1);
     column(1, dot_y_, 1, 1);
     column(2, dot_critical_, 1, 1);
+    line_array_.bind();
+    column(0, line_ends_, 4, 1);
     tile_array_.bind();
     column(0, tiles_, 4, 1);
     column(1, tile_looks_, 2, 1);
@@ -154,6 +157,7 @@ void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks,
     blocks_ = blocks;
     colours_ = {};
     has_colours_ = false;
+    strokes_ = nullptr;
     const auto all_have = [&](FloatBuffer Dots::*column) {
         return std::ranges::all_of(dots.pieces,
                                    [&](const Dots& piece) { return (piece.*column).size() == piece.size(); });
@@ -173,6 +177,16 @@ void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
     job_.reset();
     has_colours_ = !colours.empty() && colours.size() == dot_count_;
     colours_ = has_colours_ ? colours : std::span<const glm::u8vec4>();
+}
+
+void Renderer::set_strokes(const ShownStrokes& strokes) {
+    job_.reset();
+    if (strokes.lines.empty()) return;
+    strokes_ = &strokes;
+    blocks_ = strokes.blocks;
+    has_radii_ = false;
+    has_colours_ = false;
+    colours_ = {};
 }
 
 void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
@@ -261,7 +275,7 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     if (look.tiles) job.tiles = tiles_shown_.size();
     if (job.grid.samples == 0) return job;
     const glm::dvec2 origin = to_canvas(camera, dot_origin_);
-    const double radius = has_radii_ ? largest_radius_ : look.dot_radius;
+    const double radius = strokes_ ? strokes_->width / 2 : has_radii_ ? largest_radius_ : look.dot_radius;
     const double rim = radius * camera.pixels_per_unit + 2;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         const glm::dvec2 low = origin + glm::dvec2(blocks_[i].low) * camera.pixels_per_unit - rim,
@@ -359,7 +373,9 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
 
 Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
                                      Columns columns) const {
-    const double radius = (has_radii_ ? mean_radius_ : look.dot_radius) * camera.pixels_per_unit;
+    const double radius = camera.pixels_per_unit * (strokes_     ? strokes_->width / 2
+                                                    : has_radii_ ? mean_radius_
+                                                                 : look.dot_radius);
     const glm::dvec2 canvas_low(columns.first, 0), canvas_high(columns.end, camera.canvas.y);
     const Rectangle<double> sheet = sheet_on_canvas(camera, look);
     const glm::dvec2 low = glm::floor(sheet.low), high = glm::ceil(sheet.high);
@@ -417,6 +433,7 @@ void Renderer::choose(const Job& job, const DotBlock& block) {
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
 // do: dots unite in any order.
 void Renderer::draw_dots(Job& job, std::size_t most) {
+    if (strokes_) return draw_lines(job, most);
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
     const DotGrid& grid = job.grid;
@@ -486,6 +503,33 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
         dot_quad_array_.bind();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     }
+    glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+// The same of lines, in place of the dots.
+void Renderer::draw_lines(Job& job, std::size_t most) {
+    lines_handed_over_.clear();
+    for (; job.next_block < job.blocks.size() && lines_handed_over_.size() < most; ++job.next_block) {
+        const DotBlock& block = blocks_[job.blocks[job.next_block]];
+        for (std::size_t i = 0; i < block.count; i += job.every)
+            lines_handed_over_.push_back(strokes_->lines[block.first + i]);
+    }
+    line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
+    const DotGrid& grid = job.grid;
+    const double scale = job.camera.pixels_per_unit * grid.samples;
+    dots_of(job).bind();
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    line_.use();
+    set_transform(line_, {.offset = (to_canvas(job.camera, dot_origin_) - glm::dvec2(grid.low)) *
+                                    static_cast<double>(grid.samples),
+                          .scale = scale,
+                          .canvas = glm::dvec2((grid.high - grid.low) * grid.samples)});
+    // Those left away are made up for: a line covers in proportion to its width.
+    glUniform1f(line_.uniform("line_width"),
+                static_cast<float>(strokes_->width * static_cast<double>(job.every)));
+    line_array_.bind();
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines_handed_over_.size()));
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 

@@ -21,6 +21,7 @@
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/even_part.h"
+#include "app/viewer/model/shown_strokes.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
@@ -72,6 +73,8 @@ class Renderer {
     void set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window = {});
     /// One colour a dot, or none for the ink; until the next set_dots().
     void set_dot_colours(std::span<const glm::u8vec4> colours);
+    /// What is drawn in place of the dots, if there is any; until the next set_dots().
+    void set_strokes(const ShownStrokes& strokes);
     /// Large tiles before small ones: drawn last, their lines stay on top.
     void set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window = {});
     /// mipmaps_of() it, or nothing. It is seen once upload() has handed all of it to OpenGL.
@@ -129,6 +132,7 @@ class Renderer {
     GlFramebuffer& dots_of(const Job& job);
     void prepare_dots(const Job& job);
     void draw_dots(Job& job, std::size_t most);
+    void draw_lines(Job& job, std::size_t most);
     void choose(const Job& job, const DotBlock& block);
     // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
     void draw_page(const Job& job, const Rectangle<int>& box);
@@ -136,9 +140,9 @@ class Renderer {
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
-    GlProgram page_, sheet_, sheet_with_picture_, dot_, tile_;  // the first three: see page.frag
-    GlVertexArray empty_, dot_array_, dot_quad_array_, tile_array_;
-    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, tiles_, tile_looks_;
+    GlProgram page_, sheet_, sheet_with_picture_, dot_, line_, tile_;  // the first three: see page.frag
+    GlVertexArray empty_, dot_array_, dot_quad_array_, line_array_, tile_array_;
+    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, tiles_, tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
@@ -149,6 +153,8 @@ class Renderer {
     std::span<const DotBlock> blocks_;
     std::span<const glm::u8vec4> colours_;
     std::span<const PlacedTile> tiles_shown_;
+    const ShownStrokes* strokes_ = nullptr;  // instead of the dots; none: these
+    std::vector<glm::vec4> lines_handed_over_;
     Dots handed_over_;  // to OpenGL, when dots are drawn
     std::vector<glm::u8vec4> colours_handed_over_;
     std::vector<std::size_t> taken_;  // of a block, to be handed over

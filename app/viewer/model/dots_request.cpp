@@ -7,7 +7,8 @@ DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& d
             .tile = tile_in_use(settings),
             .ranking = settings.ranking,
             .outlines = settings.show_tiles,
-            .density = density};
+            .density = density,
+            .strokes = {settings.style, settings.mark, settings.pen_width_mm, {}}};
 }
 
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include "app/drawing_settings.h"
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
+#include "app/viewer/model/shown_strokes.h"
 
 namespace dapple {
 
@@ -29,6 +30,7 @@ struct DotsRequest {
     DotColourChoice colours = {};
     bool settled_only = false;  // nothing is shown on the way
     bool in_part = true;        // of kShownInPart dots and more, an EvenPart may be shown for a while
+    StrokeChoice strokes = {};  // how dots come onto the screen
 
     bool operator==(const DotsRequest&) const = default;
 };

@@ -13,17 +13,19 @@ bool needs_thresholds(const DrawingFile& file) {
 
 bool save_placed(const DrawingFile& file, PlacedDrawing& drawing, const SavingWatch& watch) {
     const DrawingFormat format = drawing_format(file.path);
+    const DrawingStyle style = file.settings.style;
     const DrawnSheet seen = see_sheet(drawing);
-    DrawingToSave to_save{.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
-                          .page = seen.page,
-                          .dot_radius_mm = drawing.dot_radius * seen.page.mm_per_page_unit,
-                          .tiles = drawing.outlines,
-                          .picture = seen.picture,
-                          .tile_size = file.tile_size,
-                          .dpi = file.saving.dpi,
-                          .bits = file.saving.bits,
-                          .order = has_order(format) ? file.saving.order : std::optional(DotOrder::recursion),
-                          .settings = embedded_settings(file.path, file.settings, file.saving)};
+    DrawingToSave to_save{
+        .dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+        .page = seen.page,
+        .dot_radius_mm = drawing.dot_radius * seen.page.mm_per_page_unit,
+        .tiles = drawing.outlines,
+        .picture = seen.picture,
+        .tile_size = file.tile_size,
+        .dpi = file.saving.dpi,
+        .bits = file.saving.bits,
+        .order = has_order(format, style) ? file.saving.order : std::optional(DotOrder::recursion),
+        .settings = embedded_settings(file.path, file.settings, file.saving)};
     if (format == DrawingFormat::gcode) to_save.gcode = gcode_style_of(file.saving);
     return save_drawing(file.path, file.settings, to_save, watch);
 }

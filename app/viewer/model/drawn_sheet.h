@@ -11,12 +11,14 @@ namespace dapple {
 struct DrawnSheet {
     PageSize page;              // the sheet's
     Rectangle<double> picture;  // page units: where it ends
+    glm::dvec2 corner_mm{0};    // of the sheet, from the page's
 };
 
 /// Which dots are left, seen from where.
 enum class SheetDots {
-    own,       // of the sheet
-    reaching,  // and those beside it that reach onto it
+    own,          // of the sheet
+    reaching,     // and those beside it that reach onto it
+    of_the_page,  // all, seen from the page's corner: lines from dot to dot are cut later
 };
 
 /// Moves dots and outlines from the picture's corner to the sheet's, and leaves out the others.

@@ -11,6 +11,7 @@
 #include "app/files/drawing_facts.h"
 #include "app/files/file_size.h"
 #include "app/files/gcode_choice.h"
+#include "core/output/stroke_figures.h"
 #include "core/routing/short_way.h"
 
 namespace dapple {
@@ -87,9 +88,15 @@ std::vector<Part> parts_of(const DotStream& dots, DotOrder order) {
     return parts;
 }
 
-void add_time(PlottingTime& sum, const PlottingTime& time, double times) {
+// As large on paper as they are, though the page unit is not.
+Dots scaled_radii(Dots dots, double times) {
+    for (float& radius : dots.radius) radius = static_cast<float>(radius * times);
+    return dots;
+}
+
+void add_time(PlottingTime& sum, const PlottingTime& time, double times, double times_lifting) {
     sum.moving_s += times * time.moving_s;
-    sum.lifting_s += times * time.lifting_s;
+    sum.lifting_s += times_lifting * time.lifting_s;
     sum.dots_s += times * time.dots_s;
     sum.drawing_s += times * time.drawing_s;
 }
@@ -115,17 +122,30 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi) {
     return some;
 }
 
-PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order,
-                                    const MachineSpeeds& speeds) {
+PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
+                                    DrawingFormat format, DotOrder order, const MachineSpeeds& speeds) {
     PlottingEstimate estimate;
+    const InkedDot ink = inked_dot(settings, format, drawing);
     for (Part& part : parts_of(drawing.dots, order)) {
         if (part.dots.size() == 0) continue;
-        const double unit = drawing.page.mm_per_page_unit / part.closer;
+        DrawingToSave some = drawing;
+        some.page.mm_per_page_unit /= part.closer;
+        const double unit = some.page.mm_per_page_unit;
         const auto way_m = [&] { return part.share * way_length(part.dots.x, part.dots.y) * unit / 1000; };
         estimate.way_before_m += way_m();
         if (order == DotOrder::shortest) shorten_way(part.dots);
         estimate.way_m += way_m();
-        add_time(estimate.time, plotting_time(part.dots, unit, speeds), part.share);
+        const Dots scaled = scaled_radii(part.dots, part.closer);
+        some.dots = stream_of(scaled, drawing.dots.scale);
+        PlottingTime time;
+        if (const auto strokes = strokes_of(settings, some, format))
+            time = figures_of(*strokes, speeds).time;
+        else if (ink.as == DotsAs::rings)
+            time = plotting_time_of_rings(scaled, unit, ink.radius_mm, speeds);
+        else
+            time = plotting_time(part.dots, unit, speeds);
+        // All dots are on one line.
+        add_time(estimate.time, time, part.share, settings.style == DrawingStyle::line ? 1 : part.share);
     }
     return estimate;
 }
@@ -145,10 +165,12 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
                             .dpi = settings.saving.dpi,
                             .bits = settings.saving.bits};
     if (format == DrawingFormat::svg) estimated.tiles = drawing.outlines;
-    const DotOrder order = settings.saving.order.value_or(usual_order(format, stippling.dots.size()));
+    const DotOrder order =
+        settings.saving.order.value_or(usual_order(format, stippling.dots.size(), settings.drawing.style));
     DrawingFacts drawn = facts_of(settings.drawing, settings.saving, format, estimated);
     if (drawn.machine) {
-        const PlottingEstimate plotting = estimated_plotting(estimated, order, speeds_of(*drawn.machine));
+        const PlottingEstimate plotting =
+            estimated_plotting(settings.drawing, estimated, format, order, speeds_of(*drawn.machine));
         drawn.plotting = info_.plotting = plotting.time;
         info_.way_m = plotting.way_m;
         if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;
@@ -158,7 +180,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     info_.findings = findings_of(drawn);
     try {
         DotPieces some;
-        const bool in_blocks = has_pixels(format) && !drawing.blocks.empty();
+        const bool in_blocks = has_pixels(format) && !drawing.blocks.empty() && drawing.strokes.lines.empty();
         if (in_blocks) {
             some = dots_on_patches(drawing, settings.saving.dpi);
             estimated.dots = stream_of(some, stippling.scale);
@@ -178,7 +200,7 @@ Preflight ExportEstimate::measured(const Pane& pane, const InkedDot& ink) {
     const PlacedDrawing& drawing = pane.page();
     const PageLayout& layout = drawing.layout;
     measured_ = preflight(inked_dots(stream_of(drawing.stippling.dots), ink, layout.page), layout.page,
-                          ink.radius_mm, layout.within_margins, layout.picture.low);
+                          ink.reach_mm(ink.radius_mm), layout.within_margins, layout.picture.low);
     return measured_;
 }
 
@@ -192,9 +214,10 @@ std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSe
     const DrawingToSave estimated{.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
                                   .page = page,
                                   .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit};
-    const DotOrder order = settings.saving.order.value_or(usual_order(format, drawing.stippling.dots.size()));
+    const DotOrder order = settings.saving.order.value_or(
+        usual_order(format, drawing.stippling.dots.size(), settings.drawing.style));
     const Machine machine = settings.saving.machine.value_or(usual_machine(format, settings.saving.tool));
-    time_ = estimated_plotting(estimated, order, speeds_of(machine)).time;
+    time_ = estimated_plotting(settings.drawing, estimated, format, order, speeds_of(machine)).time;
     key_ = std::move(key);
     return time_;
 }

@@ -27,8 +27,8 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
 /// How long a machine would plot such a file in that order, about. Some of the dots, drawn nearer together,
 /// are put in order, and the rest is taken to be like them; as placed, it is some that follow each other, and
 /// by priority some that lie anywhere.
-PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order,
-                                    const MachineSpeeds& speeds);
+PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
+                                    DrawingFormat format, DotOrder order, const MachineSpeeds& speeds);
 
 /// What saving would write.
 struct ExportInfo {

@@ -1,12 +1,13 @@
 #pragma once
 // A drawing as the window has it: its dots, and what is to be known of them.
 
-#include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <vector>
 
 #include "app/viewer/model/dot_blocks.h"
+#include "app/viewer/model/shown_strokes.h"
 #include "core/drawing/page_setup.h"
 #include "core/image/framing.h"
 #include "core/image/histogram.h"
@@ -25,6 +26,7 @@ struct PlacedDrawing {
     double radius_for_tone_mm = 0;               // of these dots, that would do so
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
+    ShownStrokes strokes;              // instead of the dots, where a pen draws them on the screen
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
     glm::dvec2 page_size{1, 1};        // of the picture, page units
     PageLayout layout;                 // of the whole page

@@ -20,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kFrame(16);
 constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
 
+constexpr std::size_t kDotsRoutedSoon = 2000;
+
 bool looks_like_environment(const Grid<float>& light) {
     return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
 }
@@ -148,7 +150,10 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.picture_pixels = {pipeline_.light().width, pipeline_.light().height};
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
-        placed.dots_for_tone = made.size.sizing == DotSizing::fixed ? made.dots_for_tone() : 0;
+        const StrokeChoice& strokes = request.strokes;
+        const bool touches = strokes.style == DrawingStyle::dots && strokes.mark.shape == DotShape::point;
+        const bool round = !strokes.draws() || touches;
+        placed.dots_for_tone = made.size.sizing == DotSizing::fixed && round ? made.dots_for_tone() : 0;
         placed.radius_for_tone_mm =
             made.radius_for_its_tone(placed.stippling.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(
@@ -185,8 +190,14 @@ void Workbench::open(Picture picture, OpenedPicture about) {
 }
 
 // What the window needs beyond the drawing, and nothing that it doesn't.
-DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing drawing) {
+DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
+                                       const std::stop_token& stop) {
     drawing.blocks = dot_blocks(drawing.stippling.dots);
+    drawing.strokes = {};
+    // Looked at closely, there are more dots with every zoom: they are shown as such.
+    if (request.strokes.draws() && !request.close)
+        drawing.strokes = shown_strokes(drawing.stippling.dots, request.strokes, drawing.layout.page,
+                                        drawing.dot_radius, way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);
@@ -213,7 +224,7 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
         if (stop.stop_requested()) return false;
         if (settled_only || Clock::now() + step - shown < kFrame) return true;
-        task.publish(ready_for_screen(request, drawing()));
+        task.publish(ready_for_screen(request, drawing(), LineWay::soon, stop));
         shown = Clock::now();
         return true;
     };
@@ -224,7 +235,11 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
             return std::nullopt;
         }
         last_size_ = drawing.stippling.dots.size();
-        DotsPlaced placed = ready_for_screen(request, std::move(drawing));
+        // A line's way takes longer than its dots.
+        if (request.strokes.style == DrawingStyle::line && !request.close && !settled_only &&
+            last_size_ > kDotsRoutedSoon)
+            task.publish(ready_for_screen(request, drawing, LineWay::soon, stop));
+        DotsPlaced placed = ready_for_screen(request, std::move(drawing), LineWay::final, stop);
         if (stop.stop_requested()) {
             spare_.give_back(std::move(placed.drawing));
             return std::nullopt;

@@ -102,7 +102,8 @@ class Workbench {
         bool operator==(const TileKey&) const = default;
     };
 
-    DotsPlaced ready_for_screen(const DotsRequest& request, PlacedDrawing drawing);
+    DotsPlaced ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
+                                const std::stop_token& stop);
 
     Pipeline pipeline_;
     DensityChoice choice_;

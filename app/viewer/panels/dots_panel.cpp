@@ -1,10 +1,12 @@
 #include "app/viewer/panels/dots_panel.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "app/shown_text.h"
@@ -132,6 +134,66 @@ bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     return changed;
 }
 
+bool is_dot_path(const std::string& text) {
+    try {
+        static_cast<void>(parse_dot_path(text));
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+constexpr const char* kUsualPath = "M0.5,0 L1,0.5 L0.5,1 L0,0.5 Z";
+
+bool draw_shape(DrawingSettings& settings) {
+    bool changed = false;
+    const bool dots = settings.style == DrawingStyle::dots;
+    {
+        const Greyed greyed(dots ? nullptr : "Of dots only; lines have none.");
+        // As DotShape has them.
+        constexpr std::array kShapes{"circle", "point", "stroke", "spiral",
+                                     "hatch",  "ring",  "cross",  "own path"};
+        int shape = static_cast<int>(settings.mark.shape);
+        if (choice_row("Dot shape", shape, kShapes,
+                       "circle: filled. point: the pen down and up. stroke: a short one. spiral, hatch: "
+                       "filled by the pen. own path: any that you type.")) {
+            settings.mark.shape = static_cast<DotShape>(shape);
+            if (settings.mark.shape == DotShape::path && settings.mark.path.empty())
+                settings.mark.path = kUsualPath;
+            changed = true;
+        }
+    }
+    const bool own = dots && settings.mark.shape == DotShape::path;
+    const Greyed greyed(own ? nullptr : "Of the dot shape \"own path\" only.");
+    return text_row("Own shape", settings.mark.path, is_dot_path,
+                    "A path in a box from 0,0 to 1,1: M, L, H, V, C, Q, A and Z, as in M0,0 L1,1",
+                    "As in SVG, in a box from 0,0 at the upper left to 1,1, around each dot.", kUsualPath) ||
+           changed;
+}
+
+bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
+    int style = static_cast<int>(settings.style);
+    bool changed = segmented_row(
+        "Draw", style, std::array{"dots", "one line", "nearest"},
+        "dots: each by itself. one line: through all dots, by the shortest way that is soon found. nearest: "
+        "lines from each dot to its nearest few.");
+    if (changed) settings.style = static_cast<DrawingStyle>(style);
+    changed |= draw_shape(settings);
+    const Greyed greyed(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
+    changed |= slider_row("Pen width", settings.pen_width_mm,
+                          {.min = 0.05,
+                           .max = 3,
+                           .neutral = 0.3,
+                           .curve = SliderCurve::logarithmic,
+                           .format = "%.2f",
+                           .hard_min = kFinestPenMm,
+                           .hard_max = kWidestPenMm,
+                           .typed = TypedKind::length,
+                           .unit = unit,
+                           .tip = "How wide the pen draws."});
+    return changed;
+}
+
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     double steps = relax.value_or(drawn.steps);
     if (!slider_row(
@@ -164,7 +226,7 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUn
         const Greyed greyed(why_only_exact(settings.placer));
         changed |= draw_relax(settings.relax, drawn);
     }
-    return changed;
+    return draw_strokes(settings, unit) || changed;
 }
 
 }  // namespace dapple

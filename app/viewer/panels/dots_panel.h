@@ -1,5 +1,5 @@
 #pragma once
-// The section "Dots": how many dots there are, how large, how even.
+// The section "Dots": how many dots there are, how large, how even, in which shape.
 
 #include "app/drawing_settings.h"
 #include "app/viewer/model/drawn_info.h"

@@ -151,7 +151,8 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
             changed = true;
         }
     }
-    if (has_order(format)) changed |= draw_order(settings.saving.order, usual_order(format, info.dots));
+    if (has_order(format, settings.drawing.style))
+        changed |= draw_order(settings.saving.order, usual_order(format, info.dots, settings.drawing.style));
     if (format == DrawingFormat::gcode) changed |= draw_gcode(settings.saving);
     if (is_plotted(format)) changed |= draw_machine(settings.saving, format, info);
     if (has_optional_paper(format))

@@ -1,0 +1,49 @@
+#pragma once
+// What a pen draws: lines from where it goes down to where it is raised, in millimetres from the page's upper
+// left corner. A stroke of one point is a touch of the pen.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "core/image/rectangle.h"
+
+namespace dapple {
+
+using TakeStroke = std::function<void(std::span<const glm::dvec2> points)>;
+
+/// Strokes on their way into a file, one after the other.
+struct StrokeStream {
+    std::uint64_t points = 0;  // of all strokes together, about: progress goes by it
+    double width_mm = 0.3;     // of the pen, whose ends are round
+    /// Hands over all strokes, from the first on each time that it is called; none is empty.
+    std::function<void(const TakeStroke& take)> for_each_stroke = [](const TakeStroke&) {};
+};
+
+/// Strokes in memory.
+struct Strokes {
+    std::vector<glm::dvec2> points;
+    std::vector<std::size_t> ends;  // of each stroke among the points: where the next one begins
+
+    bool operator==(const Strokes&) const = default;
+};
+
+/// Ends the stroke of all points that were added since the last one.
+void end_stroke(Strokes& strokes);
+
+void append(Strokes& to, const Strokes& more);
+
+/// Which have to outlive the stream.
+StrokeStream stream_of(const Strokes& strokes, double width_mm);
+
+/// All strokes of a stream.
+Strokes collected(const StrokeStream& stream);
+
+/// What of the strokes lies in the box, seen from its upper left corner: a stroke that leaves it ends at the
+/// edge, and begins again where it comes back. Half a pen's width may reach over the edges.
+Strokes cut_to(const Rectangle<double>& box, const StrokeStream& stream);
+
+}  // namespace dapple

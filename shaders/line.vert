@@ -1,0 +1,31 @@
+#version 330 core
+// A line of a pen with round ends, as a rectangle around it.
+layout(location = 0) in vec4 ends;  // page units: from x, y, to x, y
+
+uniform vec2 page_scale;   // page units to samples
+uniform vec2 page_offset;  // samples
+uniform vec2 canvas;       // samples
+uniform float line_width;  // page units
+
+flat out vec2 from;       // samples, y up
+flat out vec2 to;
+flat out float radius;    // samples
+flat out float softness;  // width of the edge in samples
+
+void main() {
+    float half_width = 0.5 * line_width * page_scale.x;
+    // As dot.vert has it: what is finer than a sample is right on average with a hard edge.
+    softness = clamp(half_width / 3.0, 0.001, 1.0);
+    radius = half_width;
+    float reach = radius + 0.5 * softness;
+    vec2 a = ends.xy * page_scale + page_offset, b = ends.zw * page_scale + page_offset;
+    vec2 way = b - a;
+    float apart = length(way);
+    vec2 along = apart > 0.0 ? way / apart : vec2(1.0, 0.0);
+    vec2 aside = vec2(-along.y, along.x);
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    vec2 place = mix(a - along * reach, b + along * reach, corner.x) + aside * (2.0 * corner.y - 1.0) * reach;
+    from = vec2(a.x, canvas.y - a.y);
+    to = vec2(b.x, canvas.y - b.y);
+    gl_Position = vec4(place.x / canvas.x * 2.0 - 1.0, 1.0 - place.y / canvas.y * 2.0, 0.0, 1.0);
+}
