@@ -1,5 +1,8 @@
 #include "app/drawing_settings.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace dapple {
 
 std::string tile_in_use(const DrawingSettings& settings) {
@@ -11,19 +14,49 @@ bool draws_strokes(const DrawingSettings& settings) {
     return settings.style != DrawingStyle::dots || settings.mark.shape != DotShape::circle;
 }
 
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens) {
+    std::vector<double> widths;
+    for (const Pen& pen : pens) {
+        double width = choice.width_mm;
+        if (choice.set == PenSet::own) {
+            // They come in another order, and may have lost their widths: see request_of().
+            const auto own = std::ranges::find(choice.own, pen.name, &Pen::name);
+            width = own == choice.own.end() ? 0 : own->width_mm;
+        }
+        widths.push_back(width > 0 ? width : pen_width_mm);
+    }
+    return widths;
+}
+
+bool have_widths(const PenChoice& pens) {
+    if (pens.set == PenSet::one) return false;
+    if (pens.set != PenSet::own) return pens.width_mm > 0;
+    return std::ranges::any_of(pens.own, [](const Pen& pen) { return pen.width_mm > 0; });
+}
+
 bool draws_touches(const DrawingSettings& settings) {
     return settings.style == DrawingStyle::dots && settings.mark.shape == DotShape::point;
 }
 
 double widest_stroke(const DrawingSettings& settings) {
-    return draws_strokes(settings) ? settings.pen_width_mm : 0;
+    if (!draws_strokes(settings)) return 0;
+    const PenChoice& pens = settings.pens;
+    if (pens.set != PenSet::own) return pens.width_mm > 0 ? pens.width_mm : settings.pen_width_mm;
+    const std::vector<double> widths = stroke_widths(pens, settings.pen_width_mm, pens.own);
+    return widths.empty() ? settings.pen_width_mm : std::ranges::max(widths);
 }
 
 DrawingRequest request_of(const DrawingSettings& settings) {
+    PenChoice pens = settings.pens;
     DotSize size = settings.dot_size;
-    if (draws_touches(settings) && size.sizing != DotSizing::by_tone) {
+    const bool touches = draws_touches(settings);
+    if (touches && !have_widths(pens) && size.sizing != DotSizing::by_tone) {
         size.sizing = DotSizing::fixed;
         size.radius_mm = settings.pen_width_mm / 2;
+    }
+    if (draws_strokes(settings) && !touches) {
+        pens.width_mm = 0;
+        for (Pen& pen : pens.own) pen.width_mm = 0;
     }
     return {.automatic_tone = settings.automatic_tone,
             .automatic_exposure = settings.automatic_exposure,
@@ -35,7 +68,9 @@ DrawingRequest request_of(const DrawingSettings& settings) {
             .joined = settings.style != DrawingStyle::dots,
             // It has no say elsewhere.
             .stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(settings) : 0,
-            .page = settings.page};
+            .page = settings.page,
+            .pens = std::move(pens),
+            .paper = settings.paper};
 }
 
 }  // namespace dapple

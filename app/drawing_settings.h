@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/drawing/page_setup.h"
 #include "core/drawing/request.h"
@@ -29,8 +31,6 @@ inline constexpr const char* kDefaultTile = "aperiodic4096";
 inline constexpr double kLongestSideMm = 100'000;
 /// Of a page, a region, or what a margin leaves: finer than any pen.
 inline constexpr double kShortestSideMm = 0.01;
-/// The least and the most that a pen's width may be.
-inline constexpr double kFinestPenMm = 0.001, kWidestPenMm = 50;
 
 /// Of a dot.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
@@ -45,7 +45,9 @@ struct DrawingSettings {
     std::optional<int> relax;  // steps; none: the usual ones
     DotSize dot_size;
     PageSetup page;
-    glm::vec3 ink = kBlack;  // sRGB-encoded, 0..1
+    PenChoice pens;             // several have colours of their own
+    bool registration = false;  // several pens draw crosses too: see registration_marks()
+    glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1
     glm::vec3 paper = kWhite;
     bool background = false;  // paint the paper under an SVG's dots
     bool show_tiles = false;  // the boundaries of the tiles, coloured by level
@@ -84,13 +86,20 @@ std::string tile_in_use(const DrawingSettings& settings);
 /// Whether a pen draws lines, rather than that dots are filled circles.
 bool draws_strokes(const DrawingSettings& settings);
 
+/// The widths of the lines that the choice's pens draw, in millimetres: their own, or else the pen's width.
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens);
+
+/// Whether several pens say how wide they are.
+bool have_widths(const PenChoice& pens);
+
 /// Whether each dot is a touch of the pen, and as large as the pen's line is wide.
 bool draws_touches(const DrawingSettings& settings);
 
 /// The widest line that a pen draws, in millimetres; 0 where dots are filled circles.
 double widest_stroke(const DrawingSettings& settings);
 
-/// What is asked of the pipeline. Touches are as large as the pen's line is wide.
+/// What is asked of the pipeline. Touches are as large as the pen's line is wide. Where several pens draw
+/// lines or shapes, dots are as large as one pen's would be; a pen's width is then its lines'.
 DrawingRequest request_of(const DrawingSettings& settings);
 
 }  // namespace dapple

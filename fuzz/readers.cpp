@@ -5,6 +5,7 @@
 
 #include "core/analysis/point_table.h"
 #include "core/output/gcode.h"
+#include "core/pens/pen.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {
@@ -31,6 +32,13 @@ void read_any_gcode_template(const std::string& text) {
         dots.x = dots.y = {0.25f, 0.75f};
         std::ostringstream out;
         write_gcode(out, stream_of(dots), {100, 100, 100}, style);
+    } catch (const std::runtime_error&) {
+    }
+}
+
+void read_any_pens(const std::string& text) {
+    try {
+        parse_pens(text);
     } catch (const std::runtime_error&) {
     }
 }

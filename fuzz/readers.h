@@ -10,5 +10,6 @@ void read_any_tile(const std::string& text);
 void read_any_points(const std::string& text);
 /// Also fills it in for a few dots.
 void read_any_gcode_template(const std::string& text);
+void read_any_pens(const std::string& text);
 
 }  // namespace dapple

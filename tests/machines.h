@@ -17,6 +17,11 @@ struct Plotted {
     std::vector<glm::dvec2> dots{};
     glm::dvec2 at{0, 0};
     std::vector<std::vector<glm::dvec2>> lines{};  // where it moved with its tool down
+    struct Change {
+        std::string pen{};  // what the person is told; of HPGL, the number
+        std::size_t first_dot = 0;
+    };
+    std::vector<Change> changes{};  // of pens, where the machine waits
 };
 
 /// Whether the tool may move while it is down.
@@ -33,6 +38,12 @@ inline Plotted plotted_gcode(const std::string& text, Lines may = Lines::refused
     const auto is_down = [&] { return z <= 0 || (on && power > 50); };
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
+        std::string comment;
+        if (const auto open = line.find('('); open != line.npos) {
+            const auto close = line.find(')', open);
+            comment = line.substr(open + 1, close - open - 1);
+            line.erase(open, close - open + 1);
+        }
         std::istringstream words(line);
         std::map<char, double> values;
         std::vector<int> g, m;
@@ -48,6 +59,11 @@ inline Plotted plotted_gcode(const std::string& text, Lines may = Lines::refused
         if (values.contains('F')) feed = values['F'];
         if (values.contains('S')) power = values['S'];
         for (const int code : m) {
+            if (code == 0) {
+                if (is_down()) throw std::runtime_error("waits with its tool down: " + line);
+                plot.changes.push_back({comment, plot.dots.size()});
+                continue;
+            }
             if (code != 2 && code != 3 && code != 5) throw std::runtime_error("unknown: " + line);
             on = code == 3 || (on && code == 2);
         }
@@ -97,6 +113,7 @@ inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused)
             ready = true;
         } else if (name == "SP") {
             pen = std::stoi(rest);
+            if (pen > 0) plot.changes.push_back({rest, plot.dots.size()});
         } else if (name == "PU" || name == "PD") {
             const bool was_down = std::exchange(down, name == "PD");
             if (!down) goes_on = false;

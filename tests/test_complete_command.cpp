@@ -33,7 +33,7 @@ TEST_CASE("every command that help shows is offered, and no other") {
 }
 
 TEST_CASE("options are offered where they belong, and values where they have names") {
-    CHECK(offered("render cat.jpg --re") == std::set<std::string>{"--region", "--relax"});
+    CHECK(offered("render cat.jpg --re") == std::set<std::string>{"--region", "--registration", "--relax"});
     CHECK(offered("--re").empty());
     CHECK(offered("--log").empty());  // not in the help
     CHECK(offered("render --placer ''") == std::set<std::string>{"exact", "figure8"});

@@ -53,6 +53,7 @@ Everything with_all_in_use() {
     all.drawing.dot_size.sizing = DotSizing::fixed;
     all.drawing.page.paper = Paper::custom;
     all.drawing.page.margins = {1, 2, 3, 4};
+    all.drawing.pens = {.set = PenSet::own, .own = palette_of({.set = PenSet::cmyk, .width_mm = 0.3})};
     all.saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
     return one;
 }
@@ -60,6 +61,7 @@ Everything with_other_choices() {
     Everything one;
     one.all.drawing.dot_size.sizing = DotSizing::by_tone;
     one.all.drawing.style = DrawingStyle::line;
+    one.all.drawing.pens.set = PenSet::automatic;
     return one;
 }
 

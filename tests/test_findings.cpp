@@ -76,7 +76,7 @@ TEST_CASE("circles are told as rings that a plotter follows, how long they are a
     CHECK(sentences_of(facts).find("31.4 m of rings; with the dot shape point") != std::string::npos);
 }
 
-TEST_CASE("the layer of tiles is called by the number that it has behind those of the dots") {
+TEST_CASE("the layer of tiles is called by the number that it has behind those of the pens") {
     DrawingFacts facts = good_facts();
     facts.tile_layer = 5;
     CHECK(sentences_of(facts).find(
@@ -143,7 +143,7 @@ TEST_CASE("edges and margins are told of a whole page, not of a sheet whose edge
     CHECK(kinds_of(facts).empty());
 }
 
-TEST_CASE("near dots are told where programs join them") {
+TEST_CASE("near dots are told where programs join them, and a pen's where its gap says so") {
     DrawingFacts facts = good_facts();
     facts.measured->nearer_than_saxi = 300;
     facts.measured->nearer_than_axidraw = 20;
@@ -153,6 +153,11 @@ TEST_CASE("near dots are told where programs join them") {
     CHECK(sentences_of(facts).find(
               "300 dots are nearer to others than 0.5 mm, which saxi joins by a line, and 20 "
               "nearer than 0.152 mm") != std::string::npos);
+    facts.gaps = {{"Gel", 1.2, 45}, {"Fine", 0.3, 0}};
+    CHECK(kinds_of(facts) == Kinds{FindingKind::gap, FindingKind::joined});
+    CHECK(sentences_of(facts).find(
+              "45 of Gel's dots are nearer to each other than its smallest gap of 1.2 mm") !=
+          std::string::npos);
 }
 
 TEST_CASE("a drawing far from the picture's tone is told with the dots, or the radius, that would reach it") {

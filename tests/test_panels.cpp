@@ -463,13 +463,61 @@ TEST_CASE("a pen's ink is picked") {
     CHECK(settings.ink == before);
 }
 
+TEST_CASE("pens of one's own begin with those that drew, and are added, named and removed down to one") {
+    DrawingSettings settings;
+    settings.ink = glm::vec3(0.5f, 0, 0);
+    HeadlessUi ui([&] { draw_pen_panel(settings); });
+    const auto choose = [&](const char* set) {
+        ui.click("Which pens");
+        ui.click(set);
+    };
+    Palette& own = settings.pens.own;
+    choose("own");
+    REQUIRE(own.size() == 1);
+    CHECK(own[0].colour == settings.ink);
+    ui.click("Remove Ink");
+    CHECK(own.size() == 1);  // greyed: one draws
+    own.clear();
+    choose("greys");
+    choose("own");
+    REQUIRE(own.size() == 3);
+    ui.click("Add a pen");
+    REQUIRE(own.size() == 4);
+    CHECK(own[3].name != own[2].name);
+    ui.click("Remove Grey");
+    REQUIRE(own.size() == 3);
+    CHECK(own[1].name == "Black");
+
+    ui.click("Pen 2");
+    ui.key(Key::end);
+    ui.type("er");
+    CHECK(own[1].name == "Blacker");
+    ui.type(":");  // would end the name in a file
+    CHECK(own[1].name == "Blacker");
+    CHECK(ui.has("Refusal"));
+    ui.key(Key::escape);
+    own[1].name = "Twi";
+    ui.frame();
+    ui.click("Pen 2");
+    ui.key(Key::end);
+    own[0].name = "Twin";
+    ui.type("n");  // another pen's
+    CHECK(own[1].name == "Twi");
+    ui.key(Key::escape);
+    ui.enter("Width 3, mm", "0.5");
+    CHECK(own[2].width_mm == 0.5);
+    for (int i = 0; i < 20; ++i) ui.click("Add a pen");
+    CHECK(own.size() == kMostPens);
+    CHECK(parse_pens(text_of(settings.pens)).own.size() == kMostPens);  // a project has them all
+}
+
 TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept in millimetres") {
     ViewerSettings all;
     DrawingSettings& settings = all.drawing;
     HeadlessUi ui([&] {
         draw_dots_panel(settings, {}, all.unit);
         draw_page_panel(settings.page, {200, 150, 200}, all.unit);
-        draw_pen_panel(settings);
+        draw_pen_panel(settings, all.unit);
     });
     ImGui::GetIO().DisplaySize.y = 2000;
     ui.frame();
@@ -647,6 +695,28 @@ TEST_CASE("dots are drawn as lines or in another shape by the pen whose width is
     CHECK(drawing.style == DrawingStyle::nearest);
     ui.click("dots");
     CHECK(drawing.style == DrawingStyle::dots);
+}
+
+TEST_CASE("several pens are chosen with their width, and then draw registration marks if asked to") {
+    DrawingSettings drawing;
+    HeadlessUi ui([&] { draw_pen_panel(drawing); });
+    ui.click("Registration");  // greyed: of several pens only
+    CHECK_FALSE(drawing.registration);
+    ui.click("Which pens");
+    ui.click("CMYK");
+    CHECK(drawing.pens.set == PenSet::cmyk);
+    ui.enter("Tip width, mm", "0.4");
+    CHECK(drawing.pens.width_mm == 0.4);
+    ui.click("Registration");
+    CHECK(drawing.registration);
+    ui.click("Which pens");
+    ui.click("own");
+    REQUIRE(drawing.pens.own.size() == 4);
+    CHECK(drawing.pens.own[0].width_mm == 0.4);
+    ui.enter("Width 1, mm", "0.7");
+    CHECK(drawing.pens.own[0].width_mm == 0.7);
+    ui.enter("Gap 1, mm", "1.5");
+    CHECK(drawing.pens.own[0].gap_mm == 1.5);
 }
 
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {

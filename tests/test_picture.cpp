@@ -91,11 +91,12 @@ TEST_CASE("a first look at a large JPEG is the same picture, smaller") {
             for (const int value : {x * 255 / kWidth, y * 255 / kHeight, (x / 200 + y / 50) % 2 * 128})
                 file.values.push_back(static_cast<float>(value) / 255);
     write_picture(folder / "large.jpg", file);
-    const Picture whole = read_picture(folder / "large.jpg", PictureLimit::usual);
-    const auto look = read_first_look(folder / "large.jpg");
+    const Picture whole = read_picture(folder / "large.jpg", PictureLimit::usual, PictureColours::kept);
+    const auto look = read_first_look(folder / "large.jpg", PictureColours::kept);
     REQUIRE(look);
     REQUIRE(look->light.height == kWidth / 2);  // turned, as the whole one is
     REQUIRE(look->light.width == kHeight / 2);
+    CHECK(look->colours.width == look->light.width);
     CHECK(look->description == whole.description);
     double worst = 0, sum = 0, whole_sum = 0;
     for (int y = 0; y < look->light.height; ++y)
@@ -123,8 +124,9 @@ TEST_CASE("reading that is stopped ends at once, with a sentence") {
     write_picture(folder / "a.jpg", {.width = 100, .height = 100, .values = ramp(10'000)});
     std::stop_source stop;
     stop.request_stop();
-    CHECK_THROWS_WITH(read_picture(folder / "a.jpg", PictureLimit::usual, stop.get_token()),
-                      doctest::Contains("a.jpg: was not read to its end: it was stopped"));
+    CHECK_THROWS_WITH(
+        read_picture(folder / "a.jpg", PictureLimit::usual, PictureColours::left_out, stop.get_token()),
+        doctest::Contains("a.jpg: was not read to its end: it was stopped"));
 }
 
 TEST_CASE("a file that says its pixels are linear is believed") {

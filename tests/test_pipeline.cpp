@@ -86,6 +86,24 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
           auto_tone(histogram_of(ramp()), own));
 }
 
+TEST_CASE(
+    "automatic tone lightens a picture in coloured pens half the way, so that its colours stay strong") {
+    Pipeline pipeline = pipeline_of(dull());
+    ColourGrid colours(90, 60);
+    for (glm::u16vec3& colour : colours.values) colour = packed({0.4f, 0.3f, 0.2f});
+    const auto gamma_with = [&](const char* pens) {
+        return pipeline.plan({.automatic_tone = true, .placing = {.count = 1000}, .pens = parse_pens(pens)})
+            .tone.gamma;
+    };
+    const float grey = auto_tone(histogram_of(dull()), {}).gamma;
+    REQUIRE(std::abs(grey - 1) > 0.1f);
+    CHECK(gamma_with("cmyk") == grey);  // the picture has no colours
+    pipeline.set_colours(colours);
+    CHECK(gamma_with("cmyk") == doctest::Approx(std::sqrt(grey)));
+    CHECK(gamma_with("greys") == grey);
+    CHECK(gamma_with("one") == grey);
+}
+
 TEST_CASE("true light is covered by as much ink as the picture lacks light") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan plan =

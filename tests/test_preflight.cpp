@@ -61,12 +61,27 @@ TEST_CASE("dots seen from a corner on the page are measured where they lie on it
 TEST_CASE(
     "the ink of a touch is as wide as the pen, that of a shape as the dot or the pen, whichever is wider") {
     InkedDot ink{.as = DotsAs::touches, .radius_mm = 0.4, .stroke_width_mm = 0.3};
-    CHECK(ink.reach_mm(0.4) == 0.15);
+    CHECK(ink.reach_mm(0.4, 0) == 0.15);
     ink.as = DotsAs::shapes;
-    CHECK(ink.reach_mm(0.4) == 0.4);
-    CHECK(ink.reach_mm(0.1) == 0.15);
+    CHECK(ink.reach_mm(0.4, 0) == 0.4);
+    CHECK(ink.reach_mm(0.1, 0) == 0.15);
+    ink.widths_mm = {0.3, 1};
+    CHECK(ink.reach_mm(0.4, 1) == 0.5);
     ink.as = DotsAs::rings;
-    CHECK(ink.reach_mm(0.4) == 0.4);
+    CHECK(ink.reach_mm(0.4, 1) == 0.4);
+}
+
+TEST_CASE("dots of pens with several widths overlap by each pen's own") {
+    DotPieces pieces;
+    pieces.pieces.push_back(dots_at_mm({{10, 10}, {30, 10}}));
+    pieces.pieces.push_back(dots_at_mm({{10.5f, 10}, {30.9f, 10}}));
+    pieces.pieces[1].pen = 1;
+    const InkedDot ink{.as = DotsAs::touches, .stroke_width_mm = 0.3, .widths_mm = {0.4, 0.8}};
+    const Dots inked = inked_dots(stream_of(pieces), ink, kPage);
+    REQUIRE(inked.radius.size() == 4);
+    CHECK(preflight(inked, kPage, 0.2).overlapping == 2);
+    const InkedDot alike{.as = DotsAs::touches, .stroke_width_mm = 0.3, .widths_mm = {0.4, 0.4}};
+    CHECK(inked_dots(stream_of(pieces), alike, kPage).radius.empty());
 }
 
 TEST_CASE("dots with a part in the margins are counted, each with its own radius") {

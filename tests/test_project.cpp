@@ -58,6 +58,8 @@ ViewerSettings nothing_usual() {
                  .fit = PageFit::fill,
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
+        .pens = parse_pens("greys:0.4"),
+        .registration = true,
         .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),
         .background = true,
@@ -186,7 +188,8 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
     drawing.placing.count = 500;
     drawing.tone.contrast = -0.2f;
     drawing.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
-    CHECK(rendered("--dots 500 --contrast -0.2 --dot-radius 0.5 " + project, folder / "b.svg") ==
+    drawing.pens = parse_pens("cmyk");
+    CHECK(rendered("--dots 500 --contrast -0.2 --dot-radius 0.5 --pens cmyk " + project, folder / "b.svg") ==
           window.exported(folder / "c.svg"));
 }
 

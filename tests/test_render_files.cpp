@@ -106,7 +106,7 @@ TEST_CASE("settings and templates that cannot be read are refused with the true 
     for (const char* option : {" --settings-from ", " --gcode ", " --tile "})
         scene.must_fail(from + option + scene("loop.svg"), "loop.svg: ");
     put_text(scene("zeros"), std::string(100, '\0'));
-    for (const char* option : {" --gcode ", " --tile "})
+    for (const char* option : {" --gcode ", " --pens ", " --tile "})
         scene.must_fail(from + option + scene("zeros"), "zeros: has bytes of value 0 in it");
 }
 

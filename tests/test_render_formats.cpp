@@ -130,7 +130,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
           Wrong{"move X{x} Y{z}", "line 1: \"{z}\" is not known"},
           Wrong{"move X{x} Y{y", "line 1: \"{y\" is not known"},
           Wrong{"move X{x}", "no line for a dot has {x} and {y}"},
-          Wrong{"start {x}\nmove {x} {y}", "start and end lines have none"}}) {
+          Wrong{"start {x}\nmove {x} {y}", "start, pen and end lines have none"}}) {
         put_text(scene("wrong.txt"), wrong.text);
         scene.must_fail("render -o " + scene("b.nc") + " --gcode " + scene("wrong.txt"), wrong.words);
     }
@@ -167,6 +167,162 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
         circles.push_back(at);
     }
     CHECK(farthest_off(table, circles) < 0.00075);
+}
+
+TEST_CASE("of several pens each has its own dots, in tables, on machines and on the layers of a DXF") {
+    const Scene scene;
+    const std::string pens = "--pens 'Pale (blue):#9cf:0.4,Rust red:#b52:0.4,Ink:#111:0.4' --dot-radius 0.2";
+    const std::vector<TableDot> table = table_of(scene, pens);
+    const std::vector<std::string> names{"Pale (blue)", "Rust red", "Ink"};  // the lightest first
+    std::vector<std::size_t> pen_of;                                         // each dot's, by the table
+    std::istringstream lines(text_of(scene("dots.csv")));
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line.ends_with(",critical_scale,page_width_mm,page_height_mm,pen"));
+    while (std::getline(lines, line)) {
+        const auto name = std::ranges::find(names, line.substr(line.rfind(',') + 1));
+        REQUIRE(name != names.end());
+        pen_of.push_back(static_cast<std::size_t>(name - names.begin()));
+    }
+    REQUIRE(pen_of.size() == table.size());
+    CHECK(std::ranges::is_sorted(pen_of));
+    std::vector<std::size_t> first_dots;  // of each pen
+    for (std::size_t pen = 0; pen < 3; ++pen)
+        first_dots.push_back(static_cast<std::size_t>(std::ranges::find(pen_of, pen) - pen_of.begin()));
+    CHECK(first_dots[1] > 50);
+    CHECK(first_dots[2] > first_dots[1] + 50);
+    CHECK(first_dots[2] < table.size() - 50);
+
+    const auto check_changes = [&](const Plotted& plotted, const std::vector<std::string>& words) {
+        REQUIRE(plotted.changes.size() == 3);
+        for (std::size_t pen = 0; pen < 3; ++pen) {
+            CHECK(plotted.changes[pen].pen == words[pen]);
+            CHECK(plotted.changes[pen].first_dot == first_dots[pen]);
+        }
+    };
+    for (const std::string machine : {"pen", "servo", "laser"}) {
+        CAPTURE(machine);
+        draw_to(scene, "a.gcode", pens + " --gcode " + machine);
+        const Plotted plotted = plotted_gcode(text_of(scene("a.gcode")));
+        CHECK(farthest_off(table, plotted.dots) < 0.00075);
+        check_changes(plotted, {"1 Pale [blue]", "2 Rust red", "3 Ink"});
+    }
+    draw_to(scene, "a.hpgl", pens);
+    check_changes(plotted_hpgl(text_of(scene("a.hpgl"))), {"1", "2", "3"});
+    put_text(scene("one.txt"), "move X{x} Y{y}\n");
+    scene.must_fail("render -o " + scene("b.nc") + " " + pens + " --gcode " + scene("one.txt"),
+                    "the template for G-code does not say how pens are changed");
+
+    draw_to(scene, "a.json", pens);
+    const nlohmann::json read_back = nlohmann::json::parse(text_of(scene("a.json")));
+    REQUIRE(read_back["pens"].size() == 3);
+    CHECK(read_back["columns"].back() == "pen");
+    for (std::size_t pen = 0; pen < 3; ++pen) CHECK(read_back["pens"][pen]["name"] == names[pen]);
+    CHECK(read_back["pens"][1]["colour"] == "#bb5522");
+    CHECK(read_back["pens"][1]["width_mm"] == 0.4);
+    REQUIRE(read_back["dots"].size() == table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) CHECK(read_back["dots"][i].back() == pen_of[i]);
+
+    require_program("/usr/bin/python3 -c 'import ezdxf'");
+    draw_to(scene, "a.dxf", pens);
+    put_text(scene("read.py"),
+             "import ezdxf, sys\n"
+             "from ezdxf.colors import aci2rgb\n"
+             "drawing = ezdxf.readfile(sys.argv[1])\n"
+             "audit = drawing.audit()\n"
+             "assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
+             "wanted = {'1_Pale__blue_': (0x99, 0xcc, 0xff), '2_Rust_red': (0xbb, 0x55, 0x22), '3_Ink': "
+             "(17, 17, 17)}\n"
+             "for name, rgb in wanted.items():\n"
+             "    off = lambda n: sum((a - b) ** 2 for a, b in zip(aci2rgb(n), rgb)) ** 0.5\n"
+             "    colour = drawing.layers.get(name).dxf.color\n"
+             "    nearest = min([n for n in range(1, 256) if n != 7], key=off)\n"
+             "    assert colour == 7 or off(colour) < off(nearest) + 25, (name, colour, nearest)\n"
+             "    assert colour != 7 or sum(rgb) < 60, name\n"
+             "for each in drawing.modelspace(): print(each.dxf.layer)\n");
+    const Outcome read = run_in_shell("/usr/bin/python3 " + scene("read.py") + " " + scene("a.dxf"));
+    CAPTURE(read.err);
+    REQUIRE(read.status == 0);
+    std::istringstream layers(read.out);
+    const std::vector<std::string> layer_names{"1_Pale__blue_", "2_Rust_red", "3_Ink"};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        std::getline(layers, line);
+        CHECK(line == layer_names[pen_of[i]]);
+    }
+}
+
+TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and their figures are told") {
+    require_program("pdfinfo -v");
+    require_program("rsvg-convert --version");
+    const Scene scene;
+    for (const std::string drawn : {"--style line", "--dot-shape ring", "--dot-shape point"}) {
+        const std::string options =
+            "render " + scene("cat.png") +
+            " --dots 900 --width 60 --pens 'Sand:#d0a040:0.8,Night:#102060:0.4:1.5' " + drawn + " -o ";
+        for (const char* name : {"p.svg", "p.pdf"}) {
+            const Outcome made =
+                run_dapple(options + scene(name) + " --registration --stats " + scene("p.json"));
+            CAPTURE(made.err);
+            REQUIRE(made.status == 0);
+            CHECK(made.err.find("\n  1 Sand: ") != std::string::npos);
+            CHECK(made.err.find("\n  2 Night: ") != std::string::npos);
+            CHECK((made.err.find("the pen is changed once") != std::string::npos) ==
+                  (name == std::string("p.svg")));
+        }
+        const nlohmann::json stats = read_json(scene("p.json"));
+        REQUIRE(stats["pens"].size() == 2);
+        CHECK(stats["pens"][1]["gap_mm"] == 1.5);
+        CHECK(stats["pens"][0]["dots"].get<int>() + stats["pens"][1]["dots"].get<int>() == 900);
+        for (const auto& pen : stats["pens"]) {
+            CHECK(pen["wanted"].get<double>() == doctest::Approx(pen["dots"].get<double>()).epsilon(0.1));
+            CHECK(pen["nearest"]["mean"].get<double>() > 0.5);
+        }
+        REQUIRE(run_dapple(options + scene("p.png") + " --dpi 254").status == 0);
+        const Outcome shown =
+            run_in_shell("rsvg-convert -w 600 -h 400 -b white " + scene("p.svg") + " -o " + scene("svg.png") +
+                         " && pdftoppm -scale-to-x 600 -scale-to-y 400 " + "-singlefile -png " +
+                         scene("p.pdf") + " " + scene("pdf"));
+        CAPTURE(shown.err);
+        REQUIRE(shown.status == 0);
+        const Picture svg = read_picture(scene("svg.png")), pdf = read_picture(scene("pdf.png")),
+                      png = read_picture(scene("p.png"));
+        CHECK(light_difference(svg, pdf) < 0.07);
+        // The PNG has no registration marks.
+        CHECK(light_difference(svg, png) < 0.1);
+        CHECK(light_difference(svg, png, 2) > 0.12);
+    }
+    scene.must_fail("render -o " + scene("x.svg") + " --registration", "--registration: is for several pens");
+    scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
+                    "--registration: is of what is plotted");
+}
+
+TEST_CASE("a PDF has a layer for each pen, which readers can hide, and the paper in its own") {
+    require_program("pdfinfo -v");
+    const Scene scene;
+    const Outcome made = run_dapple("render " + scene("cat.png") +
+                                    " --dots 900 --width 60 --pens 'Sand:#d0a040,Night (x):#102060' --sheet "
+                                    "1,1/2x1 --background --paper '#eeeeee' -o " +
+                                    scene("p.pdf"));
+    CAPTURE(made.err);
+    REQUIRE(made.status == 0);
+    std::string file = text_of(scene("p.pdf"));
+    CHECK(file.find("/Name (Paper)") != std::string::npos);
+    CHECK(file.find("/Name (1 Sand)") != std::string::npos);
+    CHECK(file.find("/Name (2 Night \\(x\\))") != std::string::npos);
+    CHECK(run_in_shell("pdfinfo " + scene("p.pdf")).out.find("Pages:           1\n") != std::string::npos);
+    const auto darkest = [&](const std::string& name) {
+        const Outcome shown =
+            run_in_shell("pdftoppm -r 72 -singlefile -png " + scene(name) + " " + scene("shown"));
+        REQUIRE(shown.status == 0);
+        return std::ranges::min(read_picture(scene("shown.png")).light.values);
+    };
+    CHECK(darkest("p.pdf") < 0.2);
+    // All layers are hidden at first, and nothing is left.
+    const std::string on = "/BaseState /ON /", off = "/BaseState /OFF/";
+    const auto state = file.find(on);
+    REQUIRE(state != std::string::npos);
+    put_text(scene("hidden.pdf"), file.replace(state, on.size(), off));
+    CHECK(darkest("hidden.pdf") == 1);
 }
 
 TEST_CASE("JSON has the numbers of the table, named as there") {

@@ -237,13 +237,15 @@ TEST_CASE("a picture of pixels is told about too, and a table's tone") {
     CHECK(kinds_in(read_json(scene("s.json"))) == std::set<std::string>{"tone"});
 }
 
-TEST_CASE("near dots and the layer of tiles are told of a drawing") {
+TEST_CASE("near dots, a pen's gap and the layer of tiles are told of a drawing with four pens") {
     const Scene scene;
     const Outcome told =
-        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 40 --tiles -o " + scene("a.svg"));
+        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 40 --tiles -o " + scene("a.svg") +
+                   " --pens 'Sky:#3aa0d8:0.3:3,Sand:#d0a040:0.3,Rose:#d06080:0.3,Night:#102060:0.3'");
     CAPTURE(told.err);
     REQUIRE(told.status == 0);
     CHECK(told.err.find(", which saxi joins by a line, and ") != std::string::npos);
+    CHECK(told.err.find(" of Night's dots are nearer") == std::string::npos);
     const Svg svg = read_svg(scene("a.svg"));
     std::string last;
     for (const pugi::xml_node& layer : svg.document.child("svg").children("g"))
@@ -251,6 +253,25 @@ TEST_CASE("near dots and the layer of tiles are told of a drawing") {
     CHECK(told.err.find("the layer \"" + last + "\" has lines that a plotter draws too") !=
           std::string::npos);
     CHECK(last.ends_with(" Tiles"));
+}
+
+TEST_CASE("pens whose width is named touch the paper in files for plotters, unless a shape is asked for") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --dots 500 --pens greys:0.4 -o ";
+    REQUIRE(run_dapple(from + scene("a.svg")).status == 0);
+    REQUIRE(run_dapple(from + scene("b.svg") + " --dot-shape point").status == 0);
+    CHECK(text_of(scene("a.svg")) == text_of(scene("b.svg")));
+    REQUIRE(run_dapple(from + scene("c.svg") + " --dot-shape circle").status == 0);
+    CHECK(text_of(scene("c.svg")).find("<circle") != std::string::npos);
+    // The settings inside say so, and make the same drawing again.
+    REQUIRE(run_dapple("render " + scene("cat.png") + " --settings-from " + scene("a.svg") + " -o " +
+                       scene("d.svg"))
+                .status == 0);
+    CHECK(text_of(scene("d.svg")) == text_of(scene("a.svg")));
+    REQUIRE(
+        run_dapple("render " + scene("cat.png") + " --dots 500 --pens greys -o " + scene("e.svg")).status ==
+        0);
+    CHECK(text_of(scene("e.svg")).find("<circle") != std::string::npos);
 }
 
 TEST_CASE("a large file's size is said before it is written") {
@@ -270,8 +291,8 @@ TEST_CASE("a large file's size is said before it is written") {
 TEST_CASE("xmllint finds every SVG well formed") {
     if (!is_installed("xmllint --version")) return;
     const Scene scene;
-    for (const std::string how :
-         {"--tiles", "--style line", "--background", "--dot-shape spiral", "--sheet 1,1/2x1"}) {
+    for (const std::string how : {"--tiles", "--style line", "--pens cmyk:0.3 --registration --background",
+                                  "--dot-shape spiral", "--sheet 1,1/2x1"}) {
         CAPTURE(how);
         REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 400 -o " + scene("a.svg") + " " + how)
                     .status == 0);

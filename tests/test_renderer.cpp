@@ -149,7 +149,7 @@ TEST_CASE("dots have a colour each until there are other dots") {
     }
 }
 
-TEST_CASE("lines are drawn in place of the dots, in ink and as wide as the pen") {
+TEST_CASE("lines of several pens have a colour and a width each, and those of one pen the ink's") {
     Picture200 picture;
     picture.radius(3);
     picture.add(20, 20);
@@ -160,12 +160,22 @@ TEST_CASE("lines are drawn in place of the dots, in ink and as wide as the pen")
                      {20 / unit, 100 / unit, 180 / unit, 100 / unit}};
     strokes.blocks = {{.count = 2, .low = {0.2f, 0.4f}, .high = {1.8f, 1.0f}}};
     strokes.width = 20 / unit;
+    strokes.colours = {{200, 0, 0, 255}, {0, 0, 100, 255}};
+    strokes.widths = {20 / unit, 8 / unit};
     picture.renderer.set_strokes(strokes);
-    const Grid<glm::u8vec4> pixels = picture.draw_again();
+    Grid<glm::u8vec4> pixels = picture.draw_again();
+    CHECK(glm::u8vec3(pixels.at(100, 40)) == glm::u8vec3(200, 0, 0));
+    CHECK(glm::u8vec3(pixels.at(100, 47)) == glm::u8vec3(200, 0, 0));
+    CHECK(glm::u8vec3(pixels.at(100, 100)) == glm::u8vec3(0, 0, 100));
+    CHECK(glm::u8vec3(pixels.at(100, 107)) == glm::u8vec3(255, 255, 255));
+    CHECK(glm::u8vec3(pixels.at(20, 20)) == glm::u8vec3(255, 255, 255));  // no dots
+    picture.draw();                                                       // other dots
+    strokes.colours.clear();
+    strokes.widths.clear();
+    picture.renderer.set_strokes(strokes);
+    pixels = picture.draw_again();
     CHECK(glm::u8vec3(pixels.at(100, 40)) == glm::u8vec3(0, 0, 0));
     CHECK(glm::u8vec3(pixels.at(100, 107)) == glm::u8vec3(0, 0, 0));
-    CHECK(glm::u8vec3(pixels.at(100, 113)) == glm::u8vec3(255, 255, 255));
-    CHECK(glm::u8vec3(pixels.at(20, 20)) == glm::u8vec3(255, 255, 255));  // no dots
 }
 
 TEST_CASE("outside the page is the desk, and no shadow falls on the page") {

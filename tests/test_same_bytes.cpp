@@ -81,7 +81,10 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
                            .fit = PageFit::fill,
                            .quarter_turns = 1};
     DrawingSettings lines = drawing, spirals = drawing;
+    lines.pens = parse_pens("cmyk:0.4");
+    lines.registration = true;
     lines.style = DrawingStyle::line;
+    spirals.pens = parse_pens("Sand:#d0a040:0.5,Night:#101030:0.3:0.8");
     spirals.mark.shape = DotShape::spiral;
     for (const auto& each : {std::pair(lines, "lines.svg"), std::pair(lines, "lines.gcode"),
                              std::pair(spirals, "spirals.svg"), std::pair(spirals, "spirals.png")}) {
@@ -105,9 +108,10 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
     drawing.placing.count = 500;
     drawing.relax = 1;
     SavingWindow window(drawing);
-    DrawingSettings touches = drawing, nearest = drawing;
+    DrawingSettings touches = drawing, nearest = drawing, greys = drawing;
     touches.mark.shape = DotShape::point;
     nearest.style = DrawingStyle::nearest;
+    greys.pens = parse_pens("greys");
     const auto by_machine = [](GcodeTool tool) { return SavingChoice{.tool = tool, .dwell_s = 0.25}; };
     const SavingChoice own{
         .gcode_template = {"start G1 F{feed}\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own"},
@@ -121,7 +125,7 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
     for (const Case& each :
          {Case{drawing, by_priority, "a.hpgl"}, Case{touches, {.dpi = kDpi}, "b.hpgl"},
           Case{nearest, {.dpi = kDpi}, "c.dxf"}, Case{drawing, {.dpi = kDpi}, "d.dxf"},
-          Case{drawing, deep, "e.tif"}, Case{touches, deep, "f.png"}, Case{drawing, by_priority, "g.json"},
+          Case{drawing, deep, "e.tif"}, Case{touches, deep, "f.png"}, Case{greys, by_priority, "g.json"},
           Case{nearest, {.dpi = kDpi}, "h.svg"}, Case{drawing, by_machine(GcodeTool::servo), "i.gcode"},
           Case{touches, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"}}) {
         CAPTURE(each.name);

@@ -254,7 +254,7 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
 
 TEST_CASE("the time told before a drawing is saved is about the one that its dots or strokes take") {
     Pipeline pipeline;
-    pipeline.set_light(sample_picture().light);
+    pipeline.set_light(sample_picture(PictureColours::left_out).light);
     pipeline.set_tile(tile_named(kDefaultTile, {}));
     DrawingSettings settings;
     settings.placing.count = 8000;
@@ -295,7 +295,7 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
 
 TEST_CASE("the time told before saving is that of the dot order chosen, and its way that of the pen") {
     Pipeline pipeline;
-    pipeline.set_light(sample_picture().light);
+    pipeline.set_light(sample_picture(PictureColours::left_out).light);
     pipeline.set_tile(tile_named(kDefaultTile, {}));
     DrawingSettings settings;
     settings.placing.count = 8000;
@@ -331,6 +331,38 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
     }
 }
 
+TEST_CASE("the time told for several pens is that of each one's own way") {
+    Pipeline pipeline;
+    Picture picture = sample_picture(PictureColours::kept);
+    pipeline.set_light(std::move(picture.light));
+    pipeline.set_colours(std::move(picture.colours));
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    settings.pens = parse_pens("cmyk:0.4");
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const DotPieces dots = sorted_by_pen(stream, DotOrder::shortest);
+    REQUIRE(dots.pieces.size() == 4);
+    const PageSize page = plan.layout(stream.scale).page;
+    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    const DrawingToSave drawing{.dots = stream_of(dots, stream.scale),
+                                .page = page,
+                                .pens = plan.pens,
+                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    const auto estimate = [&] {
+        return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds).time;
+    };
+    const PlottingTime told = estimate();
+    PlottingTime taken;
+    for (const Dots& own : dots.pieces)
+        taken.moving_s += plotting_time(own, page.mm_per_page_unit, speeds).moving_s;
+    CHECK(told.moving_s == doctest::Approx(taken.moving_s).epsilon(0.1));
+    settings.mark.shape = DotShape::hatch;
+    const auto strokes = strokes_of(settings, drawing, DrawingFormat::svg);
+    CHECK(estimate().total_s() == doctest::Approx(figures_of(*strokes, speeds).time.total_s()).epsilon(0.1));
+}
+
 TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as if it looked at all") {
     PlacedDrawing drawing;
     drawing.layout.page = {200, 150, 200};
@@ -359,6 +391,33 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
     near.dots = stream_of(some, 1000);
     CHECK(estimated_bytes(DrawingFormat::png, DrawingSettings{}, near) ==
           estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
+}
+
+TEST_CASE("several pens' files have about the size told before") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    DrawingSettings drawing;
+    drawing.placing.count = 4000;
+    drawing.pens = parse_pens("cmyk");
+    Session session(drawing, [] {});
+    session.open_sample();
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.placed_once() && session.pane().page().settled(); }));
+    for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode", "a.dxf"}) {
+        CAPTURE(name);
+        ExportEstimate estimate;
+        const ExportInfo info = estimate.info(session.pane(), session.settings, drawing_format(name));
+        REQUIRE(info.bytes);
+        session.save(folder / name);
+        REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
+    }
 }
 
 TEST_CASE("saved files have the order and resolution chosen, and about the size told before") {

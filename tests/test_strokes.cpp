@@ -42,7 +42,7 @@ Dots random_dots(std::size_t count, unsigned seed) {
 
 template <class Visit>
 void for_each_line_of(const Strokes& strokes, const Visit& visit) {
-    stream_of(strokes, 1).for_each_stroke([&](std::span<const glm::dvec2> points) {
+    stream_of(strokes, 1).for_each_stroke([&](std::span<const glm::dvec2> points, int) {
         for (std::size_t i = 1; i < points.size(); ++i) visit(points[i - 1], points[i]);
     });
 }
@@ -214,7 +214,7 @@ TEST_CASE("pixels of strokes are what lies within half a pen of them") {
             for (int k = 0; k < 256; ++k) {
                 const glm::dvec2 p((x + (k % 16 + 0.5) / 16) / 2, (y + (k / 16 + 0.5) / 16) / 2);
                 double nearest = 1e9;
-                stream_of(strokes, width).for_each_stroke([&](std::span<const glm::dvec2> points) {
+                stream_of(strokes, width).for_each_stroke([&](std::span<const glm::dvec2> points, int) {
                     for (std::size_t i = 0; i < points.size(); ++i)
                         nearest = std::min(nearest, distance_to_line(p, points[i ? i - 1 : 0], points[i]));
                 });
@@ -232,7 +232,7 @@ TEST_CASE("machines that read strokes draw them, and touch the paper where a str
     const Strokes strokes = some_strokes();
     std::vector<std::vector<glm::dvec2>> lines;
     std::vector<glm::dvec2> touches;
-    stream_of(strokes, 0.4).for_each_stroke([&](std::span<const glm::dvec2> points) {
+    stream_of(strokes, 0.4).for_each_stroke([&](std::span<const glm::dvec2> points, int) {
         std::vector<glm::dvec2> up;
         for (const glm::dvec2 p : points) up.emplace_back(p.x, kStrokePage.height_mm - p.y);
         if (up.size() == 1)

@@ -81,6 +81,14 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
 
+// What is not a set of pens and has no colour in it is a file's name.
+PenChoice pens_in(const std::string& text) {
+    std::error_code error;
+    if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
+        return parse_pen_list(text_of_file(text, {"list of pens", 1'000'000}));
+    return parse_pens(text);
+}
+
 void add_colour(CLI::App& app, const std::string& name, glm::vec3& target, const std::string& help) {
     const auto read = [name, &target](const std::string& text) {
         try {
@@ -352,7 +360,14 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
                  page.quarter_turns = *degrees / 90;
              })
         ->default_str("0");
-    add_colour(app, "--ink", settings.ink, "Colour of the dots");
+    add_text(app, "--pens", "PENS",
+             "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
+             "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
+             "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line. No two dots of "
+             "any pens collide. With a width all dots are that large",
+             reading("--pens", [&settings](const std::string& text) { settings.pens = pens_in(text); }))
+        ->default_str("one");
+    add_colour(app, "--ink", settings.ink, "Colour of the dots, with one pen");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }
 

@@ -100,9 +100,16 @@ void check_files(const RenderOptions& options) {
 }
 
 Picture picture_of(const RenderOptions& options) {
-    if (!options.image) return sample_picture();
-    return reads_standard_input(options) ? read_picture_from_standard_input(options.limit)
-                                         : read_picture(*options.image, options.limit);
+    const PictureColours colours =
+        options.drawing.pens.set == PenSet::one ? PictureColours::left_out : PictureColours::kept;
+    if (!options.image) return sample_picture(colours);
+    return reads_standard_input(options) ? read_picture_from_standard_input(options.limit, colours)
+                                         : read_picture(*options.image, options.limit, colours);
+}
+
+void take_picture(Pipeline& pipeline, Picture picture) {
+    pipeline.set_light(std::move(picture.light), picture.exposure);
+    if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
 }
 
 // What the command draws, made sure to be possible.
@@ -143,7 +150,7 @@ void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, 
 
 // Dots in memory, in the order in which they are drawn.
 struct HeldDots {
-    Dots dots;
+    DotPieces by_pen;                   // a piece for each
     std::optional<double> curve_way_m;  // of the pen, before it was shortened
 };
 
@@ -151,12 +158,17 @@ struct HeldDots {
 std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const PageSize& page,
                                   Stages& stages) {
     if (dots.count > kMostSortedDots && order == DotOrder::recursion) return std::nullopt;
-    if (order != DotOrder::shortest) return HeldDots{sorted_dots(dots, order), {}};
+    if (order != DotOrder::shortest) return HeldDots{sorted_by_pen(dots, order), {}};
     // The curve's own way first, to tell what the shorter one saves.
-    HeldDots held{sorted_dots(dots, DotOrder::space), 0.0};
+    HeldDots held{sorted_by_pen(dots, DotOrder::space), 0.0};
     stages.begin("shortening the pen's way", 0.4, 0.7);
-    held.curve_way_m = way_length(held.dots.x, held.dots.y) * page.mm_per_page_unit / 1000;
-    shorten_way(held.dots, {.stop = {}, .progress = [&](double share) { stages.show(share); }});
+    const auto pens = static_cast<double>(held.by_pen.pieces.size());
+    double done = 0;
+    for (Dots& own : held.by_pen.pieces) {
+        *held.curve_way_m += way_length(own.x, own.y) * page.mm_per_page_unit / 1000;
+        shorten_way(own, {.stop = {}, .progress = [&](double share) { stages.show((done + share) / pens); }});
+        ++done;
+    }
     return held;
 }
 
@@ -202,8 +214,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.tile = stages.lap();
 
     stages.begin("reading the picture", 0, 0.1);
-    Picture opened = picture_of(options);
-    pipeline.set_light(std::move(opened.light), opened.exposure);
+    take_picture(pipeline, picture_of(options));
     const glm::ivec2 picture(pipeline.light().width, pipeline.light().height);
     times.read = stages.lap();
 
@@ -222,7 +233,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count, settings.style));
     const bool shows_order = has_order(format, settings.style);
     const auto held = held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages);
-    DotStream drawn = held ? stream_of(held->dots, dots.scale) : dots;
+    DotStream drawn = held ? stream_of(held->by_pen, dots.scale) : dots;
     // Pixels show the part of a dot that reaches over from the next sheet.
     if (has_pixels(format) && !draws_lines(settings, format) && page.part.part != PagePart{})
         drawn = pipeline.stream(plan, widened(page.part.part, radius));
@@ -233,6 +244,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
 
     DrawingToSave file{.dots = drawn,
                        .page = page.part.size,
+                       .pens = plan.pens,
                        .dot_radius_mm = radius * unit_mm,
                        .tiles = tiles,
                        .picture = picture_on(page.part, plan.pixels),
@@ -260,7 +272,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                                     .format = format,
                                     .file = file,
                                     .dots = dots,
-                                    .held = measured ? &held->dots : nullptr},
+                                    .by_pen = measured ? &held->by_pen : nullptr},
                                    options);
     rendered.order = order;
     if (held) rendered.curve_way_m = held->curve_way_m;

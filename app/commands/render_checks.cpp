@@ -40,11 +40,24 @@ void check_format(const RenderOptions& options) {
 
 }  // namespace
 
+void take_usual_shape(const CLI::App& command, RenderOptions& options) {
+    DrawingSettings& drawing = options.drawing;
+    const bool chosen = command.count("--pens") > 0 && have_widths(drawing.pens);
+    const bool sized = drawing.dot_size.sizing != DotSizing::automatic || command.count("--dot-shape") > 0;
+    if (chosen && !sized && !draws_strokes(drawing) && is_plotted(format_of(options)))
+        drawing.mark.shape = DotShape::point;
+}
+
 void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     check_format(options);
     const DrawingFormat format = format_of(options);
     if (options.region && command.count("--sheet") > 0)
         throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (options.drawing.pens.set == PenSet::one)
+        refuse(command, {"--registration"}, "is for several pens; give --pens too");
+    if (has_pixels(format) || is_table(format))
+        refuse(command, {"--registration"},
+               "is of what is plotted; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf"));
     if (format != DrawingFormat::svg)
         refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
     if (!has_pixels(format))
@@ -77,8 +90,10 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--ink", "--paper", "--background"},
                what + " no colours; " + let_it_end_in(".svg, .pdf, .png or .tif"));
     }
-    if (has_optional_paper(format) && !options.drawing.background)
+    if (has_optional_paper(format) && !options.drawing.background && options.drawing.pens.set == PenSet::one)
         refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
+    if (options.drawing.pens.set != PenSet::one)
+        refuse(command, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them away");
     if (format != DrawingFormat::gcode)
         refuse(command, {"--gcode", "--feed", "--dwell"}, "is of G-code; " + let_it_end_in(".gcode or .nc"));
     const bool given = command.count("--order") > 0 || command.count("--relax") > 0;

@@ -7,6 +7,11 @@
 
 namespace dapple {
 
+/// A pen whose width is known touches the paper once for each dot, rather than that a plotter follows a
+/// circle around which the pen's line is as wide again. What is printed or has pixels looks the same either
+/// way.
+void take_usual_shape(const CLI::App& command, RenderOptions& options);
+
 /// Throws CLI::ValidationError, "--option why", for options that contradict each other or that would have no
 /// effect on what is written.
 void check_that_fit(const CLI::App& command, const RenderOptions& options);

@@ -98,6 +98,12 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->group("Page");
     command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
         ->group("Page");
+    command
+        ->add_flag(
+            "--registration", options_.drawing.registration,
+            "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other "
+            "by")
+        ->group("Page");
     add_choice(
         *command, "--machine", options_.saving.machine, kMachines,
         "Tell how long this machine will plot, with its program's own settings; without it, an AxiDraw "
@@ -114,6 +120,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg --style line --dots 20k     one line through all dots\n"
         "  dapple render cat.jpg -o cat.svg --dot-shape spiral --pen-width 0.3   dots that a pen fills\n"
         "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
+        "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
         "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
@@ -125,6 +132,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing, automatic_tone_);
+        take_usual_shape(*command, options_);
         check_that_fit(*command, options_);
         render(options_);
     });

@@ -25,21 +25,48 @@ PlottingTime time_of(const Dots& dots, const InkedDot& ink, const PageSize& page
     return plotting_time(dots, page.mm_per_page_unit, speeds);
 }
 
+Dots one_after_the_other(const DotPieces& by_pen) {
+    Dots all;
+    for (const Dots& own : by_pen.pieces) append(all, own);
+    return all;
+}
+
 // The time that the machine takes, and the strokes if dots are drawn with some.
 void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
                   const DrawingSettings& settings) {
     const PageSize& page = saved.page.part.size;
     const MachineSpeeds speeds = speeds_of(rendered.machine);
-    if (!saved.held) {
+    if (!saved.by_pen) {
         facts.plotting = expected_plotting_time(static_cast<double>(saved.dots.count),
                                                 page.width_mm * page.height_mm, speeds);
     } else if (const auto strokes = strokes_of(settings, saved.file, saved.format)) {
         rendered.strokes = figures_of(*strokes, speeds);
         facts.plotting = rendered.strokes->time;
     } else {
-        facts.plotting = time_of(*saved.held, facts.ink, page, speeds);
+        facts.plotting = time_of(one_after_the_other(*saved.by_pen), facts.ink, page, speeds);
     }
     rendered.plotting = facts.plotting;
+}
+
+// The same for each of several pens, and how even their dots are.
+void add_pens(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
+              const RenderOptions& options) {
+    const PageSize& page = saved.page.part.size;
+    const MachineSpeeds speeds = speeds_of(rendered.machine);
+    rendered.pens = saved.plan.pens;
+    rendered.by_pen = pen_figures(*saved.by_pen, page, saved.plan.pens, speeds);
+    const auto strokes = strokes_of(options.drawing, saved.file, saved.format);
+    for (std::size_t i = 0; i < rendered.by_pen.size(); ++i) {
+        PenFigures& own = rendered.by_pen[i];
+        own.time = strokes ? figures_of(only(*strokes, own.pen), speeds).time
+                           : time_of(saved.by_pen->pieces[i], facts.ink, page, speeds);
+        const Pen& pen = saved.plan.pens[static_cast<std::size_t>(own.pen)];
+        facts.gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
+    }
+    if (!draws_whole_page(options)) return;
+    const PagePart& part = saved.page.part.part;
+    rendered.evenness = pen_evenness(*saved.by_pen, {part.across.offset, part.down.offset}, saved.plan.by_pen,
+                                     saved.dots.scale);
 }
 
 }  // namespace
@@ -67,16 +94,17 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
         const RasterSize size = raster_size(part.size, options.saving.dpi);
         rendered.pixels = {size.width, size.height};
     }
-    if (saved.held) {
+    if (saved.by_pen) {
         const InkedDot& ink = facts.ink;
-        const Dots inked = inked_dots(stream_of(*saved.held), ink, part.size);
+        const Dots inked = inked_dots(stream_of(*saved.by_pen), ink, part.size);
         const Excerpt& excerpt = placed_on(saved.page, settings, saved.format);
-        facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm),
+        facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm, 0),
                                    margins_on(excerpt, saved.page.layout));
         rendered.preflight = facts.measured;
     }
     rendered.machine = facts.machine.value_or(rendered.machine);
     if (facts.machine) add_plotting(rendered, facts, saved, settings);
+    if (saved.by_pen && !plan.pens.empty()) add_pens(rendered, facts, saved, options);
     facts.for_tone = tone_reached(plan, saved.dots.scale, settings);
     rendered.findings = findings_of(facts);
     return rendered;

@@ -16,7 +16,7 @@ struct SavedDrawing {
     DrawingFormat format;
     const DrawingToSave& file;
     const DotStream& dots;
-    const Dots* held = nullptr;  // the same in memory, as they are drawn; none if they are too many
+    const DotPieces* by_pen = nullptr;  // the same in memory, as they are drawn; none if they are too many
 };
 
 /// All but the order, the way before it was shortened, and the times of the work.

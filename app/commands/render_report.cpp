@@ -26,6 +26,41 @@ std::optional<std::uint64_t> bytes_in(const std::filesystem::path& output) {
     return bytes;
 }
 
+void print_pens(const Rendered& drawn) {
+    for (const PenFigures& figures : drawn.by_pen) {
+        const Pen& pen = drawn.pens[static_cast<std::size_t>(figures.pen)];
+        const std::string time = drawn.plotting ? ", " + time_in_words(figures.time.total_s()) : "";
+        fmt::print(stderr, "  {} {}: {} dots{}\n", figures.pen + 1, pen.name, grouped(figures.dots), time);
+    }
+}
+
+nlohmann::ordered_json json_of(const LocalDistances& distances) {
+    return {{"p1", distances.p1}, {"mean", distances.mean}};
+}
+
+nlohmann::ordered_json pens_json(const Rendered& drawn) {
+    auto all = nlohmann::ordered_json::array();
+    for (const PenFigures& figures : drawn.by_pen) {
+        const auto i = static_cast<std::size_t>(figures.pen);
+        const Pen& pen = drawn.pens[i];
+        nlohmann::ordered_json one{{"name", pen.name},
+                                   {"colour", hex_of(pen.colour)},
+                                   {"width_mm", pen.width_mm},
+                                   {"gap_mm", pen.gap_mm},
+                                   {"dots", figures.dots},
+                                   {"pen_up_m", figures.pen_up_m},
+                                   {"nearest_mm", figures.nearest_mm},  // null if there are not two
+                                   {"nearer_than_gap", figures.nearer_than_gap},
+                                   {"total_s", figures.time.total_s()}};
+        if (drawn.evenness) {
+            one["wanted"] = drawn.evenness->each[i].wanted;
+            one["nearest"] = json_of(drawn.evenness->each[i].distances);
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 }  // namespace
 
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
@@ -49,9 +84,15 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     else
         fmt::print(stderr, "{}\n", dots);
     if (drawn.plotting && drawn.dots > 0) {
-        fmt::print(stderr, "{} on {}: {}\n", time_in_words(drawn.plotting->total_s()),
-                   words_for(drawn.machine), what_takes_longest(*drawn.plotting));
+        const std::size_t changes = drawn.by_pen.empty() ? 0 : drawn.by_pen.size() - 1;
+        const std::string pauses =
+            changes == 0 ? ""
+                         : fmt::format(", and the pen is changed {}",
+                                       changes == 1 ? "once" : fmt::format("{} times", changes));
+        fmt::print(stderr, "{} on {}: {}{}\n", time_in_words(drawn.plotting->total_s()),
+                   words_for(drawn.machine), what_takes_longest(*drawn.plotting), pauses);
     }
+    print_pens(drawn);
     for (const Finding& finding : drawn.findings) {
         // The line above has said how long it takes.
         if (finding.kind == FindingKind::hours)
@@ -139,6 +180,8 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"style", name_of(settings.style)},
         {"dot_shape", text_of(settings.mark)},
         {"strokes", strokes},
+        {"pens", pens_json(drawn)},
+        {"nearest", drawn.evenness ? json_of(drawn.evenness->all) : nlohmann::ordered_json()},
         {"file_bytes", bytes_in(options.output).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},

@@ -11,6 +11,7 @@
 #include "app/commands/render.h"
 #include "core/image/tone.h"
 #include "core/output/findings.h"
+#include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
 #include "core/output/preflight.h"
 #include "core/output/stroke_figures.h"
@@ -43,6 +44,9 @@ struct Rendered {
     Machine machine = {};                     // that would draw it
     std::optional<PlottingTime> plotting = {};
     std::optional<StrokeFigures> strokes = {};  // none where dots are circles or points
+    Palette pens = {};                          // several
+    std::vector<PenFigures> by_pen = {};        // of those that draw something
+    std::optional<PenEvenness> evenness = {};   // of a whole page
     RenderTimes times = {};
 };
 

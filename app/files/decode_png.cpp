@@ -12,7 +12,7 @@
 
 namespace dapple {
 
-Picture decode_png(std::string_view bytes) {
+Picture decode_png(std::string_view bytes, PictureColours colours) {
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
@@ -23,7 +23,7 @@ Picture decode_png(std::string_view bytes) {
     std::array<float, 256> linear;
     for (int i = 0; i < 256; ++i) linear[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
 
-    PictureBuilder builder(width, height);
+    PictureBuilder builder(width, height, {}, colours);
     std::vector<glm::vec3> row(width);
     const stbi_uc* pixel = pixels.get();
     for (int y = 0; y < height; ++y) {

@@ -1,5 +1,7 @@
 #include "app/files/drawing_facts.h"
 
+#include <algorithm>
+
 namespace dapple {
 
 DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format) {
@@ -15,15 +17,18 @@ DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format) {
 InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing) {
     InkedDot ink{.as = dots_as(settings, format),
                  .radius_mm = drawing.dot_radius_mm,
-                 .stroke_width_mm = settings.pen_width_mm};
+                 .stroke_width_mm = settings.pen_width_mm,
+                 .widths_mm = stroke_widths(settings.pens, settings.pen_width_mm, drawing.pens)};
     if (ink.as == DotsAs::printed) {
         // What a pen would draw is printed as wide as its lines.
         if (settings.style != DrawingStyle::dots) ink.radius_mm = widest_stroke(settings) / 2;
         return ink;
     }
     const bool circles = !draws_strokes(settings);
-    if (circles && ink.as == DotsAs::touches && settings.dot_size.sizing != DotSizing::automatic)
+    if (circles && ink.as == DotsAs::touches && settings.dot_size.sizing != DotSizing::automatic) {
         ink.stroke_width_mm = 2 * drawing.dot_radius_mm;
+        if (!have_widths(settings.pens)) ink.widths_mm.clear();
+    }
     return ink;
 }
 
@@ -36,7 +41,8 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
                        .page = drawing.page};
     if (has_pixels(format)) facts.dpi = drawing.dpi;
     if (is_plotted(format)) facts.machine = saving.machine.value_or(usual_machine(format, saving.tool));
-    if (facts.is_svg && !drawing.tiles.empty()) facts.tile_layer = 2;
+    if (facts.is_svg && !drawing.tiles.empty())
+        facts.tile_layer = static_cast<int>(std::max<std::size_t>(drawing.pens.size(), 1)) + 1;
     return facts;
 }
 

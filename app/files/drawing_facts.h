@@ -15,8 +15,8 @@ DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format);
 /// are, they are as wide as the pen's line.
 InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing);
 
-/// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time and
-/// the tone.
+/// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time, the
+/// gaps and the tone.
 DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
                       const DrawingToSave& drawing);
 

@@ -55,21 +55,26 @@ double bytes_of(DrawingFormat format, const DrawingSettings& settings, const Dra
     return count.bytes();
 }
 
-// Some of the dots. Of when they appear any numbers with as many digits will do: a drawing on screen has
-// none.
-Dots sample_of(const DotStream& dots) {
-    Dots sample;
+// Some of the dots, those of a pen together. Of when they appear any numbers with as many digits will do: a
+// drawing on screen has none.
+DotPieces sample_of(const DotStream& dots) {
+    DotPieces sample;
     const std::uint64_t step = 1 + dots.count / kSample;
     std::uint64_t before = 0, next = 0;  // dots of pieces before; the next one of all that is taken
     dots.for_each_piece([&](const Dots& piece) {
+        if (sample.pieces.empty() || sample.pieces.back().pen != piece.pen) {
+            sample.pieces.emplace_back();
+            sample.pieces.back().pen = piece.pen;
+        }
+        Dots& own = sample.pieces.back();
         for (; next < before + piece.size(); next += step) {
             const std::size_t k = next - before;
-            sample.x.push_back(piece.x[k]);
-            sample.y.push_back(piece.y[k]);
-            if (!piece.radius.empty()) sample.radius.push_back(piece.radius[k]);
+            own.x.push_back(piece.x[k]);
+            own.y.push_back(piece.y[k]);
+            if (!piece.radius.empty()) own.radius.push_back(piece.radius[k]);
             const double share = static_cast<double>(next + 1) / static_cast<double>(dots.count);
-            sample.threshold.push_back(static_cast<float>(dots.scale * share));
-            sample.critical.push_back(static_cast<float>(dots.scale * share * 1.2345));
+            own.threshold.push_back(static_cast<float>(dots.scale * share));
+            own.critical.push_back(static_cast<float>(dots.scale * share * 1.2345));
         }
         before += piece.size();
         return true;
@@ -77,12 +82,12 @@ Dots sample_of(const DotStream& dots) {
     return sample;
 }
 
-double share_of(const Dots& sample, const DotStream& dots) {
+double share_of(const DotPieces& sample, const DotStream& dots) {
     return static_cast<double>(dots.count) / static_cast<double>(std::max<std::size_t>(sample.size(), 1));
 }
 
 double text_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
-    const Dots sample = sample_of(drawing.dots);
+    const DotPieces sample = sample_of(drawing.dots);
     DrawingToSave some = drawing;
     some.tiles = {};
     some.dots = stream_of(sample, drawing.dots.scale);
@@ -106,7 +111,7 @@ double tile_bytes(DrawingFormat format, const DrawingSettings& settings, const D
 
 // The patches laid side by side.
 struct Mosaic {
-    Dots dots;
+    DotPieces dots;
     PageSize page;
     double share = 1;  // of the page's pixels
 };
@@ -120,16 +125,17 @@ Mosaic mosaic_of(const DrawingToSave& drawing, const RasterSize& size) {
     mosaic.page = {pixels.x * mm_per_pixel, pixels.y * mm_per_pixel, longer * mm_per_pixel};
     mosaic.share = pixels.x * pixels.y / (static_cast<double>(size.width) * size.height);
     drawing.dots.for_each_piece([&](const Dots& piece) {
+        Dots& own = mosaic.dots.pieces.emplace_back();
+        own.pen = piece.pen;
         for (std::size_t i = 0; i < piece.size(); ++i) {
             const glm::dvec2 at = glm::dvec2(piece.x[i], piece.y[i]) * patches.pixels_per_unit;
             const glm::dvec2 index = patches.index(at), in_patch = patches.in_patch(at, index);
             if (in_patch.x < 0 || in_patch.y < 0 || in_patch.x >= patch.x || in_patch.y >= patch.y) continue;
             const glm::dvec2 place = (index * patch + in_patch) / longer;
-            mosaic.dots.x.push_back(static_cast<float>(place.x));
-            mosaic.dots.y.push_back(static_cast<float>(place.y));
+            own.x.push_back(static_cast<float>(place.x));
+            own.y.push_back(static_cast<float>(place.y));
             if (!piece.radius.empty())
-                mosaic.dots.radius.push_back(
-                    static_cast<float>(piece.radius[i] * patches.pixels_per_unit / longer));
+                own.radius.push_back(static_cast<float>(piece.radius[i] * patches.pixels_per_unit / longer));
         }
         return true;
     });

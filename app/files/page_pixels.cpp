@@ -1,6 +1,7 @@
 #include "app/files/page_pixels.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/output/raster.h"
 #include "core/output/raster_strokes.h"
@@ -8,16 +9,37 @@
 
 namespace dapple {
 
+namespace {
+
+// Of a drawing with one pen, or with several.
+template <class Ink>
+Grid<glm::u8vec3> pixels_of(const DrawingSettings& settings, const Ink& ink, std::span<const Pen> pens,
+                            const PageSize& page, const RasterRequest& request) {
+    if (pens.empty()) return ink_on_paper(coverage_of(ink, page, request), settings.ink, settings.paper);
+    std::vector<glm::vec3> inks;
+    for (const Pen& pen : pens) inks.push_back(pen.colour);
+    const RasterSize size = raster_size(page, request.dpi);
+    Grid<glm::u8vec3> all(size.width, size.height);
+    rasterise_pens(ink, page, request, inks.size(),
+                   [&](int first_row, std::span<const Grid<float>> coverage) {
+                       const auto band = ink_on_paper(coverage, inks, settings.paper);
+                       std::ranges::copy(band.values, &all.at(0, first_row));
+                   });
+    return all;
+}
+
+}  // namespace
+
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing) {
     if (const auto strokes = strokes_of(settings, drawing, DrawingFormat::png))
-        return page_pixels(settings, *strokes, drawing.page, drawing.dpi);
-    const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi};
-    return ink_on_paper(coverage_of(drawing.dots, drawing.page, request), settings.ink, settings.paper);
+        return page_pixels(settings, *strokes, drawing.pens, drawing.page, drawing.dpi);
+    return pixels_of(settings, drawing.dots, drawing.pens, drawing.page,
+                     {.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi});
 }
 
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
-                              const PageSize& page, double dpi) {
-    return ink_on_paper(coverage_of(strokes, page, {.dpi = dpi}), settings.ink, settings.paper);
+                              std::span<const Pen> pens, const PageSize& page, double dpi) {
+    return pixels_of(settings, strokes, pens, page, {.dpi = dpi});
 }
 
 double dpi_for(const PageSize& page, int longer_side) {

@@ -12,7 +12,7 @@ Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSa
 
 /// The same of strokes.
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
-                              const PageSize& page, double dpi);
+                              std::span<const Pen> pens, const PageSize& page, double dpi);
 
 /// The resolution at which a page's longer side has so many pixels.
 double dpi_for(const PageSize& page, int longer_side);

@@ -8,10 +8,12 @@
 #include <exception>
 #include <glm/vec2.hpp>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "app/files/pdf_layers.h"
 #include "app/shown_text.h"
 #include "core/output/plotted_strokes.h"
 
@@ -22,6 +24,7 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr std::size_t kDotsAtOnce = 1 << 14;  // sorted by their radii
 constexpr std::size_t kDotsOfAPath = 1000;    // printers' memory for one is small
 constexpr double kMicrometresPerMm = 1000;
+constexpr double kUsualMarkMm = 0.3;       // of a pen whose width is not told
 constexpr double kBytesADot = 9.5;         // in a file, about
 constexpr double kShareOfGathering = 0.2;  // of the time, before the library begins to write
 
@@ -46,6 +49,13 @@ class PdfPages {
 
     cairo_surface_t* surface() const { return surface_; }
     cairo_t* context() const { return context_; }
+
+    // What follows belongs to this one: a page for each, one over the other in the end.
+    void begin_layer(const std::string& name) {
+        if (!layers_.empty()) cairo_show_page(context_);
+        layers_.push_back(name);
+    }
+    const std::vector<std::string>& layers() const { return layers_; }
 
     // How much of the dots was gathered before the library begins to write.
     void gathered(double share) { report(kShareOfGathering * share); }
@@ -88,6 +98,7 @@ class PdfPages {
     std::ostream& out_;
     const WritingProgress& progress_;
     double bytes_expected_, bytes_ = 0, share_ = 0;
+    std::vector<std::string> layers_;
     bool dropped_ = false;
     std::exception_ptr thrown_;
     cairo_surface_t* surface_;
@@ -141,6 +152,13 @@ void draw_marks(cairo_t* context, std::span<const CutMark> marks, double width_m
     }
 }
 
+void begin_pen(PdfPages& pdf, const PdfStyle& style, int pen) {
+    const Pen& drawn = style.pens[static_cast<std::size_t>(pen)];
+    pdf.begin_layer(fmt::format("{} {}", pen + 1, drawn.name));
+    set_colour(pdf.context(), drawn.colour);
+    draw_marks(pdf.context(), style.registration, drawn.width_mm > 0 ? drawn.width_mm : kUsualMarkMm);
+}
+
 }  // namespace
 
 void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
@@ -167,18 +185,25 @@ template <class Draw>
 void write_page(std::ostream& out, std::uint64_t dots, const PageSize& page, const PdfStyle& style,
                 const WritingProgress& progress, const Draw& draw) {
     check_fits_pdf(page, dots);
-    PdfPages pdf(out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots, progress);
+    const bool layered = !style.pens.empty();
+    std::ostringstream pages;
+    pages.exceptions(std::ios::badbit);
+    PdfPages pdf(layered ? pages : out, page.width_mm * kPointsPerMm, page.height_mm * kPointsPerMm, dots,
+                 progress);
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_TITLE, style.title.c_str());
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATOR, "Dapple");
     // The library writes the time of day unless it is told one, and the same drawing is to be the same file.
     cairo_pdf_surface_set_metadata(pdf.surface(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
     if (style.background) {
+        if (layered) pdf.begin_layer("Paper");
         set_colour(pdf.context(), *style.background);
         cairo_paint(pdf.context());
     }
     set_colour(pdf.context(), style.ink);
     draw(pdf, [&](double share) { pdf.gathered(share); });
+    if (layered && pdf.layers().empty()) pdf.begin_layer("Paper");  // a sheet without dots
     pdf.finish();
+    if (layered) write_as_layers(out, pages.view(), pdf.layers());
 }
 
 }  // namespace
@@ -189,7 +214,13 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
         PdfDots drawn(pdf.context());
         const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
         DotsReport report(dots.count, gathering);
+        int pen = -1;
         dots.for_each_piece([&](const Dots& piece) {
+            if (!style.pens.empty() && piece.pen != pen) {
+                drawn.draw();
+                pen = piece.pen;
+                begin_pen(pdf, style, pen);
+            }
             for (std::size_t i = 0; i < piece.size(); ++i) {
                 report.next();
                 const double radius_mm =
@@ -210,7 +241,14 @@ void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& p
         cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_width(context, strokes.width_mm * kPointsPerMm);
         std::size_t waiting = 0;  // points of the path
-        for_each_stroke(strokes, gathering, [&](std::span<const glm::dvec2> points) {
+        int pen = -1;
+        for_each_stroke(strokes, gathering, [&](std::span<const glm::dvec2> points, int its_pen) {
+            if (!style.pens.empty() && its_pen != pen) {
+                cairo_stroke(context);
+                pen = its_pen;
+                begin_pen(pdf, style, pen);
+                cairo_set_line_width(context, strokes.width_of(pen) * kPointsPerMm);
+            }
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const glm::dvec2 p = points[i] * kPointsPerMm;
                 if (i == 0) cairo_move_to(context, p.x, p.y);

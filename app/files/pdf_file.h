@@ -10,6 +10,7 @@
 #include "core/image/colour.h"
 #include "core/output/progress.h"
 #include "core/output/sheet.h"
+#include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
@@ -18,14 +19,16 @@ namespace dapple {
 
 /// A side of a PDF's page, 14,400 points: readers take no larger ones.
 inline constexpr double kLongestPdfSideMm = 14'400 / 72.0 * 25.4;
-/// The library keeps a page in memory until it is whole, about 20 bytes a dot.
+/// The library keeps a page in memory until it is whole, about 20 bytes a dot, and layers until all are.
 inline constexpr std::uint64_t kMostPdfDots = 20'000'000;
 
 struct PdfStyle {
     double dot_radius_mm = 0;  // where dots have none of their own; rounded to 0.001 mm, which is the least
     glm::vec3 ink = kBlack;
-    std::optional<glm::vec3> background;      // a rectangle under everything
-    std::string title = {};                   // UTF-8
+    std::span<const Pen> pens = {};              // several, for the dots' or strokes' pens: a layer each
+    std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
+    std::optional<glm::vec3> background;         // a rectangle under everything
+    std::string title = {};                      // UTF-8
 };
 
 /// Throws std::runtime_error if a PDF cannot have such a page, or so many dots.

@@ -12,8 +12,9 @@ namespace {
 
 class PictureSink : public ImageSink {
  public:
+    explicit PictureSink(PictureColours colours) : colours_(colours) {}
     void begin(const ImageHeader& header) override {
-        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation});
+        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
         description_ = header.description;
         scene_light_ = header.scene_light;
     }
@@ -21,6 +22,7 @@ class PictureSink : public ImageSink {
     Picture finish() { return builder_->finish(std::move(description_), scene_light_); }
 
  private:
+    PictureColours colours_;
     std::optional<PictureBuilder> builder_;
     std::string description_;
     bool scene_light_ = false;
@@ -29,8 +31,9 @@ class PictureSink : public ImageSink {
 
 }  // namespace
 
-Picture read_picture(const std::filesystem::path& path, PictureLimit limit, std::stop_token stop) {
-    PictureSink sink;
+Picture read_picture(const std::filesystem::path& path, PictureLimit limit, PictureColours colours,
+                     std::stop_token stop) {
+    PictureSink sink(colours);
     const auto most = limit == PictureLimit::usual ? kUsualPixels : kAnyPixels;
     try {
         decode_file(path, {.over_paper = true, .most_pixels = most}, sink, stop);
@@ -43,8 +46,9 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit, std:
     return sink.finish();
 }
 
-std::optional<Picture> read_first_look(const std::filesystem::path& path, std::stop_token stop) {
-    PictureSink sink;
+std::optional<Picture> read_first_look(const std::filesystem::path& path, PictureColours colours,
+                                       std::stop_token stop) {
+    PictureSink sink(colours);
     try {
         decode_file_smaller(path, {.over_paper = true, .enough_side = kFirstLookSide}, sink, stop);
     } catch (const DecodeError&) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/image/grid.h"
+#include "core/image/linear_colour.h"
 
 namespace dapple {
 
@@ -19,6 +20,7 @@ struct Picture {
     Grid<float> light;  // linear luminance over white paper: 0 black, 1 paper, more in HDR pictures
     /// sRGB-encoded colours over white paper, opaque, same aspect as light; exposed by the stops below.
     Grid<glm::u8vec4> preview;
+    ColourGrid colours{};  // of the same pixels, if they were asked for
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
     std::string description;  // "512 x 512 pixels, 8-bit grey png"
@@ -29,25 +31,30 @@ enum class PictureLimit {
     huge,   // whatever fits in memory
 };
 
+enum class PictureColours { left_out, kept };
+
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise.
-/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a pixel.
+/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a pixel, 10 with
+/// its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
 /// damaged, too large, has pixels that are NaN or infinite, or reading was stopped.
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
-                     std::stop_token stop = {});
+                     PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
 
 /// A first look at a large JPEG, in a fraction of the time: smaller, its longer side kFirstLookSide pixels or
 /// up to twice as many, and described as the whole is. Nothing of a picture that is small or of another kind,
 /// or cannot be read: read_picture() says why.
-std::optional<Picture> read_first_look(const std::filesystem::path& path, std::stop_token stop = {});
+std::optional<Picture> read_first_look(const std::filesystem::path& path,
+                                       PictureColours colours = PictureColours::left_out,
+                                       std::stop_token stop = {});
 inline constexpr int kFirstLookSide = 800;
 
 /// A PNG in memory, such as the built-in sample. Throws std::runtime_error if it is none.
-Picture decode_png(std::string_view bytes);
+Picture decode_png(std::string_view bytes, PictureColours colours = PictureColours::left_out);
 
 }  // namespace dapple

@@ -48,10 +48,11 @@ std::uint8_t encode(float light) {
 
 }  // namespace
 
-PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation)
+PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation, PictureColours colours)
     : stored_width_(width), stored_height_(height), orientation_(orientation) {
     if (orientation.swaps_sides()) std::swap(width, height);
     light_ = Grid<float>(width, height);
+    if (colours == PictureColours::kept) colours_ = ColourGrid(width, height);
     const int longer = std::max(width, height);
     preview_ = Grid<Sum>(preview_side(width, longer), preview_side(height, longer));
 }
@@ -61,6 +62,7 @@ void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
         const glm::vec3 colour = colours[x];
         const glm::ivec2 to = upright(orientation_, x, y, stored_width_, stored_height_);
         light_.at(to.x, to.y) = glm::dot(colour, kRec709);
+        if (!colours_.empty()) colours_.at(to.x, to.y) = packed(colour);
         const auto scaled = [](int place, int from, int onto) {
             return static_cast<int>(static_cast<std::int64_t>(place) * onto / from);
         };
@@ -82,6 +84,7 @@ Picture PictureBuilder::finish(std::string description, bool scene_light) {
         picture.preview.values[i] = {encode(mean.x), encode(mean.y), encode(mean.z), 255};
     }
     picture.light = std::move(light_);
+    picture.colours = std::move(colours_);
     picture.description = std::move(description);
     return picture;
 }

@@ -18,7 +18,8 @@ struct ExifOrientation {
 class PictureBuilder {
  public:
     /// Width and height as stored, before turning.
-    PictureBuilder(int width, int height, ExifOrientation orientation = {});
+    PictureBuilder(int width, int height, ExifOrientation orientation = {},
+                   PictureColours colours = PictureColours::left_out);
 
     /// Linear light over white paper, one stored row: `colours` has width values.
     void add_row(int y, std::span<const glm::vec3> colours);
@@ -35,6 +36,7 @@ class PictureBuilder {
     int stored_width_, stored_height_;
     ExifOrientation orientation_;
     Grid<float> light_;
+    ColourGrid colours_;  // empty: left out
     Grid<Sum> preview_;
 };
 

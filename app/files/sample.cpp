@@ -4,8 +4,8 @@
 
 namespace dapple {
 
-Picture sample_picture() {
-    return decode_png(assets::still_life_png());
+Picture sample_picture(PictureColours colours) {
+    return decode_png(assets::still_life_png(), colours);
 }
 
 }  // namespace dapple

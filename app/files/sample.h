@@ -6,6 +6,6 @@
 namespace dapple {
 
 /// A still life of shaded solids, 1024 x 1024.
-Picture sample_picture();
+Picture sample_picture(PictureColours colours = PictureColours::left_out);
 
 }  // namespace dapple

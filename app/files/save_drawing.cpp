@@ -35,10 +35,20 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
     const RasterSize size = raster_size(drawing.page, drawing.dpi);
     const RasterRequest request{
         .dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi, .threads = settings.placing.threads};
-    const bool grey = is_grey(settings.ink) && is_grey(settings.paper);
+    const bool grey = drawing.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
     const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb,
                            drawing.settings};
     write_image(header, [&](const auto& pixels) {
+        if (!drawing.pens.empty()) {
+            std::vector<glm::vec3> inks;
+            for (const Pen& pen : drawing.pens) inks.push_back(pen.colour);
+            const PenCoverageSink sink = [&](int first_row, std::span<const Grid<float>> coverage) {
+                if (progress) progress(static_cast<double>(first_row) / size.height);
+                pixels(colours(coverage, inks, settings.paper));
+            };
+            if (strokes) return rasterise_pens(*strokes, drawing.page, request, inks.size(), sink);
+            return rasterise_pens(drawing.dots, drawing.page, request, inks.size(), sink);
+        }
         const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
             if (progress) progress(static_cast<double>(first_row) / size.height);
             pixels(colours(coverage, settings.ink, settings.paper));
@@ -67,18 +77,20 @@ std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const Dr
                                        DrawingFormat format) {
     if (is_table(format) || !draws_strokes(settings)) return std::nullopt;
     const double width = settings.pen_width_mm;
+    const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens);
     if (settings.style == DrawingStyle::dots)
-        return marks_of(drawing.dots, drawing.page, settings.mark, drawing.dot_radius_mm, width);
-    const Dots all_dots = sorted_dots(drawing.dots, DotOrder::recursion);
-    auto lines = std::make_shared<Strokes>(settings.style == DrawingStyle::line
-                                               ? line_through(all_dots, drawing.page)
-                                               : lines_to_nearest(all_dots, drawing.page));
+        return marks_of(drawing.dots, drawing.page, settings.mark, drawing.dot_radius_mm, width, widths);
+    auto lines = std::make_shared<Strokes>();
+    for (const Dots& own : sorted_by_pen(drawing.dots, DotOrder::recursion).pieces)
+        append(*lines, settings.style == DrawingStyle::line ? line_through(own, drawing.page)
+                                                            : lines_to_nearest(own, drawing.page));
     if (const auto& corner = drawing.part_corner_mm) {
         const Rectangle<double> part{*corner,
                                      *corner + glm::dvec2(drawing.page.width_mm, drawing.page.height_mm)};
         *lines = cut_to(part, stream_of(*lines, width));
     }
     StrokeStream stream = stream_of(*lines, width);
+    stream.widths_mm = widths;
     stream.for_each_stroke = [lines, all = stream.for_each_stroke](const TakeStroke& take) { all(take); };
     return stream;
 }
@@ -100,14 +112,33 @@ Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& wa
     return all;
 }
 
+DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWatch& watch) {
+    DotPieces sorted;
+    stream.for_each_piece([&](const Dots& piece) {
+        if (sorted.pieces.empty() || sorted.pieces.back().pen != piece.pen) {
+            sorted.pieces.emplace_back();
+            sorted.pieces.back().pen = piece.pen;
+        }
+        append(sorted.pieces.back(), piece);
+        return true;
+    });
+    for (Dots& own : sorted.pieces) {
+        sort_dots(own, order);
+        if (order == DotOrder::shortest) shorten_way(own, watch);
+    }
+    return sorted;
+}
+
 void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
                    const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
     const double radius = drawing.dot_radius_mm;
-    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size};
+    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size, .pens = drawing.pens};
     std::optional<glm::vec3> background;
     if (settings.background) background = settings.paper;
     const PageSize& page = drawing.page;
     const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
+    std::vector<CutMark> marks;
+    if (settings.registration && !drawing.pens.empty()) marks = registration_marks(page);
     // As strokes, if it has some.
     const auto with_ink = [&](const auto& write) {
         if (strokes)
@@ -118,12 +149,18 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
     const auto pixels = [&](const auto& write_image, const auto& colours) {
         write_pixels(settings, drawing, strokes, progress, write_image, colours);
     };
-    const auto in_8_bits = [](const auto&... layers) { return ink_on_paper<std::uint8_t>(layers...); };
-    const auto in_16_bits = [](const auto&... layers) { return ink_on_paper<std::uint16_t>(layers...); };
+    const auto in_8_bits = []<class... Layers>(const Layers&... layers) {
+        return ink_on_paper<std::uint8_t>(layers...);
+    };
+    const auto in_16_bits = []<class... Layers>(const Layers&... layers) {
+        return ink_on_paper<std::uint16_t>(layers...);
+    };
     switch (format) {
         case DrawingFormat::svg: {
             const SvgStyle style{.dot_radius_mm = radius,
                                  .ink = settings.ink,
+                                 .pens = drawing.pens,
+                                 .registration = marks,
                                  .background = background,
                                  .tiles = drawing.tiles,
                                  .picture = drawing.picture,
@@ -133,6 +170,8 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
         case DrawingFormat::pdf: {
             const PdfStyle style{.dot_radius_mm = radius,
                                  .ink = settings.ink,
+                                 .pens = drawing.pens,
+                                 .registration = marks,
                                  .background = background,
                                  .title = title};
             return with_ink([&](const auto& ink) { write_pdf(out, ink, page, style, progress); });
@@ -148,13 +187,15 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
         case DrawingFormat::gcode: {
             GcodeStyle style = drawing.gcode;
             style.dot_radius_mm = radius;
+            style.pens = drawing.pens;
+            style.registration = marks;
             return with_ink([&](const auto& ink) { write_gcode(out, ink, page, style, progress); });
         }
         case DrawingFormat::hpgl:
-            return with_ink([&](const auto& ink) { write_hpgl(out, ink, page, progress); });
+            return with_ink([&](const auto& ink) { write_hpgl(out, ink, page, progress, marks); });
         case DrawingFormat::dxf:
-            if (strokes) return write_dxf(out, *strokes, page, progress);
-            return write_dxf(out, drawing.dots, page, radius, progress);
+            if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);
+            return write_dxf(out, drawing.dots, page, radius, drawing.pens, progress, marks);
         case DrawingFormat::csv:
             return write_csv(out, drawing.dots, page, columns, progress);
         case DrawingFormat::json:
@@ -167,7 +208,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const bool to_standard_output = path == kStandardStream;
     const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
     const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count, settings.style));
-    Dots sorted;
+    DotPieces sorted;
     DrawingToSave ordered = drawing;
     // Of the bar, half is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
@@ -175,7 +216,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
         const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {
                                          if (watch.progress) watch.progress(routing * share);
                                      }};
-        sorted = sorted_dots(drawing.dots, order, way_watch);
+        sorted = sorted_by_pen(drawing.dots, order, way_watch);
         if (watch.stop.stop_requested()) return false;
         ordered.dots = stream_of(sorted, drawing.dots.scale);
     }

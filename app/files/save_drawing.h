@@ -44,9 +44,13 @@ Machine usual_machine(DrawingFormat format, GcodeTool tool);
 /// while.
 Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
 
+/// The same, each pen's by themselves, one pen after the other.
+DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
+
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
+    std::span<const Pen> pens = {};           // several, for Dots::pen; none: the ink
     double dot_radius_mm = 0;                 // of all, or of the largest where they have radii of their own
     std::span<const PlacedTile> tiles = {};   // outlines, for SVG; none, no layer
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges

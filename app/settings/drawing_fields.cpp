@@ -79,7 +79,8 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
-           ink, paper, background, show_tiles, style, mark, pen_width_mm] = drawing;
+           pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm] =
+        drawing;
     fields.flag("automatic_tone", automatic_tone);
     fields.flag("automatic_exposure", automatic_exposure);
     fields.group("tone", tone);
@@ -92,6 +93,8 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.whole("relax", relax, {0, kMostRelaxingSteps});
     fields.group("dot_size", dot_size);
     fields.group("page", page);
+    fields.text("pens", text_of(pens), [&pens = pens](const std::string& text) { pens = parse_pens(text); });
+    fields.flag("registration", registration);
     fields.colour("ink", ink);
     fields.colour("paper", paper);
     fields.flag("background", background);

@@ -51,6 +51,18 @@ std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
 }
 
 void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
+    // Pens of several widths, whose dots are not sized otherwise.
+    const auto width = [](const Pen& pen) { return pen.width_mm; };
+    const bool one_width =
+        std::ranges::adjacent_find(plan.pens, std::ranges::not_equal_to{}, width) == plan.pens.end();
+    if (!one_width && plan.size.sizing == DotSizing::fixed) {
+        for (Dots& piece : dots.pieces) {
+            const Pen& pen = plan.pens[static_cast<std::size_t>(piece.pen)];
+            const double radius = dot_radius_mm(pen, plan.size.radius_mm) / plan.page.mm_per_page_unit;
+            piece.radius.assign(piece.size(), static_cast<float>(radius));
+        }
+        return;
+    }
     if (const auto size = sizes_by_tone(plan))
         for (Dots& piece : dots.pieces) size(piece);
 }
@@ -80,9 +92,20 @@ PageLayout DrawingPlan::layout(double scale) const {
 void Pipeline::set_light(Grid<float> light, float usual_exposure) {
     light_ = std::move(light);
     framed_.reset();
+    colours_ = {};
+    framed_colours_.reset();
     framing_ = whole_picture({light_.width, light_.height});
     usual_exposure_ = usual_exposure;
     histogram_.reset();
+    toned_.reset();
+    density_.reset();
+}
+
+void Pipeline::set_colours(ColourGrid colours) {
+    colours_ = std::move(colours);
+    framed_colours_.reset();
+    if (framing_ != whole_picture({light_.width, light_.height}))
+        framed_colours_ = framed(colours_, framing_);
     toned_.reset();
     density_.reset();
 }
@@ -98,7 +121,11 @@ void Pipeline::frame(const PageSetup& setup) {
     const Framing framing = framing_of(setup, size);
     if (framing == framing_) return;
     framed_.reset();
-    if (framing != whole_picture(size)) framed_ = framed(light_, framing);
+    framed_colours_.reset();
+    if (framing != whole_picture(size)) {
+        framed_ = framed(light_, framing);
+        if (!colours_.empty()) framed_colours_ = framed(colours_, framing);
+    }
     framing_ = framing;
     histogram_.reset();
     toned_.reset();
@@ -120,10 +147,28 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     density_.reset();  // its memory may be needed
     Grid<float> light = exposed(framed_light(), toned.tone.exposure);
     if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
-    density_ = std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
+    by_pen_ = {};
+    if (toned.pens.empty()) {
+        density_ =
+            std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
+    } else {
+        by_pen_ = toned_by_pen(toned, std::move(light));
+        density_ = by_pen_.all;
+    }
     toned_ = toned;
     tone_ms_ += milliseconds_since(start);
     return density_;
+}
+
+PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
+    if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper) {
+        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper);
+        separated_pens_ = toned.pens;
+        separated_paper_ = toned.paper;
+    }
+    const Grid<float> seen = toned_light(std::move(light), toned.tone);
+    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens,
+                     InkCurve(toned.ink));
 }
 
 double DrawingPlan::dots_for_tone() const {
@@ -144,7 +189,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     Toned toned{plan.tone,
                 {.relaxing_steps = plan.steps,
                  .smallest_area = smallest_area(request.size),
-                 .joined = request.joined}};
+                 .joined = request.joined},
+                0,
+                plan.pens,
+                plan.pens.empty() ? kWhite : request.paper};
     plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;
     plan.placing = request.placing;
@@ -177,8 +225,17 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     plan.joined = request.joined;
     plan.stroke_width_mm = request.stroke_width_mm;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
+    if (!plain_) plan.pens = pens_for(request.pens, framed_colours(), plan.tone.exposure, request.paper);
+    const std::optional<double> pens_width = width_of_pens(plan.pens);
+    if (pens_width && plan.size.sizing == DotSizing::automatic)
+        plan.size = {.sizing = DotSizing::fixed, .radius_mm = *pens_width / 2};
     plan.histogram = histogram(plan.tone.exposure);
-    if (request.automatic_tone && !plain_) plan.tone = auto_tone(*plan.histogram, plan.tone);
+    if (request.automatic_tone && !plain_) {
+        plan.tone = auto_tone(*plan.histogram, plan.tone);
+        // Colours that are made much lighter get pale, as few of them are both light and strong: half the
+        // way.
+        if (has_colour(plan.pens) && !framed_colours().empty()) plan.tone.gamma = std::sqrt(plan.tone.gamma);
+    }
 
     const bool moves = request.placer == PlacerKind::exact;
     plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;
@@ -193,6 +250,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     }
 
     const double most = static_cast<double>(request.most_dots) / (moves ? 1 : kWithDuplicates);
+    if (!plan.pens.empty()) plan.by_pen = by_pen_;
     plan.lowered = dots() > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);
@@ -225,6 +283,14 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
         }
         drawn.stippling.dots = relaxation.dots();
     }
+    if (!plan.pens.empty() && drawn.stippling.dots.size() > 0) {
+        DotPieces by_pen = pen_dots(
+            drawn.stippling.dots, plan.by_pen,
+            {.scale = drawn.stippling.scale, .move = drawn.steps > 0, .threads = plan.placing.threads},
+            watch.stop);
+        if (by_pen.pieces.empty()) return false;
+        drawn.stippling.dots = std::move(by_pen);
+    }
     give_sizes(plan, drawn.stippling.dots);
     return true;
 }
@@ -237,8 +303,8 @@ double Pipeline::find_scale(DrawingPlan& plan) {
 }
 
 DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
-    if (plan.placer == PlacerKind::figure8) {
-        // It needs all dots at once: it counts the duplicates among them.
+    if (plan.placer == PlacerKind::figure8 || !plan.pens.empty()) {
+        // It needs all dots at once: it counts the duplicates among them. So do pens that share dots out.
         const auto drawn = std::make_shared<Drawn>();
         draw(plan, *drawn);
         for (Dots& piece : drawn->stippling.dots.pieces) cut_to(part, piece);

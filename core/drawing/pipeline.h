@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/drawing/page_setup.h"
+#include "core/drawing/pen_plan.h"
 #include "core/drawing/request.h"
 #include "core/image/density.h"
 #include "core/image/histogram.h"
@@ -38,6 +39,8 @@ struct DrawingPlan {
     double stroke_width_mm = 0;  // see DrawingRequest
     PageSize page;               // of the picture
     double full_load = 0;        // see InkCurve
+    Palette pens;                // several, the lightest first; none: one
+    PenDensities by_pen;         // whose sum is the density above
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
@@ -73,6 +76,8 @@ class Pipeline {
     /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
     /// exposure comes to, in stops.
     void set_light(Grid<float> light, float usual_exposure = 0);
+    /// The same picture's colours, for several pens; without them it is drawn as a grey one.
+    void set_colours(ColourGrid colours);
     /// A density in the picture's place, which no tone changes; none: the picture again.
     void set_plain(std::optional<Density> density);
     bool has_picture() const { return plain_ || !light_.empty(); }
@@ -112,17 +117,28 @@ class Pipeline {
         Tone tone;
         InkedDots ink;
         double detail_sigma = 0;  // pixels
+        Palette pens = {};
+        glm::vec3 paper = kWhite;
         bool operator==(const Toned&) const = default;
     };
 
     std::shared_ptr<const Density> toned_density(const Toned& toned);
+    PenDensities toned_by_pen(const Toned& toned, Grid<float> light);
     std::shared_ptr<const Histogram> histogram(float exposure);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
     void frame(const PageSetup& setup);
 
+    const ColourGrid& framed_colours() const { return framed_colours_ ? *framed_colours_ : colours_; }
+
     Grid<float> light_;
     std::optional<Grid<float>> framed_;  // none: all of it as it is
+    ColourGrid colours_;                 // empty: not known
+    std::optional<ColourGrid> framed_colours_;
+    PenDensities by_pen_;  // made with toned_
+    std::shared_ptr<const Separation> separation_;
+    Palette separated_pens_;  // what it was made with
+    glm::vec3 separated_paper_ = kWhite;
     Framing framing_;
     float usual_exposure_ = 0;
     float histogram_exposure_ = 0;  // what histogram_ was made with

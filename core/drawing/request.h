@@ -6,6 +6,7 @@
 
 #include "core/drawing/page_setup.h"
 #include "core/image/tone.h"
+#include "core/pens/pen.h"
 #include "core/placing/stipple.h"
 
 namespace dapple {
@@ -47,6 +48,8 @@ struct DrawingRequest {
     bool joined = false;         // by lines: see InkedDots
     double stroke_width_mm = 0;  // of a pen's lines, which reach half as far beyond; 0: dots are filled
     PageSetup page = {};
+    PenChoice pens = {};                  // what several draw follows from the picture's colours
+    glm::vec3 paper = kWhite;             // sRGB-encoded; has a say in that alone
     std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
 
     bool operator==(const DrawingRequest&) const = default;

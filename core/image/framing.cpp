@@ -1,13 +1,15 @@
 #include "core/image/framing.h"
 
 namespace dapple {
+namespace {
 
-Grid<float> framed(const Grid<float>& picture, const Framing& framing) {
+template <class T>
+Grid<T> framed_pixels(const Grid<T>& picture, const Framing& framing) {
     const auto [low, high] = framing.pixels;
     const glm::ivec2 size = framing.size();
-    Grid<float> result(size.x, size.y);
+    Grid<T> result(size.x, size.y);
     for (int y = 0; y < size.y; ++y) {
-        float* const row = result.row(y);
+        T* const row = result.row(y);
         for (int x = 0; x < size.x; ++x) {
             switch (framing.quarter_turns) {
                 case 1:  // what was at the lower left comes to the upper left
@@ -27,6 +29,8 @@ Grid<float> framed(const Grid<float>& picture, const Framing& framing) {
     return result;
 }
 
+}  // namespace
+
 glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed) {
     const glm::dvec2 low(framing.pixels.low), high(framing.pixels.high);
     switch (framing.quarter_turns) {
@@ -39,6 +43,14 @@ glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed) {
         default:
             return low + framed;
     }
+}
+
+Grid<float> framed(const Grid<float>& picture, const Framing& framing) {
+    return framed_pixels(picture, framing);
+}
+
+Grid<glm::u16vec3> framed(const Grid<glm::u16vec3>& picture, const Framing& framing) {
+    return framed_pixels(picture, framing);
 }
 
 }  // namespace dapple

@@ -1,6 +1,7 @@
 #pragma once
 // Which part of a picture is drawn, and how it is turned.
 
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/image/grid.h"
@@ -33,5 +34,6 @@ glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed);
 
 /// The picture's pixels, moved and none changed. Needs a rectangle within the picture that is not empty.
 Grid<float> framed(const Grid<float>& picture, const Framing& framing);
+Grid<glm::u16vec3> framed(const Grid<glm::u16vec3>& picture, const Framing& framing);
 
 }  // namespace dapple

@@ -30,15 +30,14 @@ float ink_for(float light, const Tone& tone) {
     return tone.invert ? light : 1 - light;
 }
 
-// Densities at equal steps of the square root of light, along which tone curves bend least.
+// Values at equal steps of the square root of light, along which tone curves bend least.
 class ToneCurve {
  public:
-    ToneCurve(const Tone& tone, const InkCurve& ink) {
-        for (int i = 0; i <= kSteps; ++i) {
-            const float root = static_cast<float>(i) / kSteps;
-            density_[i] = ink.density(ink_for(toned(root * root, tone), tone));
-        }
-        density_[kSteps + 1] = density_[kSteps];
+    // `value_of` takes the square root.
+    template <class ValueOf>
+    explicit ToneCurve(const ValueOf& value_of) {
+        for (int i = 0; i <= kSteps; ++i) value_[i] = value_of(static_cast<float>(i) / kSteps);
+        value_[kSteps + 1] = value_[kSteps];
     }
 
     float operator()(float light) const {
@@ -47,12 +46,12 @@ class ToneCurve {
         const float clamped = at_most_1 > 0 ? at_most_1 : 0.0f;
         const float at = std::sqrt(clamped) * kSteps;
         const int i = static_cast<int>(at);
-        return density_[i] + (density_[i + 1] - density_[i]) * (at - static_cast<float>(i));
+        return value_[i] + (value_[i + 1] - value_[i]) * (at - static_cast<float>(i));
     }
 
  private:
     static constexpr int kSteps = 4096;
-    std::array<float, kSteps + 2> density_;
+    std::array<float, kSteps + 2> value_;
 };
 
 }  // namespace
@@ -65,18 +64,32 @@ float linear_to_srgb(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink) {
+namespace {
+
+Grid<float> through_curve(Grid<float> light, const Tone& tone, const ToneCurve& curve) {
     if (tone.blur > 0) {
         for (float& v : light.values)
             v = v < 1 ? (v > 0 ? v : 0.0f) : 1.0f;  // clamped as below: NaN would spread
         light = blurred(std::move(light), tone.blur / 1000.0 * std::max(light.width, light.height));
     }
-    const ToneCurve curve(tone, ink);
     tbb::parallel_for(0, light.height, [&](int y) {
         float* const row = light.row(y);
         for (int x = 0; x < light.width; ++x) row[x] = curve(row[x]);
     });
     return light;
+}
+
+}  // namespace
+
+Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink) {
+    return through_curve(std::move(light), tone, ToneCurve([&](float root) {
+                             return ink.density(ink_for(toned(root * root, tone), tone));
+                         }));
+}
+
+Grid<float> toned_light(Grid<float> light, const Tone& tone) {
+    return through_curve(std::move(light), tone,
+                         ToneCurve([&](float root) { return toned(root * root, tone); }));
 }
 
 }  // namespace dapple

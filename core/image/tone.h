@@ -35,4 +35,7 @@ float linear_to_srgb(float linear);
 /// picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 
+/// The light that is to be seen, 0..1, by the same settings but for inverting.
+Grid<float> toned_light(Grid<float> light, const Tone& tone);
+
 }  // namespace dapple

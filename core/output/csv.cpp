@@ -16,7 +16,8 @@ TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress) {
     TextBuffer text(out);
-    text << "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm\n";
+    text << "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm"
+         << (columns.pens.empty() ? "\n" : ",pen\n");
     DotsReport report(dots.count, progress);
     dots.for_each_piece([&](const Dots& piece) {
         assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
@@ -25,7 +26,10 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
             const TableRow row = table_row(piece, i, page, columns);
             text << row.x_mm << ',' << row.y_mm << ',' << row.radius_mm << ',' << std::int64_t{row.at.level}
                  << ',' << std::int64_t{row.at.rank} << ',' << row.critical_scale << ',' << page.width_mm
-                 << ',' << page.height_mm << '\n';
+                 << ',' << page.height_mm;
+            if (!columns.pens.empty())
+                text << ',' << std::string_view(columns.pens[static_cast<std::size_t>(piece.pen)].name);
+            text << '\n';
         }
         return true;
     });

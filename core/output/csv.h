@@ -2,16 +2,19 @@
 // Dots as a table, for programs.
 
 #include <ostream>
+#include <span>
 
 #include "core/output/progress.h"
+#include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 
 namespace dapple {
 
 struct CsvColumns {
-    double dot_radius_mm = 0;   // where dots have none of their own
-    std::size_t tile_size = 0;  // N, which a threshold needs to say level and rank
+    double dot_radius_mm = 0;        // where dots have none of their own
+    std::size_t tile_size = 0;       // N, which a threshold needs to say level and rank
+    std::span<const Pen> pens = {};  // several, for Dots::pen; none: one
 };
 
 /// A dot as a line of the table.
@@ -27,8 +30,9 @@ TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const
 /// A line x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm and a line a dot, in the
 /// order given. Numbers have as many digits as it takes to read back the very same: x_mm / mm_per_page_unit,
 /// rounded to float, is the dot's x. The page's size is in every line: a comment or a line of its own would
-/// be taken for a dot by many readers of tables, and an empty field is an error to some. Needs
-/// Dots::threshold and Dots::critical, and the memory of a piece and a buffer.
+/// be taken for a dot by many readers of tables, and an empty field is an error to some. Where several pens
+/// draw, a last column has the pen's name. Needs Dots::threshold and
+/// Dots::critical, and the memory of a piece and a buffer.
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,
                const WritingProgress& progress = {});
 

@@ -5,14 +5,28 @@
 #include "core/text/text_buffer.h"
 
 namespace dapple {
+namespace {
+
+void write_pens(TextBuffer& text, std::span<const Pen> pens) {
+    text << R"("pens": [)";
+    for (std::size_t i = 0; i < pens.size(); ++i)
+        text << (i == 0 ? "" : ", ") << R"({"name": ")" << std::string_view(pens[i].name)
+             << R"(", "colour": ")" << hex_of(pens[i].colour) << R"(", "width_mm": )" << pens[i].width_mm
+             << '}';
+    text << "],\n";
+}
+
+}  // namespace
 
 void write_dots_json(std::ostream& out, const DotStream& dots, const PageSize& page,
                      const CsvColumns& columns, const WritingProgress& progress) {
     TextBuffer text(out);
+    const bool one_pen = columns.pens.empty();
     text << R"({"page": {"width_mm": )" << page.width_mm << R"(, "height_mm": )" << page.height_mm
-         << "},\n\"unit\": \"mm\",\n"
-         << R"("columns": ["x_mm", "y_mm", "radius_mm", "level", "rank", "critical_scale"],)"
-         << "\n\"dots\": [";
+         << "},\n\"unit\": \"mm\",\n";
+    if (!one_pen) write_pens(text, columns.pens);
+    text << R"("columns": ["x_mm", "y_mm", "radius_mm", "level", "rank", "critical_scale")"
+         << (one_pen ? "" : ", \"pen\"") << "],\n\"dots\": [";
     DotsReport report(dots.count, progress);
     bool first = true;
     dots.for_each_piece([&](const Dots& piece) {
@@ -22,7 +36,9 @@ void write_dots_json(std::ostream& out, const DotStream& dots, const PageSize& p
             const TableRow row = table_row(piece, i, page, columns);
             text << (first ? "\n[" : ",\n[") << row.x_mm << ',' << row.y_mm << ',' << row.radius_mm << ','
                  << std::int64_t{row.at.level} << ',' << std::int64_t{row.at.rank} << ','
-                 << row.critical_scale << ']';
+                 << row.critical_scale;
+            if (!one_pen) text << ',' << std::int64_t{piece.pen};
+            text << ']';
             first = false;
         }
         return true;

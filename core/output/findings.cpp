@@ -45,7 +45,7 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.for_tone || facts.dots == 0 || !facts.whole_page) return;
     const double ratio = facts.for_tone->dots / static_cast<double>(facts.dots);
     if (!far_from_tone(ratio)) return;
-    const double own = facts.ink.reach_mm(facts.ink.radius_mm);
+    const double own = facts.ink.reach_mm(facts.ink.radius_mm, 0);
     found.push_back({FindingKind::tone,
                      fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
                      fmt::format("{} dots {:.2g} mm wide would give its tone, or these dots {:.2g} mm wide",
@@ -68,10 +68,21 @@ void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
              fmt::format("{:.0f} % of the dots {}, with ink up to {:.2g} mm wide",
                          std::ceil(100 * share - 1e-9),
                          lines ? "are so near to others that the lines run together" : "overlap others",
-                         2 * facts.ink.reach_mm(facts.ink.radius_mm)),
+                         2 * facts.ink.reach_mm(facts.ink.radius_mm, 0)),
              lines || facts.ink.as == DotsAs::touches
                  ? "fewer dots, a wider page or a finer pen part them"
                  : "fewer dots, a wider page or smaller dots part them"});
+    }
+}
+
+void add_gaps(std::vector<Finding>& found, const DrawingFacts& facts) {
+    for (const DrawingFacts::Gap& gap : facts.gaps) {
+        if (gap.nearer == 0) continue;
+        found.push_back({FindingKind::gap,
+                         fmt::format("{} are nearer to each other than its smallest gap of {:g} mm, and run "
+                                     "together",
+                                     fmt::format("{} of {}'s dots", grouped(gap.nearer), gap.pen), gap.mm),
+                         "fewer dots or a wider page part them"});
     }
 }
 
@@ -91,7 +102,7 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.whole_page || facts.ink.as == DotsAs::listed) return;
     const Preflight& measured = *facts.measured;
-    const double reach = std::ceil(facts.ink.reach_mm(facts.ink.radius_mm) * 10) / 10;
+    const double reach = std::ceil(facts.ink.reach_mm(facts.ink.radius_mm, 0) * 10) / 10;
     if (measured.over_edge > 0)
         found.push_back({FindingKind::over_edge,
                          dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
@@ -138,7 +149,7 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
 }
 
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
-    const double width = 2 * facts.ink.reach_mm(facts.ink.radius_mm);
+    const double width = 2 * facts.ink.reach_mm(facts.ink.radius_mm, 0);
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
     found.push_back(
         {FindingKind::fine_pixels,
@@ -158,6 +169,8 @@ std::string_view name_of(FindingKind kind) {
             return "rings";
         case FindingKind::overlap:
             return "overlap";
+        case FindingKind::gap:
+            return "gap";
         case FindingKind::joined:
             return "joined";
         case FindingKind::over_edge:
@@ -203,6 +216,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
     add_tone(found, facts);
     if (facts.measured) {
         add_ink(found, facts);
+        add_gaps(found, facts);
         add_joined(found, facts);
         add_edges(found, facts);
     }

@@ -27,6 +27,12 @@ struct DrawingFacts {
     double dpi = 0;                       // of pixels; 0: there are none
     std::optional<Machine> machine = {};  // none: it is not plotted
     PlottingTime plotting = {};
+    struct Gap {  // of a pen, and how many of its dots are nearer to each other
+        std::string pen;
+        double mm = 0;
+        std::uint64_t nearer = 0;
+    };
+    std::vector<Gap> gaps = {};
     struct Tone {
         double dots = 0;       // that would give the picture's tone with their radius,
         double radius_mm = 0;  // and the radius that would with these dots
@@ -39,6 +45,7 @@ enum class FindingKind {
     tone,         // paler or darker than the picture
     rings,        // a plotter follows outlines
     overlap,      // dots run into others
+    gap,          // a pen's dots are nearer than its smallest gap
     joined,       // programs draw a line between near dots
     over_edge,    // dots reach over the page's edge
     in_margins,   // or into the margins

@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "core/output/plotted_dots.h"
 #include "core/output/plotted_strokes.h"
@@ -32,6 +33,8 @@ constexpr std::string_view kPenTemplate =
     "down G1 Z0 F{feed}\n"
     "line G1 X{x} Y{y} F{feed}\n"
     "up G0 Z2\n"
+    "pen G0 X0 Y0\n"
+    "pen M0 ({pen} {name})\n"
     "end G0 X0 Y0\n"
     "end M2\n";
 
@@ -53,6 +56,8 @@ constexpr std::string_view kServoTemplate =
     "line G1 X{x} Y{y}\n"
     "up M3 S20\n"
     "up G4 P{dwell}\n"
+    "pen G0 X0 Y0\n"
+    "pen M0 ({pen} {name})\n"
     "end G0 X0 Y0\n"
     "end M5\n"
     "end M2\n";
@@ -71,6 +76,8 @@ constexpr std::string_view kLaserTemplate =
     "down M3 S250\n"
     "line G1 X{x} Y{y}\n"
     "up M5\n"
+    "pen G0 X0 Y0\n"
+    "pen M0 ({pen} {name})\n"
     "end G0 X0 Y0\n"
     "end M2\n";
 
@@ -78,10 +85,15 @@ struct Placeholder {
     std::string_view name;
     PieceKind kind;
 };
-constexpr std::array kPlaceholders{Placeholder{"{x}", PieceKind::x}, Placeholder{"{y}", PieceKind::y},
-                                   Placeholder{"{radius}", PieceKind::radius},
-                                   Placeholder{"{feed}", PieceKind::feed},
-                                   Placeholder{"{dwell}", PieceKind::dwell}};
+constexpr std::array kPlaceholders{
+    Placeholder{"{x}", PieceKind::x},           Placeholder{"{y}", PieceKind::y},
+    Placeholder{"{radius}", PieceKind::radius}, Placeholder{"{feed}", PieceKind::feed},
+    Placeholder{"{dwell}", PieceKind::dwell},   Placeholder{"{pen}", PieceKind::pen},
+    Placeholder{"{name}", PieceKind::name}};
+
+bool is_of_a_pen(PieceKind kind) {
+    return kind == PieceKind::pen || kind == PieceKind::name;
+}
 
 bool is_of_a_dot(PieceKind kind) {
     return kind == PieceKind::x || kind == PieceKind::y || kind == PieceKind::radius;
@@ -103,8 +115,8 @@ void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, cons
         const auto found = std::ranges::find(kPlaceholders, name, &Placeholder::name);
         if (found == kPlaceholders.end()) {
             at.fail(
-                fmt::format("\"{}\" is not known; there are {{x}}, {{y}}, {{radius}}, {{feed}} and "
-                            "{{dwell}}",
+                fmt::format("\"{}\" is not known; there are {{x}}, {{y}}, {{radius}}, {{feed}}, {{dwell}}, "
+                            "{{pen}} and {{name}}",
                             name.empty() ? line : name));
         }
         pieces.push_back({found->kind});
@@ -132,10 +144,22 @@ void check_whole(const GcodeTemplate& lines, const TextLines& at) {
         at.fail(
             "the template ends; with down, line or up there have to be all three, and {x} and {y} in line "
             "and in move");
-    for (const auto& once : {lines.start, lines.end}) {
+    for (const auto& once : {lines.start, lines.end, lines.pen}) {
         if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
-            at.fail("{x}, {y} and {radius} are of a dot; start and end lines have none");
+            at.fail("{x}, {y} and {radius} are of a dot; start, pen and end lines have none");
     }
+    for (const auto& other :
+         {lines.start, lines.end, lines.each_dot, lines.move, lines.down, lines.line, lines.up}) {
+        if (std::ranges::any_of(other, is_of_a_pen, &GcodePiece::kind))
+            at.fail("{pen} and {name} are of a pen; only lines that begin with pen have them");
+    }
+}
+
+// What stands in a comment, which ( and ) would end.
+std::string comment_of(std::string name) {
+    std::ranges::replace(name, '(', '[');
+    std::ranges::replace(name, ')', ']');
+    return name;
 }
 
 void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
@@ -159,6 +183,12 @@ void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, co
                 break;
             case PieceKind::dwell:
                 text.fixed(style.dwell_s, kGcodeDecimals);
+                break;
+            case PieceKind::pen:
+                text << std::int64_t{dot.pen + 1};
+                break;
+            case PieceKind::name:
+                text << std::string_view(comment_of(style.pens[static_cast<std::size_t>(dot.pen)].name));
                 break;
         }
     }
@@ -210,11 +240,13 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
             add_gcode_line(result.line, code, lines);
         else if (kind == "up")
             add_gcode_line(result.up, code, lines);
+        else if (kind == "pen")
+            add_gcode_line(result.pen, code, lines);
         else if (kind == "end")
             add_gcode_line(result.end, code, lines);
         else
             lines.fail(fmt::format(
-                "\"{}\" is not known; lines begin with start, move, dot, down, line, up or end", kind));
+                "\"{}\" is not known; lines begin with start, move, dot, down, line, up, pen or end", kind));
     }
     result.each_dot = result.move = std::move(moves);
     for (GcodePiece& piece : dots) {
@@ -228,6 +260,13 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
 }
 
 namespace {
+
+void check_pens_in(const GcodeStyle& style) {
+    if (!style.pens.empty() && style.lines.pen.empty())
+        throw std::runtime_error(
+            "the template for G-code does not say how pens are changed; add a line that begins with pen, "
+            "such as pen M0");
+}
 
 void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, double width_mm,
                         const GcodeStyle& style) {
@@ -246,13 +285,38 @@ void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, do
     write(lines.up, points.back());
 }
 
+// Turns to another pen, if it is one.
+class GcodePen {
+ public:
+    GcodePen(TextBuffer& text, const PageSize& page, const GcodeStyle& style)
+        : text_(text), page_(page), style_(style) {}
+
+    void take(int pen) {
+        if (style_.pens.empty() || std::exchange(pen_, pen) == pen) return;
+        write_gcode_pieces(text_, style_.lines.pen, style_, {.pen = pen});
+        for (const CutMark& mark : style_.registration) {
+            const auto turned = [&](glm::dvec2 p) { return glm::dvec2(p.x, page_.height_mm - p.y); };
+            write_gcode_stroke(text_, std::array{turned(mark.from), turned(mark.to)}, 0, style_);
+        }
+    }
+
+ private:
+    TextBuffer& text_;
+    const PageSize& page_;
+    const GcodeStyle& style_;
+    int pen_ = -1;
+};
+
 }  // namespace
 
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress) {
+    check_pens_in(style);
     TextBuffer text(out);
     write_gcode_pieces(text, style.lines.start, style, {});
+    GcodePen pen(text, page, style);
     for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
+        pen.take(dot.pen);
         write_gcode_pieces(text, style.lines.each_dot, style, dot);
     });
     write_gcode_pieces(text, style.lines.end, style, {});
@@ -261,10 +325,13 @@ void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page,
 
 void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                  const GcodeStyle& style, const WritingProgress& progress) {
+    check_pens_in(style);
     TextBuffer text(out);
     write_gcode_pieces(text, style.lines.start, style, {});
-    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points) {
-        write_gcode_stroke(text, points, strokes.width_mm, style);
+    GcodePen pen(text, page, style);
+    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
+        pen.take(its_pen);
+        write_gcode_stroke(text, points, strokes.width_of(its_pen), style);
     });
     write_gcode_pieces(text, style.lines.end, style, {});
     text.flush();

@@ -10,21 +10,29 @@
 //     dot   G4 P{dwell}
 //     end   M5                    once, after all dots
 //
+// Where several pens draw there is also, before the dots of each,
+//
+//     pen   M0 ({pen} {name})     the machine waits until that pen is in it
+//
 // Where lines are drawn there are, after `move` to where one begins,
 //
 //     down  M3 S90                the tool begins to draw,
 //     line  G1 X{x} Y{y}          goes to each next point,
 //     up    M5                    and ends.
 //
-// {x} and {y} are the dot's or point's place in millimetres from the page's lower left corner, {radius} its
+// {pen} is the pen's number from 1 and {name} its name, with [ and ] for ( and ), which end a comment. {x}
+// and {y} are the dot's or point's place in millimetres from the page's lower left corner, {radius} its
 // radius, {feed} and {dwell} the two numbers of GcodeStyle.
 
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/output/progress.h"
+#include "core/output/sheet.h"
+#include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
@@ -45,7 +53,7 @@ std::string_view gcode_template_of(GcodeTool tool);
 
 /// What stands in a line for something else, or text as it is.
 struct GcodePiece {
-    enum class Kind { text, x, y, radius, feed, dwell } kind = Kind::text;
+    enum class Kind { text, x, y, radius, feed, dwell, pen, name } kind = Kind::text;
     std::string text = {};
 
     bool operator==(const GcodePiece&) const = default;
@@ -55,7 +63,8 @@ struct GcodePiece {
 struct GcodeTemplate {
     std::vector<GcodePiece> start, each_dot, end;
     std::vector<GcodePiece> move = {}, down = {}, line = {},
-                            up = {};  // for strokes; each_dot has the move too
+                            up = {};   // for strokes; each_dot has the move too
+    std::vector<GcodePiece> pen = {};  // for several
 
     bool operator==(const GcodeTemplate&) const = default;
 };
@@ -67,10 +76,13 @@ struct GcodeStyle {
     GcodeTemplate lines = parse_gcode_template(gcode_template_of(GcodeTool::pen));
     double feed_mm_per_min = 3000;
     double dwell_s = 0.1;
-    double dot_radius_mm = 0;  // where dots have none of their own
+    double dot_radius_mm = 0;                    // where dots have none of their own
+    std::span<const Pen> pens = {};              // several; none: one, which is in the machine
+    std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
 };
 
-/// Lengths have three decimals at most. Needs the memory of a piece and a buffer.
+/// Throws std::runtime_error if several pens draw and the template has no lines for them. Lengths have three
+/// decimals at most. Needs the memory of a piece and a buffer.
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress = {});
 

@@ -14,13 +14,44 @@ std::int64_t plotter_units(double mm) {
     return std::llround(mm * kHpglUnitsPerMm);
 }
 
+// The plotter begins with its first pen.
+class HpglPen {
+ public:
+    HpglPen(TextBuffer& text, const PageSize& page, std::span<const CutMark> registration)
+        : text_(text), page_(page), registration_(registration) {
+        text_ << "IN;SP1;\n";
+    }
+
+    void take(int pen) {
+        if (pen == pen_) return;
+        if (pen != 0) text_ << "PU;SP" << std::int64_t{pen + 1} << ";\n";
+        pen_ = pen;
+        for (const CutMark& mark : registration_) {
+            text_ << "PU";
+            place(mark.from);
+            text_ << ";PD";
+            place(mark.to);
+            text_ << ";\n";
+        }
+    }
+
+ private:
+    void place(glm::dvec2 p) { text_ << plotter_units(p.x) << ',' << plotter_units(page_.height_mm - p.y); }
+
+    TextBuffer& text_;
+    const PageSize& page_;
+    std::span<const CutMark> registration_;
+    int pen_ = -1;
+};
+
 }  // namespace
 
 void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
-                const WritingProgress& progress) {
+                const WritingProgress& progress, std::span<const CutMark> registration) {
     TextBuffer text(out);
-    text << "IN;SP1;\n";
+    HpglPen pen(text, page, registration);
     for_each_plotted_dot(dots, page, 0, progress, [&](const PlottedDot& dot) {
+        pen.take(dot.pen);
         const std::int64_t x = plotter_units(dot.x_mm), y = plotter_units(dot.y_mm);
         text << "PU" << x << ',' << y << ";PD" << x << ',' << y << ";\n";
     });
@@ -29,11 +60,12 @@ void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
 }
 
 void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                const WritingProgress& progress) {
+                const WritingProgress& progress, std::span<const CutMark> registration) {
     constexpr std::size_t kPointsOfAnInstruction = 50;  // plotters' memory for one is small
     TextBuffer text(out);
-    text << "IN;SP1;\n";
-    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points) {
+    HpglPen pen(text, page, registration);
+    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
+        pen.take(its_pen);
         const auto place = [&](glm::dvec2 p) { text << plotter_units(p.x) << ',' << plotter_units(p.y); };
         text << "PU";
         place(points[0]);

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "core/output/progress.h"
+#include "core/output/sheet.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
@@ -18,10 +19,10 @@ inline constexpr int kHpglUnitsPerMm = 40;
 /// origin is the page's lower left corner. The dots' size is the pen's. Needs the memory of a piece and a
 /// buffer.
 void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
-                const WritingProgress& progress = {});
+                const WritingProgress& progress = {}, std::span<const CutMark> registration = {});
 
 /// The same of strokes; coordinates are rounded to the plotter's units, 0.025 mm.
 void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                const WritingProgress& progress = {});
+                const WritingProgress& progress = {}, std::span<const CutMark> registration = {});
 
 }  // namespace dapple

@@ -12,6 +12,7 @@ namespace dapple {
 struct PlottedDot {
     double x_mm = 0, y_mm = 0;  // from the lower left corner
     double radius_mm = 0;
+    int pen = 0;
 };
 
 /// Calls visit(PlottedDot) for each dot, in the order given. `radius_mm` is of dots that have none of their
@@ -25,7 +26,7 @@ void for_each_plotted_dot(const DotStream& dots, const PageSize& page, double ra
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
             visit(PlottedDot{piece.x[i] * unit, page.height_mm - piece.y[i] * unit,
-                             piece.radius.empty() ? radius_mm : piece.radius[i] * unit});
+                             piece.radius.empty() ? radius_mm : piece.radius[i] * unit, piece.pen});
         }
         return true;
     });

@@ -11,27 +11,27 @@
 
 namespace dapple {
 
-/// Calls visit(span of points) for each stroke as it is, telling how far it has come.
+/// Calls visit(span of points, pen) for each stroke as it is, telling how far it has come.
 template <class Visit>
 void for_each_stroke(const StrokeStream& strokes, const WritingProgress& progress, const Visit& visit) {
     WritingProgress at_most_all;
     if (progress) at_most_all = [&](double share) { progress(std::min(share, 1.0)); };
     DotsReport report(std::max<std::uint64_t>(strokes.points, 1), at_most_all);
-    strokes.for_each_stroke([&](std::span<const glm::dvec2> points) {
+    strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
         for (std::size_t i = 0; i < points.size(); ++i) report.next();
-        visit(points);
+        visit(points, pen);
     });
 }
 
-/// Calls visit(span of points in millimetres) for each stroke, turned so.
+/// Calls visit(span of points in millimetres, pen) for each stroke, turned so.
 template <class Visit>
 void for_each_plotted_stroke(const StrokeStream& strokes, const PageSize& page,
                              const WritingProgress& progress, const Visit& visit) {
     std::vector<glm::dvec2> turned;
-    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points) {
+    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points, int pen) {
         turned.clear();
         for (const glm::dvec2 p : points) turned.emplace_back(p.x, page.height_mm - p.y);
-        visit(std::span<const glm::dvec2>(turned));
+        visit(std::span<const glm::dvec2>(turned), pen);
     });
 }
 

@@ -67,8 +67,9 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
     return result;
 }
 
-double InkedDot::reach_mm(double own_radius_mm) const {
-    const double half = stroke_width_mm / 2;
+double InkedDot::reach_mm(double own_radius_mm, int pen) const {
+    const auto i = static_cast<std::size_t>(pen);
+    const double half = (i < widths_mm.size() ? widths_mm[i] : stroke_width_mm) / 2;
     switch (as) {
         case DotsAs::touches:
         case DotsAs::lines:
@@ -84,7 +85,7 @@ double InkedDot::reach_mm(double own_radius_mm) const {
 }
 
 Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page) {
-    const double unit = page.mm_per_page_unit, usual = inked.reach_mm(inked.radius_mm);
+    const double unit = page.mm_per_page_unit, usual = inked.reach_mm(inked.radius_mm, 0);
     Dots all;
     all.reserve(dots.count, false);
     bool alike = true;
@@ -92,7 +93,7 @@ Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& pa
     dots.for_each_piece([&](const Dots& piece) {
         for (std::size_t i = 0; i < piece.size(); ++i) {
             const double own = piece.radius.empty() ? inked.radius_mm : piece.radius[i] * unit;
-            const double reach = inked.reach_mm(own);
+            const double reach = inked.reach_mm(own, piece.pen);
             all.x.push_back(piece.x[i]);
             all.y.push_back(piece.y[i]);
             reaches.push_back(static_cast<float>(reach / unit));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <vector>
 
 #include "core/image/rectangle.h"
 #include "core/placing/dot_stream.h"
@@ -51,10 +52,11 @@ enum class DotsAs {
 /// How far the ink of dots reaches.
 struct InkedDot {
     DotsAs as = DotsAs::printed;
-    double radius_mm = 0;        // of dots that have none of their own
-    double stroke_width_mm = 0;  // of the pen that touches, or draws shapes or lines
+    double radius_mm = 0;             // of dots that have none of their own
+    double stroke_width_mm = 0;       // of the pen that touches, or draws shapes or lines
+    std::vector<double> widths_mm{};  // of each pen, where several have widths of their own
 
-    double reach_mm(double own_radius_mm) const;
+    double reach_mm(double own_radius_mm, int pen) const;
     bool operator==(const InkedDot&) const = default;
 };
 

@@ -9,12 +9,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
+#include "core/image/linear_colour.h"
 #include "core/image/tone.h"
 #include "core/output/sample_band.h"
 
@@ -69,6 +71,7 @@ struct Stretch {
     std::vector<std::size_t> begin{0};
     std::vector<glm::vec2> dots{};
     std::vector<float> radii{};  // page units; empty: all alike
+    std::vector<std::uint8_t> pens{};
 
     int bands() const { return static_cast<int>(begin.size()) - 1; }
 };
@@ -83,6 +86,7 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
         stretch.begin.push_back(static_cast<std::size_t>(end));
     }
     stretch.dots.resize(stretch.begin.back());
+    stretch.pens.resize(stretch.begin.back());
     std::vector<std::size_t> next(stretch.begin.begin(), stretch.begin.end() - 1);
     canvas.dots.for_each_piece([&](const Dots& piece) {
         if (!piece.radius.empty()) stretch.radii.resize(stretch.dots.size());
@@ -93,6 +97,7 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
             for (int band = first; band <= last; ++band) {
                 const std::size_t at = next[band - first_band]++;
                 stretch.dots[at] = {piece.x[i], piece.y[i]};
+                stretch.pens[at] = static_cast<std::uint8_t>(piece.pen);
                 if (!piece.radius.empty()) stretch.radii[at] = piece.radius[i];
             }
         }
@@ -101,10 +106,12 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
     return stretch;
 }
 
-Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i) {
+// Of one pen's dots.
+Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i, std::size_t pen) {
     const int first_row = (stretch.first_band + i) * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
     for (std::size_t k = stretch.begin[i]; k < stretch.begin[i + 1]; ++k) {
+        if (stretch.pens[k] != pen) continue;
         const glm::vec2 dot = stretch.dots[k];
         const double radius = stretch.radii.empty() ? canvas.radius : stretch.radii[k] * canvas.px_per_unit;
         samples.add_disc(dot.x * canvas.px_per_unit * kSamples,
@@ -139,6 +146,12 @@ RasterSize raster_size(const PageSize& page, double dpi) {
 
 void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink) {
+    rasterise_pens(dots, page, request, 1,
+                   [&](int first_row, std::span<const Grid<float>> band) { sink(first_row, band[0]); });
+}
+
+void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
+                    std::size_t pens, const PenCoverageSink& sink) {
     const RasterSize size = raster_size(page, request.dpi);
     const double px_per_mm = request.dpi / 25.4;
     const Canvas canvas{.dots = dots,
@@ -150,13 +163,17 @@ void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest&
 
     const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
     tbb::task_arena arena(threads);
-    std::vector<Grid<float>> drawn(threads);
+    std::vector<std::vector<Grid<float>>> drawn(static_cast<std::size_t>(threads),
+                                                std::vector<Grid<float>>(pens));
     for (int next_band = 0; next_band < canvas.bands();) {
         const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
         for (int first = 0; first < stretch.bands(); first += threads) {
             const int count = std::min(threads, stretch.bands() - first);
             arena.execute([&] {
-                tbb::parallel_for(0, count, [&](int i) { drawn[i] = draw_band(canvas, stretch, first + i); });
+                tbb::parallel_for(0, count, [&](int i) {
+                    for (std::size_t pen = 0; pen < pens; ++pen)
+                        drawn[i][pen] = draw_band(canvas, stretch, first + i, pen);
+                });
             });
             for (int i = 0; i < count; ++i) sink((next_band + first + i) * canvas.band_rows, drawn[i]);
         }
@@ -193,7 +210,30 @@ Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 i
     return result;
 }
 
+template <class Channel>
+Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage,
+                                        std::span<const glm::vec3> inks, glm::vec3 paper) {
+    constexpr float most = std::numeric_limits<Channel>::max();
+    std::vector<glm::vec3> light;
+    for (const glm::vec3 ink : inks) light.push_back(linear_of(ink));
+    const glm::vec3 bare = linear_of(paper);
+    Grid<glm::vec<3, Channel>> result(coverage[0].width, coverage[0].height);
+    tbb::parallel_for(0, result.height, [&](int y) {
+        for (int x = 0; x < result.width; ++x) {
+            glm::vec3 colour = bare;
+            for (std::size_t pen = 0; pen < light.size(); ++pen)
+                colour += coverage[pen].at(x, y) * (light[pen] - colour);
+            result.at(x, y) = glm::vec<3, Channel>(glm::round(encoded_of(colour) * most));
+        }
+    });
+    return result;
+}
+
 template Grid<glm::u8vec3> ink_on_paper<std::uint8_t>(const Grid<float>&, glm::vec3, glm::vec3);
 template Grid<glm::u16vec3> ink_on_paper<std::uint16_t>(const Grid<float>&, glm::vec3, glm::vec3);
+template Grid<glm::u8vec3> ink_on_paper<std::uint8_t>(std::span<const Grid<float>>,
+                                                      std::span<const glm::vec3>, glm::vec3);
+template Grid<glm::u16vec3> ink_on_paper<std::uint16_t>(std::span<const Grid<float>>,
+                                                        std::span<const glm::vec3>, glm::vec3);
 
 }  // namespace dapple

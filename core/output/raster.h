@@ -8,6 +8,7 @@
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/image/grid.h"
 #include "core/placing/dot_stream.h"
@@ -41,11 +42,22 @@ using CoverageSink = std::function<void(int first_row, const Grid<float>& covera
 void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink);
 
+/// The same for dots of several pens, so many: a coverage for each.
+using PenCoverageSink = std::function<void(int first_row, std::span<const Grid<float>> coverage)>;
+void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
+                    std::size_t pens, const PenCoverageSink& sink);
+
 /// All bands in one, of dots in memory.
 Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request);
 
 /// sRGB-encoded pixels of that coverage, of 8 or 16 bits a channel. The colours are sRGB-encoded too.
 template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
+
+/// The same of several inks, each over those before it: what is left of a pixel is covered by as large a
+/// share.
+template <class Channel = std::uint8_t>
+Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage,
+                                        std::span<const glm::vec3> inks, glm::vec3 paper);
 
 }  // namespace dapple

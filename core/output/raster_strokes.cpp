@@ -16,16 +16,18 @@ namespace {
 // Samples from the page's corner.
 struct SampledLine {
     glm::dvec2 from, to;
+    int pen;
 };
 
 struct StrokeCanvas {
     const StrokeStream& strokes;
     RasterSize size;
     double samples_per_mm;
-    double radius;  // samples
     int band_rows;
 
     int bands() const { return (size.height + band_rows - 1) / band_rows; }
+    // In samples.
+    double radius_of(int pen) const { return strokes.width_of(pen) / 2 * samples_per_mm; }
 
     // Calls visit(line, first band, last band) for each line that touches any.
     template <class Visit>
@@ -34,26 +36,31 @@ struct StrokeCanvas {
             return static_cast<int>(
                 std::clamp(std::floor(sample / (band_rows * kSamples)), -1.0, static_cast<double>(bands())));
         };
-        const auto one = [&](glm::dvec2 from, glm::dvec2 to) {
+        const auto one = [&](glm::dvec2 from, glm::dvec2 to, int pen) {
             from *= samples_per_mm;
             to *= samples_per_mm;
+            const double radius = radius_of(pen);
             const int first = std::max(band(std::min(from.y, to.y) - radius), 0),
                       last = std::min(band(std::max(from.y, to.y) + radius), bands() - 1);
-            if (first <= last) visit(SampledLine{from, to}, first, last);
+            if (first <= last) visit(SampledLine{from, to, pen}, first, last);
         };
-        strokes.for_each_stroke([&](std::span<const glm::dvec2> points) {
-            if (points.size() == 1) one(points[0], points[0]);
-            for (std::size_t i = 1; i < points.size(); ++i) one(points[i - 1], points[i]);
+        strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
+            if (points.size() == 1) one(points[0], points[0], pen);
+            for (std::size_t i = 1; i < points.size(); ++i) one(points[i - 1], points[i], pen);
         });
     }
 };
 
-Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<const SampledLine> lines) {
+// Of one pen's.
+Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<const SampledLine> lines,
+                            std::size_t pen, bool several) {
     const int first_row = band * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
     const glm::dvec2 corner(0, static_cast<double>(first_row) * kSamples);
-    for (const SampledLine& line : lines)
-        samples.add_capsule(line.from - corner, line.to - corner, canvas.radius);
+    for (const SampledLine& line : lines) {
+        if (several && static_cast<std::size_t>(line.pen) != pen) continue;
+        samples.add_capsule(line.from - corner, line.to - corner, canvas.radius_of(line.pen));
+    }
     return samples.coverage(canvas.size.width);
 }
 
@@ -61,12 +68,17 @@ Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<cons
 
 void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink) {
+    rasterise_pens(strokes, page, request, 1,
+                   [&](int first_row, std::span<const Grid<float>> band) { sink(first_row, band[0]); });
+}
+
+void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
+                    std::size_t pens, const PenCoverageSink& sink) {
     const RasterSize size = raster_size(page, request.dpi);
     const double samples_per_mm = request.dpi / 25.4 * kSamples;
     const StrokeCanvas canvas{.strokes = strokes,
                               .size = size,
                               .samples_per_mm = samples_per_mm,
-                              .radius = strokes.width_mm / 2 * samples_per_mm,
                               .band_rows = rows_of_a_band(size.width)};
     std::vector<std::uint64_t> counts(canvas.bands(), 0);
     canvas.for_each_line([&](const SampledLine&, int first, int last) {
@@ -74,7 +86,8 @@ void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRe
     });
     const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
     tbb::task_arena arena(threads);
-    std::vector<Grid<float>> drawn(threads);
+    std::vector<std::vector<Grid<float>>> drawn(static_cast<std::size_t>(threads),
+                                                std::vector<Grid<float>>(pens));
     for (int next = 0; next < canvas.bands();) {
         // As many bands as have so many lines together, but one at least.
         int end = next;
@@ -93,7 +106,9 @@ void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRe
             const int count = std::min(threads, end - first);
             arena.execute([&] {
                 tbb::parallel_for(0, count, [&](int i) {
-                    drawn[i] = band_of_strokes(canvas, first + i, lines[first + i - next]);
+                    for (std::size_t pen = 0; pen < pens; ++pen)
+                        drawn[i][pen] =
+                            band_of_strokes(canvas, first + i, lines[first + i - next], pen, pens > 1);
                 });
             });
             for (int i = 0; i < count; ++i) sink((first + i) * canvas.band_rows, drawn[i]);

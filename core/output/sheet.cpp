@@ -78,6 +78,18 @@ Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_co
             {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
 }
 
+std::vector<CutMark> registration_marks(const PageSize& page) {
+    const double size = std::min(6.0, std::min(page.width_mm, page.height_mm) / 20), half = size / 2;
+    std::vector<CutMark> marks;
+    for (const double x : {size, page.width_mm - size}) {
+        for (const double y : {size, page.height_mm - size}) {
+            marks.push_back({{x - half, y}, {x + half, y}});
+            marks.push_back({{x, y - half}, {x, y + half}});
+        }
+    }
+    return marks;
+}
+
 Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dvec2 picture_corner_mm) {
     const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
     const auto [low, high] = region;

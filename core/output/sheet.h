@@ -47,4 +47,8 @@ struct CutMark {
     bool operator==(const CutMark&) const = default;
 };
 
+/// A cross in each of the page's corners, for each pen to draw: where they lie on one another, so do the
+/// pens' dots. 6 mm high and wide, or a twentieth of the page's shorter side where that is less.
+std::vector<CutMark> registration_marks(const PageSize& page);
+
 }  // namespace dapple

@@ -47,7 +47,7 @@ double drawing_time(std::span<const glm::dvec2> points, const MachineSpeeds& spe
 StrokeFigures figures_of(const StrokeStream& strokes, const MachineSpeeds& speeds) {
     StrokeFigures result;
     std::optional<glm::dvec2> last;
-    strokes.for_each_stroke([&](std::span<const glm::dvec2> points) {
+    strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int) {
         ++result.strokes;
         result.time.lifting_s += speeds.lower_s + speeds.raise_s;
         if (points.size() == 1)

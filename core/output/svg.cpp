@@ -13,6 +13,7 @@ namespace dapple {
 namespace {
 
 constexpr double kPxPerMm = 96.0 / 25.4;
+constexpr double kUsualMarkMm = 0.3;  // of a pen whose width is not told
 
 // Two decimals, 0.0026 mm, are enough until the dots' mean spacing comes near a pixel.
 int decimals_for(std::uint64_t dots, const PageSize& page) {
@@ -41,10 +42,26 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     const auto in_px = [](double radius_mm) { return std::max(radius_mm * kPxPerMm, 0.001); };
     const double radius = in_px(style.dot_radius_mm);
-    begin_layer(text, 1, pen_name(style.ink));
-    text << R"( fill=")" << hex_of(style.ink) << R"(" stroke="none">)" << '\n';
+    const auto begin_pen = [&](int number, const std::string& name, glm::vec3 colour) {
+        begin_layer(text, number, name);
+        text << R"( fill=")" << hex_of(colour) << R"(" stroke="none">)" << '\n';
+    };
+    int layer = -1;  // the pen whose layer is open
+    if (style.pens.empty()) begin_pen(1, pen_name(style.ink), style.ink);
     DotsReport report(dots.count, progress);
     dots.for_each_piece([&](const Dots& piece) {
+        if (!style.pens.empty() && piece.pen != layer) {
+            if (layer >= 0) text << "</g>\n";
+            layer = piece.pen;
+            const Pen& pen = style.pens[static_cast<std::size_t>(layer)];
+            begin_pen(layer + 1, pen.name, pen.colour);
+            if (!style.registration.empty()) {
+                text << R"(<g fill="none" stroke=")" << hex_of(pen.colour) << R"(" stroke-width=")";
+                text.fixed((pen.width_mm > 0 ? pen.width_mm : kUsualMarkMm) * kPxPerMm, 3) << "\">\n";
+                write_marks(text, style.registration);
+                text << "</g>\n";
+            }
+        }
         for (std::size_t i = 0; i < piece.size(); ++i) {
             report.next();
             text << R"(<circle cx=")";
@@ -57,19 +74,30 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
         }
         return true;
     });
-    text << "</g>\n";
+    if (style.pens.empty() || layer >= 0) text << "</g>\n";
 }
 
 void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
                    const WritingProgress& progress) {
     constexpr double kTouchMm = 0.05;
     const int decimals = decimals_for(strokes.points, page);
-    begin_layer(text, 1, pen_name(style.ink));
-    text << R"( fill="none" stroke=")" << hex_of(style.ink) << R"(" stroke-width=")";
-    text.fixed(std::max(strokes.width_mm * kPxPerMm, 0.001), 3);
-    text << R"(" stroke-linecap="round" stroke-linejoin="round">)" << '\n';
+    const auto begin_pen = [&](int pen, const std::string& name, glm::vec3 colour) {
+        begin_layer(text, pen + 1, name);
+        text << R"( fill="none" stroke=")" << hex_of(colour) << R"(" stroke-width=")";
+        text.fixed(std::max(strokes.width_of(pen) * kPxPerMm, 0.001), 3);
+        text << R"(" stroke-linecap="round" stroke-linejoin="round">)" << '\n';
+        if (!style.pens.empty()) write_marks(text, style.registration);
+    };
+    int layer = -1;  // the pen whose layer is open
+    if (style.pens.empty()) begin_pen(0, pen_name(style.ink), style.ink);
     const auto number = [&](double mm) { text.fixed(mm * kPxPerMm, decimals); };
-    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points) {
+    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
+        if (!style.pens.empty() && its_pen != layer) {
+            if (layer >= 0) text << "</g>\n";
+            layer = its_pen;
+            const Pen& pen = style.pens[static_cast<std::size_t>(layer)];
+            begin_pen(layer, pen.name, pen.colour);
+        }
         text << R"(<path d="M)";
         const bool touch = points.size() == 1;
         number(points[0].x - (touch ? kTouchMm / 2 : 0));
@@ -88,7 +116,7 @@ void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize
         }
         text << "\"/>\n";
     });
-    text << "</g>\n";
+    if (style.pens.empty() || layer >= 0) text << "</g>\n";
 }
 
 // The part of the picture that is on the page, in px.
@@ -166,7 +194,7 @@ void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& sty
         text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
     }
     write_ink(text);
-    const int layer = 2;
+    const int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
     if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture), layer);
     text << "</svg>\n";
     text.flush();

@@ -15,6 +15,7 @@
 #include "core/image/rectangle.h"
 #include "core/output/progress.h"
 #include "core/output/sheet.h"
+#include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
@@ -29,8 +30,11 @@ struct SvgStyle {
     double dot_radius_mm = 0.2;  // where dots have none of their own; 0.001 px at least: readers drop circles
                                  // of radius 0
     glm::vec3 ink = kBlack;
-    std::optional<glm::vec3> background;     // a rectangle under everything
-    std::span<const PlacedTile> tiles = {};  // their outlines, coloured by level; none, no layer
+    std::span<const Pen> pens =
+        {};  // several: each dot's or stroke's is one of them, with a layer of its own
+    std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
+    std::optional<glm::vec3> background;         // a rectangle under everything
+    std::span<const PlacedTile> tiles = {};      // their outlines, coloured by level; none, no layer
     std::optional<Rectangle<double>> picture =
         {};                                   // page units: outlines end at its edges; none: at the page's
     std::string_view settings =
@@ -42,7 +46,7 @@ struct SvgStyle {
 void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});
 
-/// The same of strokes: a path for each, as wide as the pen and with round ends. A
+/// The same of strokes: a path for each, as wide as the pen and with round ends, in the layer of the pen. A
 /// touch is a line of 0.05 mm, since readers drop what has no length.
 void write_svg(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});

@@ -16,6 +16,7 @@ struct Dots {
         threshold;         // the dot exists where scale * density > threshold; says level and rank, see below
     FloatBuffer critical;  // critical scale: the dot exists at scales above this
     FloatBuffer radius;    // page units
+    int pen = 0;           // that draws all of them: its place in the drawing's palette
 
     std::size_t size() const { return x.size(); }
     /// Leaves no radii.

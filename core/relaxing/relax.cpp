@@ -234,6 +234,17 @@ DotPieces Relaxation::dots() const {
     return in_one_piece(std::move(all));
 }
 
+Dots Relaxation::dots_as_taken() const {
+    Dots all;
+    all.resize(rows_.size(), false);
+    const auto to_page = static_cast<float>(std::ldexp(1.0, -depth_));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        all.x[rows_.numbers[i]] = rows_.x[i] * to_page;
+        all.y[rows_.numbers[i]] = rows_.y[i] * to_page;
+    }
+    return all;
+}
+
 bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingRequest& request,
            const std::stop_token& stop) {
     if (steps == 0 || dots.size() == 0) return !stop.stop_requested();

@@ -48,6 +48,9 @@ class Relaxation {
     /// whole.
     DotPieces dots() const;
 
+    /// The dots as they lie now, in the order in which they were taken.
+    Dots dots_as_taken() const;
+
  private:
     const Density& density_;
     RelaxingRequest request_;

@@ -14,4 +14,8 @@ inline constexpr std::size_t kNearDots = 8;
 /// dots may lie as unevenly as they like.
 std::vector<std::uint32_t> near_dots(std::span<const float> x, std::span<const float> y);
 
+/// The same for any number of others, at least 1, on so many threads; 0: all cores.
+std::vector<std::uint32_t> near_dots(std::span<const float> x, std::span<const float> y, std::size_t count,
+                                     int threads);
+
 }  // namespace dapple

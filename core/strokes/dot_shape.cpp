@@ -334,25 +334,31 @@ Strokes mark_of(const DotMark& mark, double radius_mm, double pen_width_mm) {
 }
 
 StrokeStream marks_of(const DotStream& dots, const PageSize& page, const DotMark& mark, double radius_mm,
-                      double pen_width_mm) {
+                      double pen_width_mm, const std::vector<double>& pen_widths_mm) {
     const Strokes path = mark.shape == DotShape::path ? parse_dot_path(mark.path) : Strokes{};
-    StrokeStream stream{.width_mm = pen_width_mm};
-    const auto usual = std::make_shared<const Strokes>(mark_with(mark, path, radius_mm, pen_width_mm));
-    stream.points = dots.count * usual->points.size();
+    StrokeStream stream{.width_mm = pen_width_mm, .widths_mm = pen_widths_mm};
+    // By pen; the first of one pen.
+    auto usual = std::make_shared<std::vector<Strokes>>();
+    for (std::size_t pen = 0; pen < std::max<std::size_t>(pen_widths_mm.size(), 1); ++pen)
+        usual->push_back(mark_with(mark, path, radius_mm, stream.width_of(static_cast<int>(pen))));
+    stream.points = dots.count * usual->front().points.size();
     const double unit = page.mm_per_page_unit;
-    stream.for_each_stroke = [=](const TakeStroke& take) {
+    stream.for_each_stroke = [=, widths = stream](const TakeStroke& take) {
         std::vector<glm::dvec2> moved;
         dots.for_each_piece([&](const Dots& piece) {
+            const auto pen = static_cast<std::size_t>(piece.pen);
+            const Strokes& as_usual = pen < usual->size() ? (*usual)[pen] : usual->front();
             for (std::size_t i = 0; i < piece.size(); ++i) {
                 const glm::dvec2 centre = glm::dvec2(piece.x[i], piece.y[i]) * unit;
                 std::optional<Strokes> own;
-                if (!piece.radius.empty()) own = mark_with(mark, path, piece.radius[i] * unit, pen_width_mm);
-                const Strokes& strokes = own ? *own : *usual;
+                if (!piece.radius.empty())
+                    own = mark_with(mark, path, piece.radius[i] * unit, widths.width_of(piece.pen));
+                const Strokes& strokes = own ? *own : as_usual;
                 std::size_t begin = 0;
                 for (const std::size_t end : strokes.ends) {
                     moved.clear();
                     for (; begin < end; ++begin) moved.push_back(strokes.points[begin] + centre);
-                    take(moved);
+                    take(moved, piece.pen);
                 }
             }
             return true;

@@ -51,8 +51,8 @@ Strokes parse_dot_path(std::string_view d);
 Strokes mark_of(const DotMark& mark, double radius_mm, double pen_width_mm);
 
 /// All dots so, one after the other. `radius_mm` is of dots that have none of their own. The stream of the
-/// dots has to outlive it. Not for circles.
+/// dots has to outlive it. Not for circles. Several pens may have widths of their own.
 StrokeStream marks_of(const DotStream& dots, const PageSize& page, const DotMark& mark, double radius_mm,
-                      double pen_width_mm);
+                      double pen_width_mm, const std::vector<double>& pen_widths_mm = {});
 
 }  // namespace dapple

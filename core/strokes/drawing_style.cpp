@@ -103,7 +103,7 @@ Strokes line_through(const Dots& dots, const PageSize& page) {
     Strokes line;
     line.points.reserve(dots.size());
     for (std::size_t i = 0; i < dots.size(); ++i) line.points.push_back(place_mm(dots, i, page));
-    end_stroke(line);
+    end_stroke(line, dots.pen);
     return line;
 }
 
@@ -114,7 +114,7 @@ Strokes lines_to_nearest(const Dots& dots, const PageSize& page) {
     const auto begin_at = [&](std::size_t dot) {
         strokes.points.push_back(place_mm(dots, dot, page));
         walk.go_from(dot, [&](std::size_t to) { strokes.points.push_back(place_mm(dots, to, page)); });
-        end_stroke(strokes);
+        end_stroke(strokes, dots.pen);
     };
     // A stroke that begins elsewhere than where an odd number of lines meet leaves more of those to begin at.
     for (std::size_t i = 0; i < dots.size(); ++i)

@@ -19,7 +19,7 @@ enum class DrawingStyle {
 std::string_view name_of(DrawingStyle style);
 
 /// One line through all dots as they come: along a short way (core/routing/short_way.h) it is what is known
-/// as TSP art (Bosch and Herman 2004). A single dot is a touch.
+/// as TSP art (Bosch and Herman 2004). A single dot is a touch. Dots::pen draws it.
 Strokes line_through(const Dots& dots, const PageSize& page);
 
 /// The relative neighbourhood graph (Toussaint 1980): two dots are joined if none is nearer to both of them

@@ -30,10 +30,18 @@ std::optional<LinePart> part_inside(const Rectangle<double>& box, glm::dvec2 a, 
 
 }  // namespace
 
-void end_stroke(Strokes& strokes) {
+void end_stroke(Strokes& strokes, int pen) {
     const std::size_t begin = strokes.ends.empty() ? 0 : strokes.ends.back();
     if (strokes.points.size() <= begin) return;
+    if (pen != 0 || !strokes.pens.empty()) {
+        strokes.pens.resize(strokes.ends.size(), 0);
+        strokes.pens.push_back(pen);
+    }
     strokes.ends.push_back(strokes.points.size());
+}
+
+int pen_of(const Strokes& strokes, std::size_t stroke) {
+    return strokes.pens.empty() ? 0 : strokes.pens[stroke];
 }
 
 void append(Strokes& to, const Strokes& more) {
@@ -41,7 +49,7 @@ void append(Strokes& to, const Strokes& more) {
     for (std::size_t i = 0; i < more.ends.size(); ++i) {
         to.points.insert(to.points.end(), more.points.begin() + static_cast<std::ptrdiff_t>(begin),
                          more.points.begin() + static_cast<std::ptrdiff_t>(more.ends[i]));
-        end_stroke(to);
+        end_stroke(to, pen_of(more, i));
         begin = more.ends[i];
     }
 }
@@ -53,31 +61,41 @@ StrokeStream stream_of(const Strokes& strokes, double width_mm) {
                 std::size_t begin = 0;
                 for (std::size_t i = 0; i < strokes.ends.size(); ++i) {
                     const std::size_t end = strokes.ends[i];
-                    take(std::span(strokes.points).subspan(begin, end - begin));
+                    take(std::span(strokes.points).subspan(begin, end - begin), pen_of(strokes, i));
                     begin = end;
                 }
             }};
 }
 
+StrokeStream only(const StrokeStream& stream, int pen) {
+    StrokeStream of_pen = stream;
+    of_pen.for_each_stroke = [all = stream.for_each_stroke, pen](const TakeStroke& take) {
+        all([&](std::span<const glm::dvec2> points, int its_pen) {
+            if (its_pen == pen) take(points, its_pen);
+        });
+    };
+    return of_pen;
+}
+
 Strokes collected(const StrokeStream& stream) {
     Strokes all;
-    stream.for_each_stroke([&](std::span<const glm::dvec2> points) {
+    stream.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
         all.points.insert(all.points.end(), points.begin(), points.end());
-        end_stroke(all);
+        end_stroke(all, pen);
     });
     return all;
 }
 
 Strokes cut_to(const Rectangle<double>& box, const StrokeStream& stream) {
     Strokes inside;
-    stream.for_each_stroke([&](std::span<const glm::dvec2> points) {
+    stream.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
         if (points.size() == 1 && part_inside(box, points[0], points[0]))
             inside.points.push_back(points[0] - box.low);
         bool goes_on = false;  // the last point is the next line's first
         for (std::size_t i = 1; i < points.size(); ++i) {
             const glm::dvec2 a = points[i - 1], b = points[i];
             const auto part = part_inside(box, a, b);
-            if (!goes_on || !part || part->from > 0) end_stroke(inside);
+            if (!goes_on || !part || part->from > 0) end_stroke(inside, pen);
             if (!part) {
                 goes_on = false;
                 continue;
@@ -89,7 +107,7 @@ Strokes cut_to(const Rectangle<double>& box, const StrokeStream& stream) {
             inside.points.push_back(at(part->to));
             goes_on = part->to >= 1;
         }
-        end_stroke(inside);
+        end_stroke(inside, pen);
     });
     return inside;
 }

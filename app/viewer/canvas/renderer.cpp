@@ -17,9 +17,10 @@
 namespace dapple {
 namespace {
 
-constexpr int kLevelColours = 12;                 // as in tile.vert
-constexpr GLuint kDotColour = 3, kDotRadius = 4;  // the attributes' locations, as in dot.vert
-constexpr double kLargestSprite = 256;            // samples: a guard band as wide never is too much
+constexpr int kLevelColours = 12;                  // as in tile.vert
+constexpr GLuint kDotColour = 3, kDotRadius = 4;   // the attributes' locations, as in dot.vert
+constexpr GLuint kLineColour = 1, kLineWidth = 2;  // as in line.vert
+constexpr double kLargestSprite = 256;             // samples: a guard band as wide never is too much
 
 /// Page to pixels, or samples, of a canvas.
 struct PageToPixels {
@@ -185,8 +186,8 @@ void Renderer::set_strokes(const ShownStrokes& strokes) {
     strokes_ = &strokes;
     blocks_ = strokes.blocks;
     has_radii_ = false;
-    has_colours_ = false;
-    colours_ = {};
+    has_colours_ = !strokes.colours.empty();
+    colours_ = strokes.colours;
 }
 
 void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
@@ -509,12 +510,28 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
 // The same of lines, in place of the dots.
 void Renderer::draw_lines(Job& job, std::size_t most) {
     lines_handed_over_.clear();
+    colours_handed_over_.clear();
+    line_widths_handed_over_.clear();
     for (; job.next_block < job.blocks.size() && lines_handed_over_.size() < most; ++job.next_block) {
         const DotBlock& block = blocks_[job.blocks[job.next_block]];
         for (std::size_t i = 0; i < block.count; i += job.every)
             lines_handed_over_.push_back(strokes_->lines[block.first + i]);
+        for (std::size_t i = 0; has_colours_ && i < block.count; i += job.every) {
+            colours_handed_over_.push_back(colours_[block.first + i]);
+            line_widths_handed_over_.push_back(strokes_->widths[block.first + i]);
+        }
     }
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
+    line_array_.bind();
+    if (has_colours_) {
+        dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
+        colour_column(kLineColour, dot_colour_, 1);
+        line_widths_.write(std::as_bytes(std::span(line_widths_handed_over_)));
+        column(kLineWidth, line_widths_, 1, 1);
+    } else {
+        glDisableVertexAttribArray(kLineColour);
+        glDisableVertexAttribArray(kLineWidth);
+    }
     const DotGrid& grid = job.grid;
     const double scale = job.camera.pixels_per_unit * grid.samples;
     dots_of(job).bind();
@@ -526,8 +543,11 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
                           .scale = scale,
                           .canvas = glm::dvec2((grid.high - grid.low) * grid.samples)});
     // Those left away are made up for: a line covers in proportion to its width.
-    glUniform1f(line_.uniform("line_width"),
-                static_cast<float>(strokes_->width * static_cast<double>(job.every)));
+    glUniform1f(line_.uniform("grow"), static_cast<float>(job.every));
+    glUniform1i(line_.uniform("coloured"), has_colours_);
+    // What the shader reads where no column is attached.
+    glVertexAttrib4f(kLineColour, 1, 1, 1, 1);
+    glVertexAttrib1f(kLineWidth, static_cast<float>(strokes_->width));
     line_array_.bind();
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines_handed_over_.size()));
     glDisable(GL_FRAMEBUFFER_SRGB);

@@ -142,7 +142,8 @@ class Renderer {
 
     GlProgram page_, sheet_, sheet_with_picture_, dot_, line_, tile_;  // the first three: see page.frag
     GlVertexArray empty_, dot_array_, dot_quad_array_, line_array_, tile_array_;
-    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, tiles_, tile_looks_;
+    GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, line_widths_, tiles_,
+        tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
@@ -155,6 +156,7 @@ class Renderer {
     std::span<const PlacedTile> tiles_shown_;
     const ShownStrokes* strokes_ = nullptr;  // instead of the dots; none: these
     std::vector<glm::vec4> lines_handed_over_;
+    std::vector<float> line_widths_handed_over_;
     Dots handed_over_;  // to OpenGL, when dots are drawn
     std::vector<glm::u8vec4> colours_handed_over_;
     std::vector<std::size_t> taken_;  // of a block, to be handed over

@@ -27,7 +27,7 @@ struct DotOrigin {
     int level = 0;           // at which it was born
     int rank = 0, born = 0;  // 0 is the first to appear of so many points that the level brings a tile
     double critical = 0;     // it exists at scales above this
-    double density = 0;      // where it was placed
+    double density = 0;      // where it was placed; with several pens its own pen's
     bool relaxed = false;    // it was moved since
     /// The tile of its level that it was born in. Of a relaxed dot, which may have left it, it is found by
     /// the place that its level and rank give it in the tiles around, of which it is the nearest to the dot.

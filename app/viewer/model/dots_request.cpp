@@ -8,7 +8,7 @@ DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& d
             .ranking = settings.ranking,
             .outlines = settings.show_tiles,
             .density = density,
-            .strokes = {settings.style, settings.mark, settings.pen_width_mm, {}}};
+            .strokes = {settings.style, settings.mark, settings.pen_width_mm, {}, settings.pens}};
 }
 
 }  // namespace dapple

@@ -18,6 +18,7 @@ bool save_placed(const DrawingFile& file, PlacedDrawing& drawing, const SavingWa
     DrawingToSave to_save{
         .dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
         .page = seen.page,
+        .pens = drawing.pens,
         .dot_radius_mm = drawing.dot_radius * seen.page.mm_per_page_unit,
         .tiles = drawing.outlines,
         .picture = seen.picture,

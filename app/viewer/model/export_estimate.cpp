@@ -11,6 +11,7 @@
 #include "app/files/drawing_facts.h"
 #include "app/files/file_size.h"
 #include "app/files/gcode_choice.h"
+#include "core/output/pen_figures.h"
 #include "core/output/stroke_figures.h"
 #include "core/routing/short_way.h"
 
@@ -21,15 +22,33 @@ constexpr std::size_t kSample = 2000;             // dots whose way is found
 constexpr std::size_t kMostInOrder = 20'000;      // which are not put in order, but taken as they follow
 constexpr std::uint64_t kMostMeasured = 500'000;  // which take no longer than a fifth of a second
 
-// So many dots, from one on: each so-many-th.
+// How many dots each pen has, in the order in which they come.
+struct PenCount {
+    int pen = 0;
+    std::size_t dots = 0;
+};
+
+std::vector<PenCount> counts_of(const DotStream& dots) {
+    std::vector<PenCount> counts;
+    dots.for_each_piece([&](const Dots& piece) {
+        if (counts.empty() || counts.back().pen != piece.pen) counts.push_back({piece.pen});
+        counts.back().dots += piece.size();
+        return true;
+    });
+    return counts;
+}
+
+// Of one pen's dots so many, from one on: each so-many-th.
 struct Choice {
     std::size_t first = 0, step = 1, count = 0;
 };
 
-Dots some_of(const DotStream& dots, const Choice& choice) {
+Dots some_of(const DotStream& dots, int pen, const Choice& choice) {
     Dots some;
+    some.pen = pen;
     std::size_t next = choice.first, passed = 0;
     dots.for_each_piece([&](const Dots& piece) {
+        if (piece.pen != pen) return true;
         for (; next < passed + piece.size() && some.size() < choice.count; next += choice.step) {
             some.x.push_back(piece.x[next - passed]);
             some.y.push_back(piece.y[next - passed]);
@@ -51,32 +70,31 @@ void shuffle(Dots& dots) {
     }
 }
 
-// What a part of the dots comes to, and of how many dots each of its dots is an example.
+// What a part of a pen's dots comes to, and of how many dots each of its dots is an example.
 struct Part {
     Dots dots;
     double share = 1;
     double closer = 1;  // dots are so many times as near to each other as these
 };
 
-// In the order in which they are plotted.
-std::vector<Part> parts_of(const DotStream& dots, DotOrder order) {
+// Of one pen's dots, in the order in which they are plotted.
+std::vector<Part> parts_of(const DotStream& dots, const PenCount& own, DotOrder order) {
     constexpr std::size_t kRuns = 8;
-    const auto count = static_cast<std::size_t>(dots.count);
-    const auto all = static_cast<double>(count);
+    const auto all = static_cast<double>(own.dots);
     std::vector<Part> parts;
     if (order == DotOrder::recursion) {
         // Neighbours in the file, from all over it.
-        const std::size_t step = std::max<std::size_t>(count / kRuns, 1);
+        const std::size_t step = std::max<std::size_t>(own.dots / kRuns, 1);
         const std::size_t length = std::min(step, kMostInOrder / kRuns);
         double taken = 0;
-        for (std::size_t first = 0; first < count; first += step) {
-            parts.push_back({some_of(dots, {first, 1, length})});
+        for (std::size_t first = 0; first < own.dots; first += step) {
+            parts.push_back({some_of(dots, own.pen, {first, 1, length})});
             taken += static_cast<double>(parts.back().dots.size());
         }
         for (Part& part : parts) part.share = all / taken;
         return parts;
     }
-    Part part{some_of(dots, {0, 1 + count / kSample, count})};
+    Part part{some_of(dots, own.pen, {0, 1 + own.dots / kSample, own.dots})};
     part.share = all / std::max(static_cast<double>(part.dots.size()), 1.0);
     if (order == DotOrder::priority) {
         shuffle(part.dots);  // dots that follow each other lie anywhere
@@ -92,6 +110,17 @@ std::vector<Part> parts_of(const DotStream& dots, DotOrder order) {
 Dots scaled_radii(Dots dots, double times) {
     for (float& radius : dots.radius) radius = static_cast<float>(radius * times);
     return dots;
+}
+
+// Of each pen that has a smallest gap: how many of its dots are nearer to each other.
+std::vector<DrawingFacts::Gap> gaps_of(const PlacedDrawing& drawing, const PageSize& page) {
+    std::vector<DrawingFacts::Gap> gaps;
+    const DotPieces by_pen = sorted_by_pen(stream_of(drawing.stippling.dots), DotOrder::recursion);
+    for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens, speeds_of({}))) {
+        const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
+        gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
+    }
+    return gaps;
 }
 
 void add_time(PlottingTime& sum, const PlottingTime& time, double times, double times_lifting) {
@@ -110,6 +139,7 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi) {
         if (!patches.meet(block.low, block.high)) continue;
         const Dots& piece = drawing.stippling.dots.pieces[block.piece];
         Dots& own = some.pieces.emplace_back();
+        own.pen = piece.pen;
         const auto take = [&](FloatBuffer& to, const FloatBuffer& from) {
             if (from.size() != piece.size()) return;
             const auto begin = from.begin() + static_cast<std::ptrdiff_t>(block.first);
@@ -126,26 +156,30 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
                                     DrawingFormat format, DotOrder order, const MachineSpeeds& speeds) {
     PlottingEstimate estimate;
     const InkedDot ink = inked_dot(settings, format, drawing);
-    for (Part& part : parts_of(drawing.dots, order)) {
-        if (part.dots.size() == 0) continue;
-        DrawingToSave some = drawing;
-        some.page.mm_per_page_unit /= part.closer;
-        const double unit = some.page.mm_per_page_unit;
-        const auto way_m = [&] { return part.share * way_length(part.dots.x, part.dots.y) * unit / 1000; };
-        estimate.way_before_m += way_m();
-        if (order == DotOrder::shortest) shorten_way(part.dots);
-        estimate.way_m += way_m();
-        const Dots scaled = scaled_radii(part.dots, part.closer);
-        some.dots = stream_of(scaled, drawing.dots.scale);
-        PlottingTime time;
-        if (const auto strokes = strokes_of(settings, some, format))
-            time = figures_of(*strokes, speeds).time;
-        else if (ink.as == DotsAs::rings)
-            time = plotting_time_of_rings(scaled, unit, ink.radius_mm, speeds);
-        else
-            time = plotting_time(part.dots, unit, speeds);
-        // All dots are on one line.
-        add_time(estimate.time, time, part.share, settings.style == DrawingStyle::line ? 1 : part.share);
+    for (const PenCount& own : counts_of(drawing.dots)) {
+        for (Part& part : parts_of(drawing.dots, own, order)) {
+            if (part.dots.size() == 0) continue;
+            DrawingToSave some = drawing;
+            some.page.mm_per_page_unit /= part.closer;
+            const double unit = some.page.mm_per_page_unit;
+            const auto way_m = [&] {
+                return part.share * way_length(part.dots.x, part.dots.y) * unit / 1000;
+            };
+            estimate.way_before_m += way_m();
+            if (order == DotOrder::shortest) shorten_way(part.dots);
+            estimate.way_m += way_m();
+            const Dots scaled = scaled_radii(part.dots, part.closer);
+            some.dots = stream_of(scaled, drawing.dots.scale);
+            PlottingTime time;
+            if (const auto strokes = strokes_of(settings, some, format))
+                time = figures_of(*strokes, speeds).time;
+            else if (ink.as == DotsAs::rings)
+                time = plotting_time_of_rings(scaled, unit, ink.radius_mm, speeds);
+            else
+                time = plotting_time(part.dots, unit, speeds);
+            // All dots of a pen are on one line.
+            add_time(estimate.time, time, part.share, settings.style == DrawingStyle::line ? 1 : part.share);
+        }
     }
     return estimate;
 }
@@ -160,6 +194,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
     DrawingToSave estimated{.dots = stream_of(stippling.dots, stippling.scale),
                             .page = page,
+                            .pens = drawing.pens,
                             .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
                             .tile_size = pane.tile_size(),
                             .dpi = settings.saving.dpi,
@@ -177,6 +212,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm};
     if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
+    if (drawn.measured && !drawing.pens.empty()) drawn.gaps = gaps_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
         DotPieces some;
@@ -200,7 +236,7 @@ Preflight ExportEstimate::measured(const Pane& pane, const InkedDot& ink) {
     const PlacedDrawing& drawing = pane.page();
     const PageLayout& layout = drawing.layout;
     measured_ = preflight(inked_dots(stream_of(drawing.stippling.dots), ink, layout.page), layout.page,
-                          ink.reach_mm(ink.radius_mm), layout.within_margins, layout.picture.low);
+                          ink.reach_mm(ink.radius_mm, 0), layout.within_margins, layout.picture.low);
     return measured_;
 }
 
@@ -213,6 +249,7 @@ std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSe
     const PageSize& page = drawing.layout.page;
     const DrawingToSave estimated{.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
                                   .page = page,
+                                  .pens = drawing.pens,
                                   .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit};
     const DotOrder order = settings.saving.order.value_or(
         usual_order(format, drawing.stippling.dots.size(), settings.drawing.style));

@@ -99,17 +99,19 @@ void Session::begin_reading(Source next) {
 }
 
 void Session::read_sample() {
-    pane_.worker().open("Still life", [] { return sample_picture(); });
+    pane_.worker().open("Still life", [] { return sample_picture(PictureColours::kept); });
 }
 
 void Session::read(const fs::path& path) {
     Opening opening{.whole = [path](const std::stop_token& stop) {
-        return read_picture(path, PictureLimit::usual, stop);
+        return read_picture(path, PictureLimit::usual, PictureColours::kept, stop);
     }};
     // A crop in pixels is one of the whole picture.
     const std::optional<Crop>& crop = settings.drawing.page.crop;
     if (!crop || crop->unit == Crop::Unit::percent)
-        opening.first_look = [path](const std::stop_token& stop) { return read_first_look(path, stop); };
+        opening.first_look = [path](const std::stop_token& stop) {
+            return read_first_look(path, PictureColours::kept, stop);
+        };
     pane_.worker().open(printable(path.filename().native()), std::move(opening), path);
 }
 

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "app/drawing_settings.h"
 #include "core/placing/dot_stream.h"
 #include "core/routing/short_way.h"
 
@@ -19,6 +20,16 @@ Dots in_order(Dots dots, const StrokeChoice& choice, LineWay way, const std::sto
     const bool shortest = order == DotOrder::shortest && choice.style == DrawingStyle::line;
     if (shortest && way == LineWay::final) shorten_way(dots, {.stop = stop, .progress = {}});
     return dots;
+}
+
+// Of each pen, the dots that it draws.
+std::vector<Dots> by_pen(const DotPieces& dots) {
+    std::vector<Dots> all;
+    for (const Dots& piece : dots.pieces) {
+        if (all.empty() || all.back().pen != piece.pen) all.emplace_back().pen = piece.pen;
+        append(all.back(), piece);
+    }
+    return all;
 }
 
 // Of so many lines that follow each other.
@@ -41,15 +52,19 @@ void put_into_blocks(ShownStrokes& strokes) {
 
 }  // namespace
 
-ShownStrokes on_screen(const StrokeStream& strokes, double mm_per_page_unit) {
+ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, double mm_per_page_unit) {
     ShownStrokes shown;
     const double unit = 1 / mm_per_page_unit;
-    shown.width = strokes.width_mm * unit;
+    shown.width = strokes.widest() * unit;
     if (strokes.points > kMostLines) return shown;
     shown.lines.reserve(strokes.points);
-    strokes.for_each_stroke([&](std::span<const glm::dvec2> points) {
+    strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
         const auto add = [&](glm::dvec2 a, glm::dvec2 b) {
             shown.lines.emplace_back(glm::vec2(a * unit), glm::vec2(b * unit));
+            if (pens.empty()) return;
+            const glm::vec3 colour = glm::round(pens[static_cast<std::size_t>(pen)].colour * 255.0f);
+            shown.colours.emplace_back(colour, 255);
+            shown.widths.push_back(static_cast<float>(strokes.width_of(pen) * unit));
         };
         if (points.size() == 1) add(points[0], points[0]);
         for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
@@ -58,18 +73,23 @@ ShownStrokes on_screen(const StrokeStream& strokes, double mm_per_page_unit) {
     return shown;
 }
 
-ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, const PageSize& page,
-                           double dot_radius, LineWay way, std::stop_token stop) {
+ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
+                           const PageSize& page, double dot_radius, LineWay way, std::stop_token stop) {
     const double unit = page.mm_per_page_unit;
+    const std::vector<double> widths = stroke_widths(choice.pens, choice.pen_width_mm, pens);
     if (choice.style == DrawingStyle::dots)
-        return on_screen(marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm),
-                         unit);
-    Dots all;
-    for (const Dots& piece : dots.pieces) append(all, piece);
-    const Dots ordered = in_order(std::move(all), choice, way, stop);
-    const Strokes lines =
-        choice.style == DrawingStyle::line ? line_through(ordered, page) : lines_to_nearest(ordered, page);
-    return on_screen(stream_of(lines, choice.pen_width_mm), unit);
+        return on_screen(
+            marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm, widths),
+            pens, unit);
+    Strokes lines;
+    for (Dots& own : by_pen(dots)) {
+        const Dots ordered = in_order(std::move(own), choice, way, stop);
+        append(lines, choice.style == DrawingStyle::line ? line_through(ordered, page)
+                                                         : lines_to_nearest(ordered, page));
+    }
+    StrokeStream stream = stream_of(lines, choice.pen_width_mm);
+    stream.widths_mm = widths;
+    return on_screen(stream, pens, unit);
 }
 
 }  // namespace dapple

@@ -28,8 +28,8 @@ SmallPicture small_copy(const std::vector<SmallPicture>& mipmaps, int longest_si
 
 SmallPicture thumbnail_of(const std::filesystem::path& file, const std::stop_token& stop) {
     if (std::filesystem::file_size(file) > kLargestThumbnailFile) return {};
-    auto picture = read_first_look(file, stop);
-    if (!picture) picture = read_picture(file, PictureLimit::usual, stop);
+    auto picture = read_first_look(file, PictureColours::left_out, stop);
+    if (!picture) picture = read_picture(file, PictureLimit::usual, PictureColours::left_out, stop);
     return small_copy(mipmaps_of(std::move(picture->preview)), kThumbnailSide);
 }
 

@@ -32,8 +32,9 @@ bool same_tile(const DotsRequest& a, const DotsRequest& b) {
 
 }  // namespace
 
-void Workbench::set_picture(Grid<float> light, float usual_exposure) {
+void Workbench::set_picture(Grid<float> light, float usual_exposure, ColourGrid colours) {
     pipeline_.set_light(std::move(light), usual_exposure);
+    if (!colours.empty()) pipeline_.set_colours(std::move(colours));
 }
 
 DrawingPlan Workbench::plan(const DotsRequest& request) {
@@ -163,6 +164,9 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                         : place_page(pipeline_, made, request, drawing, stop, finish, unsettled)))
         return false;
     finish(drawing);
+    drawing.pens = request.close ? Palette{} : made.pens;
+    if (!drawing.pens.empty() && drawing.colours.empty())
+        drawing.colours = pen_colours(drawing.stippling.dots, drawing.pens);
     return true;
 }
 
@@ -183,7 +187,7 @@ void Workbench::open(Picture picture, OpenedPicture about) {
     about.longer_side = std::max(picture.light.width, picture.light.height);
     about.exposure = picture.exposure;
     about.looks_like_environment = looks_like_environment(picture.light);
-    set_picture(std::move(picture.light), picture.exposure);
+    set_picture(std::move(picture.light), picture.exposure, std::move(picture.colours));
     about.preview =
         std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(std::move(picture.preview)));
     arrived_ = std::move(about);
@@ -196,8 +200,8 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     drawing.strokes = {};
     // Looked at closely, there are more dots with every zoom: they are shown as such.
     if (request.strokes.draws() && !request.close)
-        drawing.strokes = shown_strokes(drawing.stippling.dots, request.strokes, drawing.layout.page,
-                                        drawing.dot_radius, way, stop);
+        drawing.strokes = shown_strokes(drawing.stippling.dots, request.strokes, drawing.pens,
+                                        drawing.layout.page, drawing.dot_radius, way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);

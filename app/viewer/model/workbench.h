@@ -69,7 +69,7 @@ class Workbench {
     using Task = Background<Result>::Task;
 
     /// Shows another picture from now on.
-    void set_picture(Grid<float> light, float usual_exposure = 0);
+    void set_picture(Grid<float> light, float usual_exposure = 0, ColourGrid colours = {});
     /// The same, and comes with its first dots on the screen: of `about`, file, name and way to read it are
     /// told.
     void open(Picture picture, OpenedPicture about);

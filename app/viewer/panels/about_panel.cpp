@@ -70,7 +70,7 @@ void draw_about_panel(bool& open) {
         Library{"GLFW", "zlib", glfw.c_str()},
         Library{"OpenImageIO", "BSD", "reads pictures, in a process of its own"},
         Library{"GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb", "MIT", ""},
-        Library{"oneTBB", "Apache 2.0", ""},
+        Library{"oneTBB, qpdf", "Apache 2.0", ""},
         Library{"Cairo", "LGPL or MPL", "draws PDF files"},
         Library{"KISS FFT", "BSD", ""},
         Library{"libpng, libjpeg-turbo, libtiff, zlib, fontconfig", "their own, free", ""}};

@@ -1,14 +1,177 @@
 #include "app/viewer/panels/pen_panel.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
 #include "app/viewer/widgets/widgets.h"
+#include "core/pens/pen.h"
 
 namespace dapple {
-bool draw_pen_panel(DrawingSettings& settings) {
+namespace {
+
+SliderRange width_range(LengthUnit unit) {
+    return {.min = 0,
+            .max = 1.5,
+            .neutral = 0,
+            .hard_max = kWidestPenMm,
+            .typed = TypedKind::length,
+            .unit = unit,
+            .tip = "How wide the pen's tip draws; 0: as large as the dots are drawn."};
+}
+
+SliderRange gap_range(LengthUnit unit) {
+    return {.min = 0,
+            .max = 3,
+            .neutral = 0,
+            .hard_max = kWidestPenMm,
+            .typed = TypedKind::length,
+            .unit = unit,
+            .tip =
+                "Dots of this pen that are nearer run together on your paper: how many will is told when the "
+                "drawing is saved."};
+}
+
+// What pens of one's own begin as: those that drew so far.
+Palette palette_to_begin_with(const DrawingSettings& settings) {
+    if (settings.pens.set == PenSet::one) return {{.name = "Ink", .colour = settings.ink}};
+    const Palette pens = palette_of(settings.pens);
+    return pens.empty() ? palette_of({.set = PenSet::cmyk, .width_mm = settings.pens.width_mm}) : pens;
+}
+
+bool draw_set(DrawingSettings& settings) {
+    int set = static_cast<int>(settings.pens.set);
+    if (!choice_row("Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
+                    "Several pens, whose colours mix to the picture's; no two dots of any collide. own: pens "
+                    "that you name. automatic: of common colours those that suit the picture."))
+        return false;
+    const auto chosen = static_cast<PenSet>(set);
+    if (chosen == PenSet::own && settings.pens.own.empty())
+        settings.pens.own = palette_to_begin_with(settings);
+    settings.pens.set = chosen;
+    return true;
+}
+
+bool draw_made_set(PenChoice& pens, LengthUnit unit) {
+    bool changed = false;
+    {
+        const Greyed greyed(pens.set == PenSet::automatic ? nullptr : "Of automatic pens only.");
+        double count = pens.automatic;
+        if (slider_row("How many", count,
+                       {.min = 1,
+                        .max = double{kMostPens},
+                        .neutral = 4,
+                        .format = "%.0f",
+                        .tip = "How many pens are chosen for the picture; more of them mix more colours."})) {
+            pens.automatic = static_cast<int>(std::lround(count));
+            changed = true;
+        }
+    }
+    const Greyed greyed(pens.set == PenSet::one
+                            ? "Of several pens only; one pen is as wide as its dots, or as "
+                              "Dots says."
+                        : pens.set == PenSet::own ? "Each pen of your own has its width below."
+                                                  : nullptr);
+    return slider_row("Tip width", pens.width_mm, width_range(unit)) || changed;
+}
+
+bool is_free(const Palette& pens, const std::string& name) {
+    return std::ranges::find(pens, name, &Pen::name) == pens.end();
+}
+
+// A set's name would be read as that set.
+bool names_a_set(const std::string& name) {
+    return std::ranges::any_of(std::array{PenSet::one, PenSet::greys, PenSet::cmyk, PenSet::automatic},
+                               [&](PenSet set) { return name == name_of(set); });
+}
+
+// Another common pen, or a numbered one.
+Pen another(const Palette& pens) {
+    for (const Pen& pen : common_pens())
+        if (is_free(pens, pen.name)) return pen;
+    Pen pen;
+    for (int number = 1; pen.name.empty() || !is_free(pens, pen.name); ++number)
+        pen.name = "Pen " + std::to_string(number);
+    return pen;
+}
+
+// True while something changes. `removed`: its button was pressed.
+bool draw_own_pen(Palette& pens, std::size_t place, LengthUnit unit, bool& removed) {
+    Pen& pen = pens[place];
+    const std::string number = " " + std::to_string(place + 1);
+    ImGui::PushID(static_cast<int>(place));
+    ImGui::Dummy({0, ImGui::GetTextLineHeight() / 5});
+    const auto good = [&](const std::string& name) {
+        return is_pen_name(name) && !names_a_set(name) && (name == pen.name || is_free(pens, name));
+    };
+    bool changed = text_row(("Pen" + number).c_str(), pen.name, good,
+                            "Up to 40 plain letters, digits, spaces and - _ . ( ), and no other pen's name",
+                            "The pen's name, as its layer is called in the file.");
+    changed |=
+        colour_row(("Colour" + number).c_str(), pen.colour, "The colour that the pen leaves on paper.");
+    changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
+    {
+        const Greyed greyed(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
+        changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
+    }
+    const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
+    removed =
+        wide_button(("Remove " + pen.name).c_str(), "Takes the pen out of the set; undo brings it back.");
+    ImGui::PopID();
+    return changed;
+}
+
+bool draw_own_pens(Palette& pens, LengthUnit unit) {
+    bool changed = false;
+    std::optional<std::size_t> gone;
+    for (std::size_t i = 0; i < pens.size(); ++i) {
+        bool removed = false;
+        changed |= draw_own_pen(pens, i, unit, removed);
+        if (removed) gone = i;
+    }
+    if (!gone || pens.size() == 1) return changed;
+    pens.erase(pens.begin() + static_cast<std::ptrdiff_t>(*gone));
+    return true;
+}
+
+// Above the list, so that it stays where it is while the list grows.
+bool draw_adding(PenChoice& pens) {
+    const Greyed greyed(pens.set != PenSet::own        ? "Of own pens only."
+                        : pens.own.size() >= kMostPens ? "There are no more pens than these."
+                                                       : nullptr);
+    if (!wide_button("Add a pen", "One more pen, in a colour that many makers have; change it as you like."))
+        return false;
+    pens.own.push_back(another(pens.own));
+    return true;
+}
+
+}  // namespace
+
+bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit) {
     if (!section("Pens")) return false;
-    const bool ink = colour_row("Ink", settings.ink, "The dots' colour, on screen and in the file.", kBlack);
-    return colour_row("Paper", settings.paper,
-                      "What lies under the dots; in a file only where you ask for it.", kWhite) ||
-           ink;
+    bool changed = draw_set(settings);
+    changed |= draw_made_set(settings.pens, unit);
+    {
+        const Greyed greyed(settings.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        changed |=
+            switch_row("Registration", settings.registration,
+                       "A cross in each corner of the page, drawn by every pen, to lay one over the other "
+                       "by. Files for plotters and PDF have them; the canvas does not show them.");
+    }
+    {
+        const Greyed greyed(settings.pens.set == PenSet::one ? nullptr
+                                                             : "Several pens have colours of their own.");
+        changed |= colour_row("Ink", settings.ink, "The dots' colour, on screen and in the file.", kBlack);
+    }
+    changed |= colour_row("Paper", settings.paper,
+                          "What lies under the dots; in a file only where you ask for it.", kWhite);
+    changed |= draw_adding(settings.pens);
+    if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens.own, unit);
+    return changed;
 }
 
 }  // namespace dapple

@@ -1,0 +1,75 @@
+#include "app/files/pdf_layers.h"
+
+#include <cassert>
+#include <qpdf/Pl_OStream.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFObjectHandle.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+#include <vector>
+
+namespace dapple {
+namespace {
+
+using Object = QPDFObjectHandle;
+
+// The page's content, to be drawn wherever it is asked for while the group is shown.
+Object form_of(QPDFPageObjectHelper& page, const Object& group) {
+    Object form = page.getObjectHandle().getKey("/Contents");
+    Object dictionary = form.getDict();
+    dictionary.replaceKey("/Type", Object::newName("/XObject"));
+    dictionary.replaceKey("/Subtype", Object::newName("/Form"));
+    dictionary.replaceKey("/BBox", page.getMediaBox());
+    dictionary.replaceKey("/Resources", page.getAttribute("/Resources", false));
+    dictionary.replaceKey("/OC", group);
+    return form;
+}
+
+}  // namespace
+
+void write_as_layers(std::ostream& out, std::string_view pages, const std::vector<std::string>& names) {
+    QPDF pdf;
+    pdf.processMemoryFile("drawing", pages.data(), pages.size());
+    QPDFPageDocumentHelper document(pdf);
+    std::vector<QPDFPageObjectHelper> all = document.getAllPages();
+    assert(all.size() == names.size());
+
+    Object groups = Object::newArray(), forms = Object::newDictionary();
+    std::string content;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Object group = pdf.makeIndirectObject(Object::newDictionary());
+        group.replaceKey("/Type", Object::newName("/OCG"));
+        group.replaceKey("/Name", Object::newUnicodeString(names[i]));
+        groups.appendItem(group);
+        const std::string name = "/Layer" + std::to_string(i + 1);
+        forms.replaceKey(name, form_of(all[i], group));
+        content += name + " Do\n";
+    }
+    Object resources = Object::newDictionary();
+    resources.replaceKey("/XObject", forms);
+    Object page = all.front().getObjectHandle();
+    page.replaceKey("/Resources", resources);
+    page.replaceKey("/Contents", Object::newStream(&pdf, content));
+    for (std::size_t i = 1; i < all.size(); ++i) document.removePage(all[i]);
+
+    // All shown at first, listed as programs list layers: the lowest last.
+    Object order = Object::newArray(), shown = Object::newDictionary(), layers = Object::newDictionary();
+    for (int i = groups.getArrayNItems(); i-- > 0;) order.appendItem(groups.getArrayItem(i));
+    shown.replaceKey("/BaseState", Object::newName("/ON"));
+    shown.replaceKey("/Order", order);
+    layers.replaceKey("/OCGs", groups);
+    layers.replaceKey("/D", shown);
+    pdf.getRoot().replaceKey("/OCProperties", layers);
+
+    Pl_OStream pipeline("drawing", out);
+    QPDFWriter writer(pdf);
+    writer.setOutputPipeline(&pipeline);
+    writer.setObjectStreamMode(qpdf_o_disable);
+    writer.setDecodeLevel(qpdf_dl_none);
+    writer.setCompressStreams(false);
+    writer.setDeterministicID(true);
+    writer.setMinimumPDFVersion("1.5");
+    writer.write();
+}
+
+}  // namespace dapple

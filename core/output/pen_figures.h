@@ -1,0 +1,45 @@
+#pragma once
+// What several pens come to, each by itself: told before they are plotted.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/analysis/local_distances.h"
+#include "core/output/plotting_time.h"
+#include "core/pens/pen.h"
+#include "core/pens/pen_dots.h"
+#include "core/placing/page.h"
+
+namespace dapple {
+
+struct PenFigures {
+    int pen = 0;  // its place in the palette
+    std::uint64_t dots = 0;
+    double pen_up_m = 0;                // from dot to dot, in metres
+    double nearest_mm = 0;              // smallest distance of two of its dots; infinite if there are not two
+    std::uint64_t nearer_than_gap = 0;  // of its dots: with another one of them nearer than Pen::gap_mm
+    PlottingTime time;
+};
+
+/// Of each piece, which is a pen's dots in the order of plotting.
+std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page, std::span<const Pen> pens,
+                                    const MachineSpeeds& speeds);
+
+/// How even the dots of several pens are, and how near each pen comes to what it is to draw.
+struct PenEvenness {
+    LocalDistances all;  // of all pens' dots together
+    struct Own {
+        LocalDistances distances;
+        double wanted = 0;  // dots that the pen's density asks for
+    };
+    std::vector<Own> each;  // as the palette
+};
+
+/// Of a whole page's dots that were placed at that scale. `corner` is theirs, in page units from the
+/// picture's.
+PenEvenness pen_evenness(const DotPieces& by_pen, glm::dvec2 corner, const PenDensities& densities,
+                         double scale);
+
+}  // namespace dapple

@@ -1,0 +1,200 @@
+#include "core/pens/pen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+
+#include "core/image/linear_colour.h"
+#include "core/text/length.h"
+#include "core/text/numbers.h"
+
+namespace dapple {
+namespace {
+
+constexpr glm::vec3 of_hex(std::uint32_t rgb) {
+    return glm::vec3(float(rgb >> 16 & 255), float(rgb >> 8 & 255), float(rgb & 255)) / 255.0f;
+}
+
+std::string_view without_spaces(std::string_view text) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+// The text cut at each of those characters.
+std::vector<std::string_view> parts_of(std::string_view text, char at) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(at);
+        parts.push_back(without_spaces(text.substr(0, end)));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+// `what`: "width".
+double pen_length(std::string_view text, const char* what) {
+    const std::optional<double> length = millimetres_of(text);
+    if (!length || !(*length > 0) || *length > kWidestPenMm)
+        throw std::runtime_error(
+            fmt::format("{} is no pen's {}; give millimetres over 0 and at most {:g}, such as 0.3", text,
+                        what, kWidestPenMm));
+    return *length;
+}
+
+double pen_width(std::string_view text) {
+    return pen_length(text, "width");
+}
+
+void check_name(std::string_view name) {
+    if (!is_pen_name(name))
+        throw std::runtime_error(fmt::format(
+            "\"{}\" is no pen's name; give up to 40 plain letters, digits, spaces and - _ . ( )", name));
+}
+
+// "Sky:#3aa0d8:0.3"
+Pen parse_pen(std::string_view text) {
+    const std::vector<std::string_view> parts = parts_of(text, ':');
+    if (parts.size() < 2 || parts.size() > 4)
+        throw std::runtime_error(fmt::format(
+            "\"{}\" is no pen; give a name, a colour and, if wanted, a width, as in Sky:#3aa0d8:0.3, and a "
+            "smallest gap between its dots, as in Sky:#3aa0d8:0.3:0.6",
+            text));
+    check_name(parts[0]);
+    Pen pen{.name = std::string(parts[0]), .colour = parse_colour(parts[1])};
+    if (parts.size() >= 3) pen.width_mm = pen_width(parts[2]);
+    if (parts.size() == 4) pen.gap_mm = pen_length(parts[3], "smallest gap");
+    return pen;
+}
+
+PenChoice own_pens(const std::vector<std::string_view>& texts) {
+    PenChoice choice{.set = PenSet::own};
+    for (const std::string_view text : texts) {
+        choice.own.push_back(parse_pen(text));
+        const std::string& name = choice.own.back().name;
+        if (std::ranges::count(choice.own, name, &Pen::name) > 1)
+            throw std::runtime_error(
+                fmt::format("two pens are called {}; give each a name of its own", name));
+    }
+    if (choice.own.empty() || choice.own.size() > kMostPens)
+        throw std::runtime_error(
+            fmt::format("{} pens are not possible; give 1 to {}", choice.own.size(), kMostPens));
+    return choice;
+}
+
+}  // namespace
+
+bool is_pen_name(std::string_view name) {
+    constexpr std::size_t kLongest = 40;
+    const auto fits = [](unsigned char c) {
+        return std::isalnum(c) || std::string_view(" -_.()").find(char(c)) != std::string_view::npos;
+    };
+    return !name.empty() && name.size() <= kLongest && without_spaces(name) == name &&
+           std::ranges::all_of(name, fits);
+}
+
+std::string_view name_of(PenSet set) {
+    constexpr std::array names{"one", "greys", "cmyk", "own", "auto"};
+    return names[static_cast<std::size_t>(set)];
+}
+
+Palette palette_of(const PenChoice& choice) {
+    if (choice.set == PenSet::own) return choice.own;
+    Palette pens;
+    if (choice.set == PenSet::greys)
+        pens = {{"Light grey", of_hex(0xbdbdbd)}, {"Grey", of_hex(0x7d7d7d)}, {"Black", of_hex(0x1d1d1b)}};
+    if (choice.set == PenSet::cmyk)
+        pens = {{"Cyan", of_hex(0x009ee3)},
+                {"Magenta", of_hex(0xe6007e)},
+                {"Yellow", of_hex(0xffed00)},
+                {"Black", of_hex(0x1d1d1b)}};
+    for (Pen& pen : pens) pen.width_mm = choice.width_mm;
+    return pens;
+}
+
+std::span<const Pen> common_pens() {
+    static const std::array<Pen, 24> pens{{
+        {"Black", of_hex(0x1d1d1b)},      {"Dark grey", of_hex(0x55565a)},   {"Grey", of_hex(0x8b8d90)},
+        {"Light grey", of_hex(0xc4c6c8)}, {"Yellow", of_hex(0xffed00)},      {"Lemon", of_hex(0xf7f06a)},
+        {"Ochre", of_hex(0xd59a2a)},      {"Orange", of_hex(0xf07d00)},      {"Apricot", of_hex(0xf9c48d)},
+        {"Red", of_hex(0xe2001a)},        {"Crimson", of_hex(0x9d1b32)},     {"Magenta", of_hex(0xe6007e)},
+        {"Pink", of_hex(0xf29fc5)},       {"Purple", of_hex(0x7a3b8f)},      {"Lilac", of_hex(0xb9a0cf)},
+        {"Blue", of_hex(0x004e9f)},       {"Ultramarine", of_hex(0x2d3a8c)}, {"Cyan", of_hex(0x009ee3)},
+        {"Ice blue", of_hex(0xa6d8ee)},   {"Turquoise", of_hex(0x00a19a)},   {"Green", of_hex(0x008d36)},
+        {"Leaf green", of_hex(0x95c11f)}, {"Brown", of_hex(0x7b4a26)},       {"Sienna", of_hex(0xb5662f)},
+    }};
+    return pens;
+}
+
+bool has_colour(const Palette& pens) {
+    constexpr float kNearlyGrey = 0.1f;
+    return std::ranges::any_of(pens, [](const Pen& pen) {
+        const auto [least, most] = std::minmax({pen.colour.r, pen.colour.g, pen.colour.b});
+        return most - least > kNearlyGrey;
+    });
+}
+
+void sort_lightest_first(Palette& pens) {
+    std::ranges::stable_sort(pens, std::ranges::greater{},
+                             [](const Pen& pen) { return luminance(linear_of(pen.colour)); });
+}
+
+PenChoice parse_pens(std::string_view text) {
+    text = without_spaces(text);
+    std::vector<std::string_view> words = parts_of(text, ':');
+    PenChoice choice;
+    const auto take_width = [&](std::size_t place) {
+        if (words.size() > place + 1)
+            throw std::runtime_error(fmt::format("{} says more than a set of pens and their width", text));
+        if (words.size() > place) choice.width_mm = pen_width(words[place]);
+        return choice;
+    };
+    for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk}) {
+        if (words[0] != name_of(set)) continue;
+        choice.set = set;
+        if (set == PenSet::one && words.size() > 1)
+            throw std::runtime_error("one takes no width; --dot-radius says how large its dots are");
+        return take_width(1);
+    }
+    if (words[0] == name_of(PenSet::automatic)) {
+        choice.set = PenSet::automatic;
+        const std::optional<int> count = words.size() > 1 ? number_of<int>(words[1]) : choice.automatic;
+        if (!count || *count < 1 || *count > int(kMostPens))
+            throw std::runtime_error(
+                fmt::format("{} is no number of pens; give 1 to {}, as in auto:4", words[1], kMostPens));
+        choice.automatic = *count;
+        return take_width(2);
+    }
+    return own_pens(parts_of(text, ','));
+}
+
+PenChoice parse_pen_list(std::string_view text) {
+    std::vector<std::string_view> lines = parts_of(text, '\n');
+    std::erase_if(
+        lines, [](std::string_view line) { return line.empty() || line.starts_with("# ") || line == "#"; });
+    return own_pens(lines);
+}
+
+std::string text_of(const PenChoice& choice) {
+    const auto with_width = [](std::string text, double width) {
+        return width > 0 ? fmt::format("{}:{:g}", text, width) : text;
+    };
+    if (choice.set == PenSet::one) return "one";
+    if (choice.set == PenSet::automatic)
+        return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm);
+    if (choice.set != PenSet::own) return with_width(std::string(name_of(choice.set)), choice.width_mm);
+    std::string text;
+    for (const Pen& pen : choice.own) {
+        text += (text.empty() ? "" : ",") +
+                with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm);
+        if (pen.width_mm > 0) text = with_width(std::move(text), pen.gap_mm);
+    }
+    return text;
+}
+
+}  // namespace dapple

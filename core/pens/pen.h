@@ -1,0 +1,72 @@
+#pragma once
+// Pens, and the sets of them that a drawing is made with.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/colour.h"
+
+namespace dapple {
+
+struct Pen {
+    std::string name;           // as its layer is called; letters, digits, spaces and - _ . ( )
+    glm::vec3 colour = kBlack;  // sRGB-encoded, 0..1: what it leaves on paper
+    double width_mm = 0;        // of its line, and so of its dots; 0: as large as the dots are drawn
+    double gap_mm = 0;          // the middles of two of its dots that are nearer run together on paper
+
+    bool operator==(const Pen&) const = default;
+};
+
+/// 1 to 40 plain letters, digits, spaces inside and - _ . ( ): what layers in files are called.
+bool is_pen_name(std::string_view name);
+
+using Palette = std::vector<Pen>;
+
+inline constexpr std::size_t kMostPens = 12;
+/// The least and the most that a pen's width may be.
+inline constexpr double kFinestPenMm = 0.001, kWidestPenMm = 50;
+
+enum class PenSet {
+    one,        // ink
+    greys,      // three
+    cmyk,       // with the colours of process inks on coated paper, in sRGB
+    own,        // any
+    automatic,  // those of common_pens() that draw the picture best
+};
+/// "one", "greys", "cmyk", "own", "auto".
+std::string_view name_of(PenSet set);
+
+struct PenChoice {
+    PenSet set = PenSet::one;
+    int automatic = 4;    // how many, 1..kMostPens
+    double width_mm = 0;  // of all pens of a set that is not one's own; 0: as large as the dots are drawn
+    Palette own = {};
+
+    bool operator==(const PenChoice&) const = default;
+};
+
+/// What the choice says; none for one pen, and for automatic ones, which depend on the picture.
+Palette palette_of(const PenChoice& choice);
+
+/// Two dozen colours that many makers of fibre pens have.
+std::span<const Pen> common_pens();
+
+/// Whether one of them is neither a grey nor nearly one, as black inks are.
+bool has_colour(const Palette& pens);
+
+/// The lightest first, so that a pen's tip never drags a darker ink along; of equal ones, as they come.
+void sort_lightest_first(Palette& pens);
+
+/// What --pens takes: "one", "greys", "cmyk", "auto:5", each with a width as in "cmyk:0.3mm"; or own pens,
+/// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,
+/// Ochre:#c08a2e:0.5". Throws std::runtime_error saying what is wrong.
+PenChoice parse_pens(std::string_view text);
+/// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
+PenChoice parse_pen_list(std::string_view text);
+/// The same text again.
+std::string text_of(const PenChoice& choice);
+
+}  // namespace dapple

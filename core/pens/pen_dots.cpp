@@ -1,0 +1,150 @@
+#include "core/pens/pen_dots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/placing/dot_order.h"
+#include "core/placing/pieces.h"
+#include "core/placing/placer_memory.h"
+#include "core/relaxing/relax.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kMovingRounds = 4;  // of exchanging and moving
+constexpr int kFirstSweeps = 24;  // of exchanging
+constexpr int kSweeps = 12;
+constexpr float kForAll = 0.65f;       // of a move; the rest is for the pen's own dots
+constexpr float kFarthestOwn = 0.22f;  // that a dot moves for its own pen, over the distance between dots
+
+// All dots in one piece, near ones near each other.
+Dots along_curve(const DotPieces& dots) {
+    Dots all;
+    for (const Dots& piece : dots.pieces) append(all, piece);
+    sort_dots(all, DotOrder::space);
+    return all;
+}
+
+class Sharing {
+ public:
+    Sharing(Dots& dots, const PenDensities& densities, const PenDotsRequest& request)
+        : dots_(dots), densities_(densities), request_(request) {
+        look();
+    }
+
+    DotsToShare to_share() const { return {dots_, shares_, area_, densities_.each.size()}; }
+
+    // Each dot goes towards the middle of its Voronoi cell, some of the way that among all dots and some of
+    // the way that among its own pen's. False if stopped.
+    bool move(const PenLabels& labels, float for_all, const std::stop_token& stop) {
+        Dots to = stepped(dots_, *densities_.all, stop);
+        if (stop.stop_requested()) return false;
+        for (std::size_t i = 0; i < dots_.size(); ++i) {
+            to.x[i] = dots_.x[i] + for_all * (to.x[i] - dots_.x[i]);
+            to.y[i] = dots_.y[i] + for_all * (to.y[i] - dots_.y[i]);
+        }
+        for (std::size_t pen = 0; pen < densities_.each.size() && for_all < 1; ++pen) {
+            Dots own;
+            std::vector<std::size_t> numbers;
+            for (std::size_t i = 0; i < dots_.size(); ++i) {
+                if (labels[i] != pen) continue;
+                own.x.push_back(dots_.x[i]);
+                own.y.push_back(dots_.y[i]);
+                numbers.push_back(i);
+            }
+            if (own.size() < 2) continue;
+            const Dots moved = stepped(own, *densities_.each[pen], stop);
+            if (stop.stop_requested()) return false;
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const std::size_t i = numbers[k];
+                const float dx = moved.x[k] - own.x[k], dy = moved.y[k] - own.y[k];
+                const float way = std::hypot(dx, dy), most = kFarthestOwn * std::sqrt(area_[i]);
+                const float share = (1 - for_all) * (way > most ? most / way : 1.0f);
+                to.x[i] += share * dx;
+                to.y[i] += share * dy;
+            }
+        }
+        const double longer = densities_.all->longer_side();
+        const auto right = static_cast<float>(densities_.all->width() / longer);
+        const auto bottom = static_cast<float>(densities_.all->height() / longer);
+        for (std::size_t i = 0; i < dots_.size(); ++i) {
+            dots_.x[i] = std::clamp(to.x[i], 0.0f, std::nextafter(right, 0.0f));
+            dots_.y[i] = std::clamp(to.y[i], 0.0f, std::nextafter(bottom, 0.0f));
+        }
+        look();
+        return true;
+    }
+
+ private:
+    Dots stepped(const Dots& dots, const Density& density, const std::stop_token& stop) const {
+        Relaxation relaxation(in_one_piece(dots), density,
+                              {.scale = request_.scale, .threads = request_.threads});
+        relaxation.step(stop);
+        return relaxation.dots_as_taken();
+    }
+
+    // What there is where the dots lie now.
+    void look() {
+        constexpr std::size_t kAtOnce = 4096;
+        shares_.resize(dots_.size());
+        area_.resize(dots_.size());
+        const double full = kDotsPerScale * request_.scale;
+        for_each_on_threads(
+            (dots_.size() + kAtOnce - 1) / kAtOnce, threads_for(request_.threads), [&](std::size_t part) {
+                const std::size_t last = std::min(dots_.size(), (part + 1) * kAtOnce);
+                for (std::size_t i = part * kAtOnce; i < last; ++i) {
+                    const glm::dvec2 place(dots_.x[i], dots_.y[i]);
+                    shares_[i] = densities_.shares_at(place);
+                    area_[i] = static_cast<float>(1 / (full * std::max(densities_.all->at(place), 1e-4)));
+                }
+            });
+    }
+
+    Dots& dots_;
+    const PenDensities& densities_;
+    const PenDotsRequest& request_;
+    std::vector<Shares> shares_;
+    std::vector<float> area_;
+};
+
+}  // namespace
+
+Shares PenDensities::shares_at(glm::dvec2 place) const {
+    Shares shares{};
+    double sum = 0;
+    for (std::size_t pen = 0; pen < each.size(); ++pen) {
+        const double density = each[pen]->at(place);
+        shares[pen] = static_cast<float>(density);
+        sum += density;
+    }
+    for (std::size_t pen = 0; pen < each.size(); ++pen)
+        shares[pen] =
+            sum > 0 ? static_cast<float>(shares[pen] / sum) : 1.0f / static_cast<float>(each.size());
+    return shares;
+}
+
+DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const PenDotsRequest& request,
+                   const std::stop_token& stop) {
+    Dots dots = along_curve(placed);
+    Sharing sharing(dots, densities, request);
+    PenLabels labels = shared_out(sharing.to_share());
+    exchange_labels(sharing.to_share(), labels, kFirstSweeps, request.threads);
+    for (int round = 0; request.move && round < kMovingRounds; ++round) {
+        if (!sharing.move(labels, kForAll, stop)) return {};
+        exchange_labels(sharing.to_share(), labels, kSweeps, request.threads);
+    }
+    if (stop.stop_requested()) return {};
+    DotPieces pieces;
+    pieces.pieces.resize(densities.each.size());
+    for (std::size_t pen = 0; pen < pieces.pieces.size(); ++pen)
+        pieces.pieces[pen].pen = static_cast<int>(pen);
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        Dots& piece = pieces.pieces[labels[i]];
+        for (FloatBuffer Dots::*column :
+             {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical, &Dots::radius})
+            if (!(dots.*column).empty()) (piece.*column).push_back((dots.*column)[i]);
+    }
+    return pieces;
+}
+
+}  // namespace dapple

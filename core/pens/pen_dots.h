@@ -1,0 +1,41 @@
+#pragma once
+// The dots of all pens as one drawing: no two of any pens lie closer than a drawing with one pen has them,
+// and each pen's own are even too.
+//
+//      dots as placed and relaxed ──► shared out along a Hilbert curve ──► pens exchanged between near dots
+//                                                       ▲                            │
+//                                                       └── dots moved for both ◄────┘   (a few times)
+//
+// Layers made one by one would collide wherever two pens draw; screens at angles make moire.
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/image/density.h"
+#include "core/pens/pen_labels.h"
+
+namespace dapple {
+
+/// Of a page, for dots to be shared out by: each pen's density, whose sum is that of all dots.
+struct PenDensities {
+    std::shared_ptr<const Density> all;
+    std::vector<std::shared_ptr<const Density>> each;  // lightest pen first, as the palette
+
+    /// The shares of the dots at a place, 1 together; alike for all where there are to be none.
+    Shares shares_at(glm::dvec2 place) const;
+};
+
+struct PenDotsRequest {
+    double scale = 0;  // that the dots were placed at
+    bool move = true;  // else the dots stay where they are
+    int threads = 1;   // the result is the same for any number; 0: all cores
+};
+
+/// A piece for each pen, in the order of the palette; Dots::pen says which. Dots keep their other columns.
+/// No pieces if stopped.
+DotPieces pen_dots(const DotPieces& dots, const PenDensities& densities, const PenDotsRequest& request,
+                   const std::stop_token& stop = {});
+
+}  // namespace dapple

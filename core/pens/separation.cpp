@@ -1,0 +1,247 @@
+#include "core/pens/separation.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+#include "core/image/linear_colour.h"
+
+namespace dapple {
+namespace {
+
+constexpr int kLattice = 33;  // colours along each axis, at equal steps of the square root
+constexpr double kHueWeight = 1, kStrengthWeight = 0.2;  // over that of luminance
+constexpr double kFaint = 0.02;    // strength of a colour, linear, below which its hue matters less and less
+constexpr double kSumWeight = 30;  // of the shares' sum being 1 with the bare paper
+constexpr double kSmallness = 0.0001;  // of the sum of squares
+constexpr std::size_t kMostUnknowns = kMostPens + 1;
+
+using Vector = std::array<double, kMostUnknowns>;
+using Matrix = std::array<Vector, kMostUnknowns>;
+
+// How far apart linear colours are, near a goal: by their luminance, by their hue and by how strong they are.
+class ColourErrors {
+ public:
+    explicit ColourErrors(glm::dvec3 goal) {
+        const glm::dvec2 colour = against_grey(goal);
+        const double strength = glm::length(colour);
+        if (strength > 0) along_ = colour / strength;
+        hue_weight_ = std::lerp(kStrengthWeight, kHueWeight, strength / (strength + kFaint));
+    }
+
+    /// Their difference is the error.
+    glm::dvec3 weighed(glm::dvec3 colour) const {
+        const glm::dvec2 own = against_grey(colour);
+        return {luminance_of(colour), kStrengthWeight * glm::dot(own, along_),
+                hue_weight_ * (own.y * along_.x - own.x * along_.y)};
+    }
+
+ private:
+    static double luminance_of(glm::dvec3 colour) {
+        return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
+    }
+    // Red and blue, less the grey of the same luminance.
+    static glm::dvec2 against_grey(glm::dvec3 colour) {
+        return glm::dvec2(colour.r, colour.b) - luminance_of(colour);
+    }
+
+    glm::dvec2 along_{1, 0};
+    double hue_weight_;
+};
+
+// Solves a symmetric positive definite system of the chosen unknowns, by Cholesky.
+void solve_chosen(const Matrix& a, const Vector& b, std::span<const std::size_t> chosen, Vector& x) {
+    Matrix l{};
+    Vector y{};
+    const std::size_t n = chosen.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            double sum = a[chosen[i]][chosen[j]];
+            for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
+            l[i][j] = i == j ? std::sqrt(std::max(sum, 1e-12)) : sum / l[j][j];
+        }
+        double sum = b[chosen[i]];
+        for (std::size_t k = 0; k < i; ++k) sum -= l[i][k] * y[k];
+        y[i] = sum / l[i][i];
+    }
+    for (std::size_t i = n; i-- > 0;) {
+        double sum = y[i];
+        for (std::size_t k = i + 1; k < n; ++k) sum -= l[k][i] * x[chosen[k]];
+        x[chosen[i]] = sum / l[i][i];
+    }
+}
+
+// Non-negative least squares from the normal equations (Lawson & Hanson 1974, chapter 23).
+Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n) {
+    Vector x{};
+    std::array<bool, kMostUnknowns> free{};
+    for (std::size_t round = 0; round < 4 * n; ++round) {
+        std::size_t best = n;
+        double steepest = 1e-10;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (free[i]) continue;
+            double slope = b[i];
+            for (std::size_t j = 0; j < n; ++j) slope -= a[i][j] * x[j];
+            if (slope > steepest) steepest = slope, best = i;
+        }
+        if (best == n) break;
+        free[best] = true;
+        for (std::size_t inner = 0; inner <= n; ++inner) {
+            std::array<std::size_t, kMostUnknowns> chosen{};
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < n; ++i)
+                if (free[i]) chosen[count++] = i;
+            Vector z{};
+            solve_chosen(a, b, std::span(chosen).first(count), z);
+            double way = 1;
+            for (std::size_t i = 0; i < n; ++i)
+                if (free[i] && z[i] <= 0) way = std::min(way, x[i] / std::max(x[i] - z[i], 1e-300));
+            for (std::size_t i = 0; i < n; ++i) {
+                if (!free[i]) continue;
+                x[i] += way * (z[i] - x[i]);
+                if (way < 1 && x[i] <= 1e-12) x[i] = 0, free[i] = false;
+            }
+            if (way >= 1) break;
+        }
+    }
+    return x;
+}
+
+std::size_t lattice_index(int r, int g, int b) {
+    return static_cast<std::size_t>((r * kLattice + g) * kLattice + b);
+}
+
+}  // namespace
+
+PenMixer::PenMixer(std::span<const Pen> pens, glm::vec3 paper) : paper_(linear_of(paper)) {
+    for (const Pen& pen : pens) pens_.push_back(linear_of(pen.colour));
+}
+
+Shares PenMixer::solve(glm::vec3 aim) const {
+    const std::size_t n = pens_.size() + 1;  // the bare paper last
+    std::array<glm::dvec3, kMostUnknowns> columns{};
+    const ColourErrors errors{glm::dvec3(aim)};
+    for (std::size_t i = 0; i < pens_.size(); ++i) columns[i] = errors.weighed(glm::dvec3(pens_[i]));
+    columns[n - 1] = errors.weighed(glm::dvec3(paper_));
+    const glm::dvec3 goal = errors.weighed(glm::dvec3(aim));
+    Matrix a{};
+    Vector b{};
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) a[i][j] = glm::dot(columns[i], columns[j]) + kSumWeight;
+        if (i + 1 < n) a[i][i] += kSmallness;
+        b[i] = glm::dot(columns[i], goal) + kSumWeight;
+    }
+    const Vector x = non_negative_solution(a, b, n);
+    const double sum = std::accumulate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n), 0.0);
+    Shares shares{};
+    for (std::size_t i = 0; i < pens_.size(); ++i) shares[i] = static_cast<float>(x[i] / std::max(sum, 1e-9));
+    return shares;
+}
+
+glm::vec3 PenMixer::seen(const Shares& shares) const {
+    glm::vec3 colour = paper_;
+    for (std::size_t i = 0; i < pens_.size(); ++i) colour += shares[i] * (pens_[i] - paper_);
+    return colour;
+}
+
+Separation::Separation(std::span<const Pen> pens, glm::vec3 paper) : mixer_(pens, paper) {
+    darkest_ = lightest_ = mixer_.paper();
+    for (const glm::vec3 pen : mixer_.pens()) {
+        // Of a coloured pen, the grey as dark or as light: it is not to colour the whole picture.
+        if (luminance(pen) < luminance(darkest_)) darkest_ = glm::vec3(luminance(pen));
+        if (luminance(pen) > luminance(lightest_)) lightest_ = glm::vec3(luminance(pen));
+    }
+    lattice_.resize(kLattice * kLattice * kLattice);
+    const auto light = [](int step) {
+        const float root = static_cast<float>(step) / (kLattice - 1);
+        return root * root;
+    };
+    tbb::parallel_for(0, kLattice, [&](int r) {
+        for (int g = 0; g < kLattice; ++g)
+            for (int b = 0; b < kLattice; ++b)
+                lattice_[lattice_index(r, g, b)] = mixer_.solve(aim({light(r), light(g), light(b)}));
+    });
+}
+
+Shares Separation::shares(glm::vec3 colour) const {
+    // Tetrahedra between eight lattice colours: from one corner along the axes in the order of what is left.
+    std::array<int, 3> at{};
+    std::array<float, 3> rest{};
+    for (int i = 0; i < 3; ++i) {
+        const float c = colour[i] > 0 ? std::min(colour[i], 1.0f) : 0.0f;  // NaN is dark
+        const float place = std::sqrt(c) * (kLattice - 1);
+        at[i] = std::min(static_cast<int>(place), kLattice - 2);
+        rest[i] = place - static_cast<float>(at[i]);
+    }
+    std::array<int, 3> axes{0, 1, 2};
+    std::ranges::sort(axes, [&](int a, int b) { return rest[a] > rest[b]; });
+    Shares result{};
+    float before = 1;
+    for (int corner = 0; corner <= 3; ++corner) {
+        const float next = corner < 3 ? rest[axes[corner]] : 0.0f;
+        const Shares& there = lattice_[lattice_index(at[0], at[1], at[2])];
+        for (std::size_t k = 0; k < mixer_.pens().size(); ++k) result[k] += (before - next) * there[k];
+        before = next;
+        if (corner < 3) ++at[axes[corner]];
+    }
+    return result;
+}
+
+glm::vec3 oklab_of(glm::vec3 c) {
+    const float l = std::cbrt(0.4122214708f * c.r + 0.5363325363f * c.g + 0.0514459929f * c.b);
+    const float m = std::cbrt(0.2119034982f * c.r + 0.6806995451f * c.g + 0.1073969566f * c.b);
+    const float s = std::cbrt(0.0883024619f * c.r + 0.2817188376f * c.g + 0.6299787005f * c.b);
+    return {0.2104542553f * l + 0.7936177850f * m - 0.0040720468f * s,
+            1.9779984951f * l - 2.4285922050f * m + 0.4505937099f * s,
+            0.0259040371f * l + 0.7827717662f * m - 0.8086757660f * s};
+}
+
+namespace {
+
+// Mean squared distance in OKLab between the colours and their mixtures. On a scale from black to the paper,
+// not to the pens' own darkest, so that a set without dark pens pays for it.
+double error_of(const Palette& pens, std::span<const glm::vec3> colours, glm::vec3 paper) {
+    const PenMixer mixer(pens, paper);
+    double sum = 0;
+    for (const glm::vec3 colour : colours) {
+        const glm::vec3 aim = colour * linear_of(paper);
+        const glm::vec3 away = oklab_of(mixer.seen(mixer.solve(aim))) - oklab_of(aim);
+        sum += glm::dot(away, away);
+    }
+    return sum;
+}
+
+}  // namespace
+
+Palette best_pens(std::span<const glm::vec3> colours, std::span<const Pen> candidates, int count,
+                  glm::vec3 paper) {
+    // The candidate that is best in that place beside the others.
+    const auto best_in = [&](const Palette& pens, std::size_t place) {
+        std::vector<double> errors(candidates.size(), std::numeric_limits<double>::infinity());
+        tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+            Palette with = pens;
+            with.resize(std::max(with.size(), place + 1));
+            with[place] = {};
+            if (std::ranges::find(with, candidates[i].name, &Pen::name) != with.end()) return;
+            with[place] = candidates[i];
+            errors[i] = error_of(with, colours, paper);
+        });
+        return candidates[static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin())];
+    };
+    Palette chosen;
+    const std::size_t wanted = std::min(static_cast<std::size_t>(count), candidates.size());
+    while (chosen.size() < wanted) {
+        const Pen next = best_in(chosen, chosen.size());
+        chosen.push_back(next);
+    }
+    // Those chosen first did not know the later ones.
+    for (std::size_t place = 0; place + 1 < wanted; ++place) chosen[place] = best_in(chosen, place);
+    return chosen;
+}
+
+}  // namespace dapple

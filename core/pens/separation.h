@@ -1,0 +1,72 @@
+#pragma once
+// Which share of the paper each pen covers, for a colour to be seen from afar.
+//
+// Dots of opaque ink lie side by side, so light adds up by area: the colour seen is the paper's, as far as it
+// is bare, and each pen's as far as it covers, in linear light. (Neugebauer's equations of 1937 without
+// overprints.) The shares are those whose colour errs least, none below 0 and all together at most 1; of the
+// many that do so the smallest in the sum of squares, so that they change smoothly where the colour does.
+// Colours that no mixture reaches get paler rather than darker, lighter or of another hue: an error in
+// luminance or hue weighs more than one in how strong the colour is.
+//
+// The picture's black to white is mapped onto the darkest to the lightest of the pens and the paper, so that
+// every set of pens gives all the contrast it can.
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/pens/pen.h"
+
+namespace dapple {
+
+/// A share of the paper for each pen, 0..1; beyond the last pen 0.
+using Shares = std::array<float, kMostPens>;
+
+/// Pens on a paper, side by side.
+class PenMixer {
+ public:
+    /// 1..kMostPens pens; colours sRGB-encoded.
+    PenMixer(std::span<const Pen> pens, glm::vec3 paper);
+
+    /// What those shares look like; linear.
+    glm::vec3 seen(const Shares& shares) const;
+    /// The shares that come nearest to that linear colour.
+    Shares solve(glm::vec3 aim) const;
+
+    std::span<const glm::vec3> pens() const { return pens_; }  // linear
+    glm::vec3 paper() const { return paper_; }
+
+ private:
+    std::vector<glm::vec3> pens_;
+    glm::vec3 paper_;
+};
+
+class Separation {
+ public:
+    Separation(std::span<const Pen> pens, glm::vec3 paper);
+
+    /// Of a colour of the picture, linear, 0..1; clamped. Between the solutions on a lattice of 33 colours
+    /// along each axis, in tetrahedra.
+    Shares shares(glm::vec3 colour) const;
+
+    /// What a colour of the picture is to look like on this paper; linear.
+    glm::vec3 aim(glm::vec3 colour) const { return darkest_ + (lightest_ - darkest_) * colour; }
+    const PenMixer& mixer() const { return mixer_; }
+
+ private:
+    PenMixer mixer_;
+    glm::vec3 darkest_, lightest_;
+    std::vector<Shares> lattice_;
+};
+
+/// As many of the candidates as asked for whose mixtures come nearest to the colours (linear, 0..1): each the
+/// one that lowers the mean squared distance in OKLab (Ottosson 2020) most, beside those chosen before it,
+/// and then once more beside all the others.
+Palette best_pens(std::span<const glm::vec3> colours, std::span<const Pen> candidates, int count,
+                  glm::vec3 paper);
+
+/// OKLab of a linear colour.
+glm::vec3 oklab_of(glm::vec3 linear);
+
+}  // namespace dapple

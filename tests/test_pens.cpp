@@ -1,0 +1,173 @@
+// Sets of pens, their separation, and the dots that they share.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/analysis/distances.h"
+#include "core/image/linear_colour.h"
+#include "core/pens/pen_dots.h"
+#include "core/placing/stipple.h"
+#include "core/relaxing/relax.h"
+#include "core/tile/ranking.h"
+
+using namespace dapple;
+
+namespace {
+
+// Density 1/2 all over the square, shared out in fixed proportions.
+PenDensities constant_densities(const std::vector<float>& shares) {
+    PenDensities densities{std::make_shared<const Density>(Grid<float>(32, 32, 0.5f)), {}};
+    for (const float share : shares)
+        densities.each.push_back(std::make_shared<const Density>(Grid<float>(32, 32, 0.5f * share)));
+    return densities;
+}
+
+Stippling relaxed_dots(const Density& density, std::uint64_t count) {
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
+    Stippling result;
+    REQUIRE(stipple(tile, density, PlacerKind::exact, {.count = count}, result));
+    REQUIRE(relax(result.dots, density, 5, {.scale = result.scale}));
+    return result;
+}
+
+std::vector<glm::dvec2> places_of(const DotPieces& dots) {
+    std::vector<glm::dvec2> places;
+    for_each_position(dots, [&](float x, float y) { places.emplace_back(x, y); });
+    return places;
+}
+
+}  // namespace
+
+TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
+    for (const char* text : {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5",
+                             "Sky:#3aa0d8:0.3,Dark ochre:#805010", "Sky:#3aa0d8:0.3:0.6,Ink:#101010"})
+        CHECK(text_of(parse_pens(text)) == text);
+    CHECK(parse_pens("cmyk:0.5in").width_mm == doctest::Approx(12.7));
+    CHECK(parse_pen_list("# mine\n\nSky:#3aa0d8:0.3\n Ochre : #805010\n") ==
+          parse_pens("Sky:#3aa0d8:0.3,Ochre:#805010"));
+    for (const char* text :
+         {"", "rgb", "cmyk:0", "cmyk:1:2", "auto:0", "auto:13", "auto:x", "one:0.3", "Sky:#3aa0d8:thin",
+          "Sky:blue", "<b>:#123456", "A:#111,A:#222", "A:#111:1:2:3", "A:#111:1:0", "A:#111:1:far"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_pens(text), std::runtime_error);
+    }
+    Palette pens = palette_of(parse_pens("cmyk"));
+    sort_lightest_first(pens);
+    CHECK(pens.front().name == "Yellow");
+    CHECK(pens.back().name == "Black");
+}
+
+TEST_CASE("one pen's share of paper is what the linear light asks for") {
+    const Pen black{.name = "Black"};
+    const PenMixer mixer(std::span(&black, 1), kWhite);
+    for (const float light : {0.0f, 0.2f, 0.5f, 1.0f})
+        CHECK(mixer.solve(glm::vec3(light))[0] == doctest::Approx(1 - light).epsilon(0.02));
+}
+
+TEST_CASE("what a mixture of pens looks like is separated into shares that look the same") {
+    const Palette pens = palette_of(parse_pens("cmyk"));
+    const glm::vec3 paper = parse_colour("#f1ead8");
+    const PenMixer mixer(pens, paper);
+    std::mt19937 random(1);
+    for (int k = 0; k < 200; ++k) {
+        Shares shares{};
+        float sum = 0.2f;  // of bare paper
+        for (std::size_t pen = 0; pen < pens.size(); ++pen)
+            sum += shares[pen] = static_cast<float>(random() % 1000) / 1000.0f;
+        glm::vec3 light = linear_of(paper) * (0.2f / sum);
+        for (std::size_t pen = 0; pen < pens.size(); ++pen)
+            light += linear_of(pens[pen].colour) * (shares[pen] / sum);
+        const Shares found = mixer.solve(light);
+        CHECK(*std::ranges::min_element(found) >= 0);
+        CHECK(std::accumulate(found.begin(), found.end(), 0.0f) <= 1.0f + 1e-5f);
+        CHECK(glm::length(mixer.seen(found) - light) < 0.01f);
+    }
+    // Between the lattice's colours too.
+    const Separation separation(pens, paper);
+    for (int k = 0; k < 200; ++k) {
+        const glm::vec3 colour =
+            glm::vec3(float(random() % 1000), float(random() % 1000), float(random() % 1000)) / 1000.0f;
+        const glm::vec3 exact = mixer.seen(mixer.solve(separation.aim(colour)));
+        CHECK(glm::length(mixer.seen(separation.shares(colour)) - exact) < 0.02f);
+    }
+}
+
+TEST_CASE("a colour that no mixture reaches gets paler, and keeps its hue and lightness") {
+    const PenMixer mixer(palette_of(parse_pens("cmyk")), kWhite);
+    for (const glm::vec3 aim :
+         {glm::vec3(0.4f, 0.06f, 0.02f), glm::vec3(0.05f, 0.3f, 0.03f), glm::vec3(0.03f, 0.05f, 0.3f)}) {
+        const glm::vec3 seen = mixer.seen(mixer.solve(aim));
+        CHECK(luminance(seen) == doctest::Approx(luminance(aim)).epsilon(0.05));
+        const glm::vec3 asked = oklab_of(aim), got = oklab_of(seen);
+        const float turned = std::remainder(std::atan2(got.z, got.y) - std::atan2(asked.z, asked.y),
+                                            2 * std::numbers::pi_v<float>);
+        CHECK(std::abs(turned) < 0.35f);
+        CHECK(std::hypot(got.y, got.z) < std::hypot(asked.y, asked.z));
+    }
+}
+
+TEST_CASE("of the pens of a picture in two colours the two are chosen") {
+    const std::vector<glm::vec3> colours{linear_of(common_pens()[9].colour),
+                                         linear_of(common_pens()[15].colour)};
+    Palette chosen = best_pens(colours, common_pens(), 2, kWhite);
+    std::ranges::sort(chosen, {}, &Pen::name);
+    CHECK(chosen[0].name == "Blue");
+    CHECK(chosen[1].name == "Red");
+}
+
+TEST_CASE("pens share dots in their proportions, all of them even and each pen's own too") {
+    const std::vector<float> shares{0.5f, 0.3f, 0.2f};
+    const PenDensities densities = constant_densities(shares);
+    const Stippling from = relaxed_dots(*densities.all, 6000);
+    const DotPieces dots = pen_dots(from.dots, densities, {.scale = from.scale});
+    REQUIRE(dots.pieces.size() == 3);
+    const Domain page{1, 1, Topology::window};
+    for (std::size_t pen = 0; pen < 3; ++pen) {
+        CHECK(dots.pieces[pen].pen == static_cast<int>(pen));
+        CHECK(std::abs(static_cast<double>(dots.pieces[pen].size()) - 6000.0 * shares[pen]) <= 2);
+        DotPieces own;
+        own.pieces.push_back(dots.pieces[pen]);
+        const NearestSummary evenness = nearest_summary(places_of(own), page);
+        CHECK(evenness.p1 > 0.5);
+        CHECK(evenness.mean > 0.74);
+    }
+    const NearestSummary all = nearest_summary(places_of(dots), page);
+    CHECK(all.p1 > 0.65);
+    CHECK(all.mean > 0.84);
+
+    const DotPieces on_three = pen_dots(from.dots, densities, {.scale = from.scale, .threads = 3});
+    CHECK(places_of(on_three) == places_of(dots));
+    // Left where they are they are the same dots.
+    const DotPieces still = pen_dots(from.dots, densities, {.scale = from.scale, .move = false});
+    const auto sorted = [](std::vector<glm::dvec2> places) {
+        std::ranges::sort(
+            places, [](glm::dvec2 a, glm::dvec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+        return places;
+    };
+    CHECK(sorted(places_of(still)) == sorted(places_of(from.dots)));
+}
+
+TEST_CASE("a pen has no dots where it has no share") {
+    // Left half the first pen's, right half the second's.
+    Grid<float> left(32, 32), right(32, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) (x < 16 ? left : right).at(x, y) = 0.5f;
+    PenDensities densities{std::make_shared<const Density>(Grid<float>(32, 32, 0.5f)), {}};
+    densities.each = {std::make_shared<const Density>(std::move(left)),
+                      std::make_shared<const Density>(std::move(right))};
+    const Stippling from = relaxed_dots(*densities.all, 2000);
+    const DotPieces dots = pen_dots(from.dots, densities, {.scale = from.scale, .move = false});
+    // Over the pixel between the two, both have a share.
+    for (const float x : dots.pieces[0].x) CHECK(x < 16.5f / 32);
+    for (const float x : dots.pieces[1].x) CHECK(x >= 15.5f / 32);
+}
