@@ -16,6 +16,7 @@
 #include "app/commands/lights.h"
 #include "app/commands/manual.h"
 #include "app/commands/options.h"
+#include "app/commands/record.h"
 #include "app/commands/render_command.h"
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     const dapple::RenderCommand render(program);
+    const dapple::RecordCommand record(program);
     const dapple::ReproduceCommand reproduce(program);
     const dapple::AnalyseCommand analyse(program);
     const dapple::LightsCommand lights(program);

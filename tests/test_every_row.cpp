@@ -95,7 +95,8 @@ std::vector<PanelToTest> all_panels(Everything& one) {
          }},
         {"pens", [&] { draw_pen_panel(drawing); }},
         {"method",
-         [&, view] {
+         [&, nothing, view] {
+             draw_film_buttons(nothing);
              draw_method_rows(all, {kTiles});
              draw_compare_panel(all, {kTiles});
              draw_tile_panel(view, one.tile);

@@ -1,5 +1,5 @@
 #pragma once
-// A page as a picture in memory: small ones, to be shown.
+// A page as a picture in memory: small ones, to be shown or to be part of a film.
 
 #include "app/drawing_settings.h"
 #include "app/files/save_drawing.h"

@@ -51,6 +51,11 @@ void Canvas::fit() {
     fitted_ = true;
 }
 
+void Canvas::look(const Camera& camera) {
+    camera_ = resized(camera, camera_.canvas);
+    fitted_ = false;
+}
+
 void Canvas::zoom_to(double pixels_per_unit) {
     zoom(pixels_per_unit / camera_.pixels_per_unit);
 }

@@ -42,12 +42,16 @@ class Canvas {
     void set_picture(Side side, PictureLevels levels);
 
     void fit();
+    /// Through another camera, on this canvas.
+    void look(const Camera& camera);
     /// So many pixels for the page's longer side, about the middle.
     void zoom_to(double pixels_per_unit);
     void zoom(double factor);
     /// Moved as when the page is dragged by so many of the canvas's shorter sides.
     void pan(glm::dvec2 sides);
     const Camera& camera() const { return camera_; }
+    /// Whether the page fills it whatever its size, until the person zooms or moves.
+    bool is_fitted() const { return fitted_; }
     /// How many times larger than fitted.
     double enlargement() const;
 

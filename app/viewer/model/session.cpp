@@ -1,5 +1,6 @@
 #include "app/viewer/model/session.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
@@ -8,6 +9,7 @@
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
+#include "app/film/save_film.h"
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/change_words.h"
@@ -64,8 +66,8 @@ void Session::name_changes() {
 }
 
 DotsRequest Session::page_request() const {
-    DotsRequest request = dots_request(settings);
-    request.drawing.most_dots = most_dots_;
+    DotsRequest request = film ? film_request(settings, *film) : dots_request(settings);
+    request.drawing.most_dots = std::min(request.drawing.most_dots, most_dots_);
     if (cropping) {
         // All of the picture: filling the paper would cut its edges off, and the frame's with them.
         request.drawing.page.crop.reset();
@@ -231,6 +233,39 @@ void Session::save(const fs::path& path) {
     pane_.worker().save(path, prepare);
 }
 
+void Session::play(FilmKind kind) {
+    if (!placed_once()) return;
+    const std::uint64_t dots =
+        film && film->kind == FilmKind::growth ? film->dots : pane_.page().stippling.dots.size();
+    film = PlayedFilm{.kind = kind,
+                      .seconds = film ? film->seconds : 8,
+                      .dots = std::clamp<std::uint64_t>(dots, 1, kMostFilmDots)};
+    cropping = false;
+}
+
+void Session::save_film(const fs::path& path) {
+    if (!film) return;
+    const FilmChoice choice{
+        .kind = film->kind,
+        .seconds = film->seconds,
+        .machine = settings.saving.machine.value_or(usual_machine(DrawingFormat::svg, settings.saving.tool)),
+        .order = settings.saving.order};
+    film_path_ = path;
+    // With a bench of its own, so that films are drawn beside further placing.
+    const auto draw = [choice, path, read = picture_.read, drawing = settings.drawing,
+                       density = settings.density](const SavingWatch& watch) {
+        Workbench bench;
+        Picture picture = read();
+        bench.set_picture(std::move(picture.light), picture.exposure, std::move(picture.colours));
+        const DrawingSettings filmed = film_settings(drawing, choice.kind);
+        static_cast<void>(bench.plan(dots_request(filmed, density)));
+        const FilmFrame frame =
+            film_frames(bench.pipeline(), filmed, choice, {.stop = watch.stop, .progress = {}});
+        return frame && dapple::save_film(path, frame, choice, watch);
+    };
+    pane_.worker().save(path, [draw](Workbench&, const std::stop_token&) -> WriteFile { return draw; });
+}
+
 void Session::request_dots(const Zoom& zoom) {
     const RequestAgain again = settings.every_frame ? RequestAgain::always : RequestAgain::when_changed;
     // In every frame, but not before the last one is there: it would never be.
@@ -314,6 +349,11 @@ void Session::take(DotsPlaced& event) {
     placing_failed_ = !event.error.empty();
     if (event.error.empty() && event.request == pane_.page_requested())
         placed_settings_ = requested_settings_;
+    const bool levels =
+        film && film->kind == FilmKind::levels && event.request.colours.colouring == DotColouring::level;
+    if (levels && event.error.empty())
+        film->deepest = deepest_level(event.drawing.stippling.dots,
+                                      event.tile ? event.tile->points.size() : pane_.tile_size());
     pane_.take(event);
 }
 
@@ -325,7 +365,7 @@ void Session::take(TaskFailed& event) {
 }
 
 void Session::take(DrawingSaved& event) {
-    saved_path_ = event.path;
+    if (event.path != film_path_) saved_path_ = event.path;
     banner = {BannerKind::notice, "Saved " + event.path.string()};
 }
 

@@ -17,6 +17,7 @@
 #include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/pane.h"
+#include "app/viewer/model/played_film.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/model/viewer_settings.h"
 
@@ -34,6 +35,10 @@ class Session {
     void open_sample();
     void open(const std::filesystem::path& path);
     void save(const std::filesystem::path& path);
+    /// Begins to play; nothing before the first dots.
+    void play(FilmKind kind);
+    /// The film that is played, as a file: see save_film().
+    void save_film(const std::filesystem::path& path);
 
     /// Draws with a tile file from now on. If it is not one the banner says why, and nothing changes.
     void open_tile(const std::filesystem::path& file);
@@ -84,7 +89,8 @@ class Session {
 
     ViewerSettings settings;  // the panels edit them
     // Tools, and so neither saved nor undone.
-    bool cropping = false;  // all of the picture is shown, for a frame over it
+    bool cropping = false;           // all of the picture is shown, for a frame over it
+    std::optional<PlayedFilm> film;  // shown in the drawing's place
     Banner banner;
 
     /// The drawing: what is edited and saved; the left side of the split view.
@@ -154,6 +160,7 @@ class Session {
     OpenedPicture picture_;
     int pictures_ = 0, previews_ = 0;
     std::filesystem::path saved_path_;
+    std::filesystem::path film_path_;  // saved last
     Source source_;
     std::deque<Reading> readings_;  // in the order in which they were asked for
 };

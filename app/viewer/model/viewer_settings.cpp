@@ -9,7 +9,9 @@ DotsRequest dots_request(const ViewerSettings& settings) {
     request.colours.deepest_level = settings.deepest_level;
     // Another ink places nothing anew as long as all dots are drawn in it.
     if (settings.deepest_level < kDeepestStep) request.colours.ink = settings.drawing.ink;
-    if (settings.origins) request.drawing.placing.thresholds = true;
+    // A plot by priority is shown with what says when each dot appears.
+    const bool by_priority = settings.saving.order == DotOrder::priority;
+    if (settings.origins || by_priority) request.drawing.placing.thresholds = true;
     return request;
 }
 

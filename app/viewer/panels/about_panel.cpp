@@ -72,7 +72,7 @@ void draw_about_panel(bool& open) {
         Library{"GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb", "MIT", ""},
         Library{"oneTBB, qpdf", "Apache 2.0", ""},
         Library{"Cairo", "LGPL or MPL", "draws PDF files"},
-        Library{"KISS FFT", "BSD", ""},
+        Library{"libwebp, KISS FFT", "BSD", ""},
         Library{"libpng, libjpeg-turbo, libtiff, zlib, fontconfig", "their own, free", ""}};
     if (ImGui::BeginTable("libraries", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const Library& library : kLibraries) {

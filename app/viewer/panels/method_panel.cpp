@@ -1,10 +1,13 @@
 #include "app/viewer/panels/method_panel.h"
 
+#include <imgui.h>
+
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -100,6 +103,27 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
     ranking.reset();
     if (chosen > 0) ranking = static_cast<RankingMethod>(chosen - 1);
     return true;
+}
+
+void draw_film_buttons(const std::function<void(Action)>& act) {
+    constexpr struct {
+        const char* label;
+        Action action;
+        const char* tip;
+    } kFilms[] = {
+        {"Watch it grow", Action::film_growth,
+         "From a few dots to all of them. None ever moves or goes.   Space"},
+        {"Levels", Action::film_levels, "The page divided into tiles, level by level, each in its colour."},
+        {"Zoom", Action::film_zoom, "Into the middle of the view, where dots come in as the others part."},
+    };
+    const float air = ImGui::GetStyle().ItemSpacing.x, row = ImGui::GetContentRegionAvail().x;
+    for (const auto& film : kFilms) {
+        if (&film != kFilms) ImGui::SameLine();
+        const float share = &film == kFilms ? 0.5f : 0.25f;
+        if (key_button(film.label, {(row - 2 * air) * share, 0})) act(film.action);
+        note_place(film.label);
+        tip(film.tip);
+    }
 }
 
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {

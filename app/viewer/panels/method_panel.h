@@ -2,15 +2,20 @@
 // Rows of the section "The method": which tile the dots come from and how they are taken out of it, for
 // whoever wants to know. The usual choices are good ones.
 
+#include <functional>
 #include <optional>
 
 #include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/panels/tile_row.h"
 
 namespace dapple {
 
 /// True while something changes.
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles);
+
+/// Buttons that begin the films that teach.
+void draw_film_buttons(const std::function<void(Action)>& act);
 
 /// The ranking, by which a tile's points become dots. True when another was chosen.
 bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);

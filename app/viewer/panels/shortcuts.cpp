@@ -29,6 +29,12 @@ constexpr Shortcut kShortcuts[] = {
     {Action::compare, "C", "Split view: beside another tile or placer"},
     {Action::loupe, "L", "Loupe: tiles laid on one another"},
     {Action::explain_dots, "I", "Where the dot under the pointer comes from"},
+    {Action::play, "Space", "Play a film of the drawing, or let it rest"},
+    {Action::film_growth, "", "Film: the drawing grows dot by dot"},
+    {Action::film_levels, "", "Film: level by level of the tiles"},
+    {Action::film_zoom, "", "Film: zoom in, with ever more dots"},
+    {Action::film_plot, "", "Film: as a machine plots it"},
+    {Action::save_film, "", "Save the film that is played"},
     {Action::photograph, "P, held", "The photograph instead of its dots"},
     {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
@@ -130,6 +136,7 @@ std::vector<Action> pressed_actions(bool row_has_keys) {
         when(typed('E'), Action::darker);
     }
     if (!row_has_keys) {
+        when(key_pressed(Key::space) && !command, Action::play);
         const auto repeated = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true); };
         when(repeated(Key::left), Action::pan_left);
         when(repeated(Key::right), Action::pan_right);

@@ -28,6 +28,12 @@ enum class Action {
     compare,
     loupe,
     explain_dots,
+    play,  // or rest, while a film is shown
+    film_growth,
+    film_levels,
+    film_zoom,
+    film_plot,
+    save_film,
     photograph,  // while the key is held: see photograph_key_down()
     toggle_panels,
     full_screen,

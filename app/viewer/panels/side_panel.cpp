@@ -65,6 +65,9 @@ void draw_picture_section(Session& session) {
 
 void draw_export_section(const std::function<void(Action)>& act) {
     if (!section("Export")) return;
+    if (wide_button("Watch it being plotted",
+                    "Shows the pen's way in its order, with the time that a machine takes."))
+        act(Action::film_plot);
     if (wide_button(
             "Export the drawing...",
             "Saves it for plotters, laser cutters, printers or screens: SVG, PDF, PNG, G-code and more.   "
@@ -91,6 +94,7 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};
     if (open.method) {
+        draw_film_buttons(act);
         draw_method_rows(settings, {session.tiles(), [&act] { act(Action::open_tile); }});
         draw_compare_panel(settings, {session.tiles()});
         open.spectrum = draw_spectrum_panel(spectrum);

@@ -58,6 +58,9 @@ class Document {
     /// The same for a project: all settings. None: it has no projects.
     virtual std::optional<SaveQuestion> where_to_save_project() const { return std::nullopt; }
     virtual void save_project(const std::filesystem::path&) {}
+    /// The same for a film. None: none is played.
+    virtual std::optional<SaveQuestion> where_to_save_film() const { return std::nullopt; }
+    virtual void save_film(const std::filesystem::path&) {}
     /// For a format of where_to_save(), as FileDialog::DrawOptions.
     virtual std::string draw_saving_options(std::size_t format) = 0;
 

@@ -19,11 +19,13 @@
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
+#include "app/viewer/canvas/pen_trail.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
 #include "app/viewer/model/thumbnail.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/player_bar.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
@@ -86,7 +88,8 @@ DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std
     : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
-      right_repetition_(Measure::repetition, &Window::wake) {
+      right_repetition_(Measure::repetition, &Window::wake),
+      plot_(&Window::wake) {
     ViewerSettings begin = session_.settings;
     begin.zoom_mode = view.zoom_mode;
     begin.unit = view.unit;
@@ -158,6 +161,16 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
                         .button = "Save"};
 }
 
+std::optional<SaveQuestion> DrawingDocument::where_to_save_film() const {
+    if (!session_.film) return std::nullopt;
+    const fs::path& saved = session_.saved_path();
+    const fs::path folder = saved.empty() ? working_folder() : saved.parent_path();
+    return SaveQuestion{.title = "Save the film",
+                        .formats = {{"Animated WebP", ".webp"}},
+                        .start = folder / fs::path(session_.picture().name).stem().concat(".webp"),
+                        .button = "Save"};
+}
+
 std::string DrawingDocument::draw_saving_options(std::size_t format) {
     const auto kind = static_cast<DrawingFormat>(format);
     draw_export_panel(session_.settings, kind, estimate_.info(session_.pane(), session_.settings, kind));
@@ -196,6 +209,21 @@ void DrawingDocument::act(Action action, const Frame&) {
             return toggle(settings.loupe.on);
         case Action::explain_dots:
             return toggle(settings.origins);
+        case Action::play:
+            if (!session_.film) return play(FilmKind::growth);
+            if (session_.film->running)
+                session_.film->running = false;
+            else
+                run_on(*session_.film);
+            return;
+        case Action::film_growth:
+            return play(FilmKind::growth);
+        case Action::film_levels:
+            return play(FilmKind::levels);
+        case Action::film_zoom:
+            return play(FilmKind::zoom);
+        case Action::film_plot:
+            return play(FilmKind::plot);
         default:  // the photograph, while its key is held; or of environment maps
             return;
     }
@@ -205,9 +233,11 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
     const float scale = ImGui::GetFontSize() / 15;
     const float status = frame.panels.x > 0 ? kStatusHeight * scale : 0;
     const float captions = session_.settings.comparison.on ? side_captions_height() : 0;
+    const float player = session_.film ? player_bar_height() : 0;
     // A window may be smaller than its panels.
-    const glm::vec2 canvas{frame.canvas.x, std::max(frame.canvas.y - status - captions, 1.0f)};
+    const glm::vec2 canvas{frame.canvas.x, std::max(frame.canvas.y - status - captions - player, 1.0f)};
     return {{{0, 0}, canvas, frame.pixels_per_point},
+            {canvas.x, player},
             {canvas.x, captions},
             {canvas.x, status}};
 }
@@ -220,10 +250,12 @@ void DrawingDocument::draw(const Frame& frame) {
     if (!opening && placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard &&
         escape_pressed())
         session_.stop_placing();
+    if (session_.film && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_film();
     session_.take_events(std::chrono::milliseconds(0));
+    show_film();
     show_changes(frame.window);
 
-    const auto [place, captions, status_size] = layout(frame);
+    const auto [place, player, captions, status_size] = layout(frame);
     const bool panels = frame.panels.x > 0;
     open_ = panels ? side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels)
                    : OpenSections{};
@@ -242,6 +274,7 @@ void DrawingDocument::draw(const Frame& frame) {
     session_.remember(ImGui::IsAnyItemActive() || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
+    if (session_.film) draw_player({0, place.size.y}, player, frame);
     draw_over_canvas(place, frame.act);
     canvas_.handle_mouse(place, cropping);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
@@ -251,19 +284,112 @@ void DrawingDocument::draw(const Frame& frame) {
     canvas_.show(place, look(place), redraw);
     // What it says of the view is of the one that is seen now.
     if (panels && session_.placed_once())
-        draw_status_line({0, place.size.y + captions.y}, status_size, info());
+        draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
     draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
-                           session_.settings.comparison.divider, {0, place.size.y}, captions);
+                           session_.settings.comparison.divider, {0, place.size.y + player.y}, captions);
+    if (session_.film && session_.film->kind == FilmKind::plot)
+        draw_pen_trail(plot_.trail(plot_drawn_), canvas_.camera(), place);
     draw_loupe(place);
     explain_dot(place);
     measure_dots();
 }
 
 Zoom DrawingDocument::zoom() const {
-    return {session_.settings.zoom_mode, canvas_.camera(), canvas_.enlargement()};
+    ZoomMode mode = session_.settings.zoom_mode;
+    if (session_.film)
+        mode = session_.film->kind == FilmKind::zoom ? ZoomMode::constant_density : ZoomMode::drawing;
+    return {mode, canvas_.camera(), canvas_.enlargement()};
+}
+
+void DrawingDocument::play(FilmKind kind) {
+    look_as_before_film();
+    camera_before_film_ = canvas_.camera();
+    fitted_before_film_ = canvas_.is_fitted();
+    session_.play(kind);
+    film_shown_ = std::chrono::steady_clock::now();
+    seen_[0].version = 0;  // another drawing is shown
+    plot_drawn_ = 0;
+}
+
+void DrawingDocument::look_as_before_film() {
+    if (!session_.film || session_.film->kind != FilmKind::zoom) return;
+    canvas_.look(camera_before_film_);
+    if (fitted_before_film_) canvas_.fit();
+}
+
+void DrawingDocument::stop_film() {
+    look_as_before_film();
+    session_.film.reset();
+    plot_.forget();
+    seen_[0].version = 0;
+}
+
+void DrawingDocument::show_film() {
+    if (!session_.film) return;
+    PlayedFilm& film = *session_.film;
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(film_shown_, now);
+    const bool waits = film.kind == FilmKind::plot && !plot_.film();
+    if (!waits) pass(film, passed.count());
+    if (film.kind == FilmKind::zoom) {
+        const Camera before = resized(camera_before_film_, canvas_.camera().canvas);
+        canvas_.look(zoomed_at(before, before.canvas * 0.5, film_zoom(film.share, FilmChoice{}.depth)));
+    }
+    if (film.kind == FilmKind::plot) show_plot();
+}
+
+void DrawingDocument::show_plot() {
+    try {
+        plot_.prepare(session_.pane().placings(), session_.pane().page(), session_.settings.drawing,
+                      session_.settings.saving);
+    } catch (const std::exception& error) {
+        say(error.what());
+    }
+    const PlotFilm* const film = plot_.film();
+    if (!film) return;
+    const std::size_t drawn = film->drawn_after(plotted_seconds(session_.film->share, film->total_seconds));
+    const bool other = std::exchange(plots_seen_, plot_.films()) != plot_.films();
+    if (std::exchange(plot_drawn_, drawn) == drawn && !other) return;
+    plotted_ = plot_.drawn(session_.pane().page(), drawn);
+    canvas_.set_drawing(Side::left, plotted_);
+}
+
+std::string DrawingDocument::film_words() const {
+    const PlayedFilm& film = *session_.film;
+    switch (film.kind) {
+        case FilmKind::growth:
+            return grouped(grown_dots(film.share, film.dots)) + " dots";
+        case FilmKind::levels:
+            return fmt::format("level {} of {}", level_shown(film.share, film.deepest) + 1, film.deepest + 1);
+        case FilmKind::zoom:
+            return fmt::format("{:.3g} times larger", film_zoom(film.share, FilmChoice{}.depth));
+        case FilmKind::plot:
+            break;
+    }
+    if (!plot_.film()) return "finding the way ...";
+    const double all = plot_.film()->total_seconds;
+    const auto clock = [](double seconds) {
+        const auto whole = static_cast<long>(seconds);
+        return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    };
+    return clock(plotted_seconds(film.share, all)) + " of " + clock(all);
+}
+
+void DrawingDocument::draw_player(glm::vec2 corner, glm::vec2 size, const Frame& frame) {
+    FilmKind chosen = session_.film->kind;
+    switch (draw_player_bar(*session_.film, film_words(), chosen, corner, size)) {
+        case PlayerWish::none:
+            return;
+        case PlayerWish::close:
+            return stop_film();
+        case PlayerWish::save:
+            return frame.act(Action::save_film);
+        case PlayerWish::other_film:
+            return play(chosen);
+    }
 }
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act) {
@@ -376,6 +502,12 @@ void DrawingDocument::show_changes(Side side, const Pane* pane) {
     const std::uint64_t version = pane ? pane->version() : 0;
     if (pane && std::exchange(seen.pictures, session_.previews()) != session_.previews())
         canvas_.set_picture(side, session_.picture().preview);
+    const bool plotted =
+        side == Side::left && session_.film && session_.film->kind == FilmKind::plot && plot_.film();
+    if (plotted) {
+        seen.version = 0;  // to be shown whole after it
+        return;
+    }
     if (std::exchange(seen.version, version) != version)
         canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
 }
@@ -471,12 +603,20 @@ void DrawingDocument::measure_dots() {
 
 std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
     if (!session_.placed_once()) return std::nullopt;
-    return status_json(info(), session_.pane().placings());
+    auto line = status_json(info(), session_.pane().placings());
+    if (session_.film)
+        line["film"] = {{"kind", name_of(session_.film->kind)},
+                        {"share", session_.film->share},
+                        {"running", session_.film->running},
+                        {"moment", film_words()}};
+    return line;
 }
 
 double DrawingDocument::seconds_to_next_frame() const {
     constexpr double kLookForPlacing = 0.25;
     if (session_.settings.every_frame || canvas_.drawing()) return 0;
+    constexpr double kFilmFrame = 1.0 / 60;
+    if (session_.film && session_.film->running) return kFilmFrame;
     const bool at_work = placing_seconds() > 0 || session_.pane().worker().opening();
     const double longest = at_work ? kLookForPlacing : 60;
     return std::min(

@@ -13,6 +13,7 @@
 #include "app/viewer/model/background.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
+#include "app/viewer/model/shown_plot.h"
 #include "app/viewer/model/view_meter.h"
 #include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/side_panel.h"
@@ -47,6 +48,8 @@ class DrawingDocument : public Document {
     std::optional<SaveQuestion> where_to_save() const override;
     std::optional<SaveQuestion> where_to_save_project() const override;
     void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
+    std::optional<SaveQuestion> where_to_save_film() const override;
+    void save_film(const std::filesystem::path& file) override { session_.save_film(file); }
     std::string draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
@@ -55,13 +58,21 @@ class DrawingDocument : public Document {
     std::optional<nlohmann::ordered_json> status() const override;
 
  private:
-    /// The captions lie below the canvas, and below them the status line.
+    /// A film's bar lies below the canvas, below it the captions, and below them the status line.
     struct Layout {
         CanvasPlace canvas;
-        glm::vec2 captions, status;
+        glm::vec2 player, captions, status;
     };
     Layout layout(const Frame& frame) const;
     Zoom zoom() const;
+    void play(FilmKind kind);
+    void stop_film();
+    void look_as_before_film();
+    /// Lets the film go on.
+    void show_film();
+    void show_plot();
+    void draw_player(glm::vec2 corner, glm::vec2 size, const Frame& frame);
+    std::string film_words() const;
     void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
     void draw_split(const CanvasPlace& place);
     void draw_loupe(const CanvasPlace& place);
@@ -96,6 +107,13 @@ class DrawingDocument : public Document {
     ExportEstimate estimate_;
     PlottingClock plotting_clock_;
     std::string plotting_;  // what it says
+    ShownPlot plot_;
+    PlacedDrawing plotted_;       // what the canvas shows of it,
+    std::size_t plot_drawn_ = 0;  // so many dots, or points of strokes
+    int plots_seen_ = 0;
+    Camera camera_before_film_;
+    bool fitted_before_film_ = true;
+    std::chrono::steady_clock::time_point film_shown_;  // last
 
     struct SeenSide {
         int pictures = 0;

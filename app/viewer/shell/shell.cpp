@@ -171,6 +171,8 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             return ask_where_to_save(document.where_to_save(), Asked::drawing);
         case Action::save_project:
             return ask_where_to_save(document.where_to_save_project(), Asked::project);
+        case Action::save_film:
+            return ask_where_to_save(document.where_to_save_film(), Asked::film);
         case Action::toggle_panels:
             return toggle(panels_shown_);
         case Action::full_screen:
@@ -302,6 +304,8 @@ void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document
             return document.save(path);
         case Asked::project:
             return document.save_project(path);
+        case Asked::film:
+            return document.save_film(path);
     }
 }
 

@@ -1,0 +1,130 @@
+#include "app/commands/record.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "app/commands/options.h"
+#include "app/commands/project_input.h"
+#include "app/files/atomic_file.h"
+#include "app/files/picture.h"
+#include "app/files/sample.h"
+#include "app/files/save_drawing.h"
+#include "app/files/tile_library.h"
+#include "app/film/save_film.h"
+#include "app/progress_line.h"
+#include "app/settings/project.h"
+
+namespace dapple {
+namespace {
+
+void show_picture(Pipeline& pipeline, const RecordOptions& options) {
+    const PictureColours colours =
+        options.drawing.pens.set == PenSet::one ? PictureColours::left_out : PictureColours::kept;
+    Picture picture =
+        options.image ? read_picture(*options.image, PictureLimit::usual, colours) : sample_picture(colours);
+    pipeline.set_light(std::move(picture.light), picture.exposure);
+    if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
+}
+
+}  // namespace
+
+void record(const RecordOptions& options) {
+    check_film_path(options.output);
+    check_apart(options.output, {{options.image, "the picture"},
+                                 {options.project, "the project"},
+                                 {options.drawing.tile, "the tile"}});
+    const DrawingSettings settings = film_settings(options.drawing, options.film.kind);
+    Pipeline pipeline;
+    pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
+    show_picture(pipeline, options);
+    ProgressLine line;
+    const FilmFrame frame = film_frames(
+        pipeline, settings, options.film,
+        {.stop = {}, .progress = [&](double share) { line.show(share, "finding the pen's way"); }});
+    line.restart(0);
+    const std::string what = fmt::format("drawing {} pictures", frames_of(options.film));
+    save_film(options.output, frame, options.film,
+              {.stop = {}, .progress = [&](double share) { line.show(share, what); }});
+}
+
+RecordCommand::RecordCommand(CLI::App& program) {
+    CLI::App* const command = program.add_subcommand(
+        "record",
+        "Film how a drawing comes about: dot by dot, level by level, by zooming in, or as it is plotted");
+    const auto read_image = [this](const std::string& file) {
+        if (!ends_as_project(file)) {
+            options_.image = file;
+            return;
+        }
+        ProjectInput project = read_project_input(file);
+        options_.project = file;
+        options_.image = project.picture;
+        options_.drawing = std::move(project.drawing);
+        // As the window plays it.
+        options_.film.machine =
+            project.saving.machine.value_or(usual_machine(DrawingFormat::svg, project.saving.tool));
+        options_.film.order = project.saving.order;
+        automatic_tone_ = options_.drawing.automatic_tone;
+    };
+    // First, so that it is taken before the other options, which say otherwise.
+    command
+        ->add_option_function<std::string>(
+            "image", read_image,
+            "The picture, or a project (.dapple) that the window saved; without "
+            "one, the built-in sample")
+        ->type_name("IMAGE");
+    command
+        ->add_option(
+            "-o,--output", options_.output,
+            "The film: a name that ends in .webp, which web browsers play; or a folder, which is there or "
+            "ends in /, for numbered PNG files")
+        ->type_name("OUT")
+        ->required();
+    add_choice(*command, "--show", options_.film.kind,
+               {FilmKind::growth, FilmKind::levels, FilmKind::zoom, FilmKind::plot},
+               "growth: from a few dots to all. levels: one level of tiles after the other, each in its "
+               "colour. zoom: "
+               "into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
+    add_number(*command, "--seconds", options_.film.seconds, {.least = kShortestFilm, .most = kLongestFilm},
+               "S", "How long the film is");
+    add_whole_number(*command, "--fps", options_.film.frames_per_second, {.least = 1, .most = 60},
+                     "Pictures in each second");
+    add_whole_number(*command, "--size", options_.film.longer_side, {.least = 16, .most = 4096},
+                     "Pixels along the longer side");
+    add_number(*command, "--depth", options_.film.depth, {.least = 1, .most = kDeepestFilm}, "TIMES",
+               "zoom: how many times larger at the end");
+    add_choice(*command, "--machine", options_.film.machine, kMachines,
+               "plot: the machine whose movements are shown");
+    add_choice(
+        *command, "--order", options_.film.order,
+        {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority},
+        "plot: the order of the dots, as `dapple render` has it; without it, the one that suits an SVG");
+    add_dot_options(*command, options_.drawing);
+    add_style_options(*command, options_.drawing);
+    add_tone_options(*command, options_.drawing);
+    add_page_options(*command, options_.drawing);
+    command->footer(
+        "Films other than plot show dots as placed: round, in one ink, not relaxed, and at most 2,000,000 of "
+        "them.\n"
+        "To make a video of numbered files, for example: ffmpeg -i frames/frame-%04d.png film.mp4.\n\n"
+        "Examples:\n"
+        "  dapple record cat.jpg -o cat.webp                       from a few dots to 40,000\n"
+        "  dapple record cat.jpg -o zoom.webp --show zoom --depth 1000 --seconds 12\n"
+        "  dapple record cat.jpg -o levels.webp --show levels --tile paper16\n"
+        "  dapple record cat.jpg -o plot/ --show plot --style line --dots 5000 --fps 30");
+    command->callback([this, command] {
+        check_options(*command, options_.drawing, automatic_tone_);
+        const FilmKind kind = options_.film.kind;
+        if (kind != FilmKind::zoom) refuse(*command, {"--depth"}, "is of a zoom; give --show zoom too");
+        if (kind != FilmKind::plot)
+            refuse(*command,
+                   {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--relax",
+                    "--placer"},
+                   "shows in the film of a plot only; give --show plot too");
+        record(options_);
+    });
+}
+
+}  // namespace dapple

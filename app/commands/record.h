@@ -1,0 +1,40 @@
+#pragma once
+// dapple record: a film of how a drawing comes about.
+
+#include <filesystem>
+#include <optional>
+
+#include "app/drawing_settings.h"
+#include "app/film/film.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dapple {
+
+struct RecordOptions {
+    std::optional<std::filesystem::path> image;    // none: the built-in sample
+    std::optional<std::filesystem::path> project;  // that it was named by
+    std::filesystem::path output;                  // see check_film_path()
+    DrawingSettings drawing;
+    FilmChoice film;
+};
+
+/// Throws std::runtime_error with one sentence naming the file that is wrong; what was at the output's place
+/// stays then.
+void record(const RecordOptions& options);
+
+/// Adds the command to the program and holds its options, so it has to live until all is parsed and done.
+class RecordCommand {
+ public:
+    explicit RecordCommand(CLI::App& program);
+    RecordCommand(const RecordCommand&) = delete;
+    RecordCommand& operator=(const RecordCommand&) = delete;
+
+ private:
+    RecordOptions options_;
+    bool automatic_tone_ = true;  // before the options say another
+};
+
+}  // namespace dapple

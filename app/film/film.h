@@ -1,0 +1,54 @@
+#pragma once
+// Films of a drawing: what is to be seen at each moment. The window plays them, `dapple record` writes them.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/output/plotting_time.h"
+#include "core/placing/dot_order.h"
+
+namespace dapple {
+
+enum class FilmKind {
+    growth,  // the scale rises: from a few dots to all of them, none of which ever moves or goes
+    levels,  // the subdivision: one level of tiles after the other, each in its colour
+    zoom,    // towards the middle, where dots come in between as fast as the others part
+    plot,    // stroke by stroke, as a machine draws it
+};
+/// "growth", "levels", "zoom", "plot".
+std::string_view name_of(FilmKind kind);
+
+/// The shares of a film, 0..1, at which it has come to its end; the rest shows that.
+inline constexpr double kFilmEnd = 0.9;
+
+/// growth: how many of so many dots. As many times more in each second.
+std::uint64_t grown_dots(double share, std::uint64_t dots);
+
+/// levels: the deepest that is shown, where `deepest` is the last one that has dots. Each takes as long.
+int level_shown(double share, int deepest);
+
+/// zoom: how many times larger, 1 to `depth`. As many times more in each second.
+double film_zoom(double share, double depth);
+
+/// plot: the seconds of the machine's that have passed, of so many.
+double plotted_seconds(double share, double seconds);
+
+struct FilmChoice {
+    FilmKind kind = FilmKind::growth;
+    double seconds = 8;          // kShortestFilm..kLongestFilm
+    int frames_per_second = 25;  // 1..60
+    int longer_side = 640;       // pixels, 16..4096
+    double depth = 100;          // of the zoom, 1..kDeepestFilm times
+    Machine machine = Machine::axidraw_v3;
+    std::optional<DotOrder> order = {};  // of the plot; none: an SVG's usual one
+};
+
+inline constexpr double kShortestFilm = 0.1, kLongestFilm = 600, kDeepestFilm = 1e6;
+/// In one film: more take longer for a frame than it lasts.
+inline constexpr std::uint64_t kMostFilmDots = 2'000'000;
+
+/// At least one.
+int frames_of(const FilmChoice& choice);
+
+}  // namespace dapple

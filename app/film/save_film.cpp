@@ -1,0 +1,67 @@
+#include "app/film/save_film.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
+#include "app/files/png_file.h"
+#include "app/files/webp_film.h"
+#include "app/shown_text.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_film(const fs::path& path) {
+    return ending_of(path) == ".webp";
+}
+
+// Of a picture, the whole film being one.
+double share_of(int frame, int frames) {
+    return frames > 1 ? static_cast<double>(frame) / (frames - 1) : 1;
+}
+
+bool save_frames(const fs::path& folder, const FilmFrame& frame, int frames, const SavingWatch& watch) {
+    fs::create_directories(folder);
+    for (int i = 0; i < frames; ++i) {
+        if (watch.stop.stop_requested()) return false;
+        const Grid<glm::u8vec3> pixels = frame(share_of(i, frames));
+        save_atomically(folder / fmt::format("frame-{:04}.png", i + 1), [&](std::ostream& out) {
+            write_png(out, {.width = pixels.width, .height = pixels.height, .dpi = 96},
+                      [&](const PixelSink& sink) { sink(pixels); });
+        });
+        if (watch.progress) watch.progress(static_cast<double>(i + 1) / frames);
+    }
+    return true;
+}
+
+}  // namespace
+
+void check_film_path(const fs::path& path) {
+    std::error_code ignored;
+    const bool folder = !path.has_filename() || fs::is_directory(path, ignored);
+    if (folder) return;
+    if (is_film(path)) return check_can_save(path);
+    throw std::runtime_error(printable(path.string()) +
+                             ": a film's name ends in .webp, and in / for a folder of numbered PNG files");
+}
+
+bool save_film(const fs::path& path, const FilmFrame& frame, const FilmChoice& choice,
+               const SavingWatch& watch) {
+    check_film_path(path);
+    const int frames = frames_of(choice);
+    if (!is_film(path)) return save_frames(path, frame, frames, watch);
+    WebpFilm film(choice.frames_per_second);
+    for (int i = 0; i < frames; ++i) {
+        if (watch.stop.stop_requested()) return false;
+        film.add(frame(share_of(i, frames)));
+        if (watch.progress) watch.progress(static_cast<double>(i + 1) / frames);
+    }
+    save_atomically(path, [&](std::ostream& out) { film.write(out); });
+    return true;
+}
+
+}  // namespace dapple
