@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "app/commands/analyse.h"
+#include "app/commands/compare.h"
 #include "app/commands/complete.h"
 #include "app/commands/lights.h"
 #include "app/commands/manual.h"
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
     const dapple::RecordCommand record(program);
     const dapple::ReproduceCommand reproduce(program);
     const dapple::AnalyseCommand analyse(program);
+    const dapple::CompareCommand compare(program);
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
     const dapple::CompleteCommand complete(program);

@@ -30,14 +30,14 @@
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
-#include "bench/picture_marks.h"
-#include "bench/plain_lloyd.h"
 #include "bench/relaxed_dots.h"
 #include "bench/side_by_side.h"
 #include "core/analysis/local_distances.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/seams.h"
+#include "core/related/plain_lloyd.h"
+#include "core/reports/picture_marks.h"
 
 namespace {
 

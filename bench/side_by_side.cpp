@@ -5,8 +5,8 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/png_file.h"
-#include "bench/picture_marks.h"
 #include "core/image/tone.h"
+#include "core/reports/picture_marks.h"
 
 namespace dapple {
 namespace {

@@ -95,6 +95,25 @@ TEST_CASE("analyse says why a drawing without its dots cannot be read") {
     scene.refuses(scene("crosses.svg") + to_old, "save it as .json or .csv");
 }
 
+TEST_CASE("analyse reads the dots of the methods that this program is compared with") {
+    const Scene scene;
+    const nlohmann::json noise = scene.json("--method white-noise --dots 4000");
+    CHECK(noise["dots"] == 4000);
+    CHECK(noise["subject"] == "white noise, 4,000 dots asked for");
+    CHECK(noise["nearest"]["mean"].get<double>() == doctest::Approx(0.4653).epsilon(0.03));
+    CHECK(noise["domain"]["topology"] == "torus");
+    CHECK_FALSE(noise.contains("tile"));
+    CHECK(scene.json("--method rank-1 --scale 100 --density 0.5")["dots"] == 800);
+    CHECK(scene.json("--method white-noise --dots 100 --seed 2")["nearest"] !=
+          scene.json("--method white-noise --dots 100 --seed 3")["nearest"]);
+    const std::string to_old = " -o " + scene("old.json");
+    scene.refuses("--method nonsense" + to_old, "--method: nonsense is not known; there are white-noise, ");
+    scene.refuses("--method sobol --tile paper16" + to_old, "--tile: is for this program's own dots");
+    scene.refuses("--seed 3" + to_old, "--seed: is for a --method");
+    scene.put("good.csv", "0,0\n1,1\n");
+    scene.refuses(scene("good.csv") + " --method sobol" + to_old, "--method: is for a constant grey");
+}
+
 TEST_CASE("analyse draws a picture with the tone that is asked for") {
     const Scene scene;
     PictureFile grey{.width = 64, .height = 64, .values = std::vector<float>(64 * 64, 0.5f)};

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "bench/plain_lloyd.h"
 #include "core/analysis/distances.h"
+#include "core/related/plain_lloyd.h"
 
 using namespace dapple;
 

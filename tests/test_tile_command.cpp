@@ -195,6 +195,22 @@ TEST_CASE("the rules are listed from the one that repeats least, with those that
     CHECK(second.find(" 0.1554 ") != std::string::npos);
 }
 
+TEST_CASE("tile search finds the tile of lowest discrepancy, or of most symmetry, and saves it") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "first.tile").string(),
+                      search = "tile search --points 8 --top 2 -o " + file;
+    const Outcome even = run_dapple(search + " --by discrepancy");
+    REQUIRE(even.status == 0);
+    CHECK(even.out.find("   1  0.544732         0.193414  ") != std::string::npos);
+    CHECK(text_of(folder / "first.tile").find("23200311") != std::string::npos);
+    const Outcome symmetric = run_dapple(search + " --by symmetry");
+    CHECK(symmetric.out.find("   1  0.638390 ") != std::string::npos);
+    CHECK(symmetric.out.find(" 0.500     ") != std::string::npos);
+    check_refused("tile search --points 16 --rule any --by symmetry -o " + file, "--by");
+    check_refused("tile search --points 24 --by symmetry", "--by: symmetry looks at every tile");
+    check_refused("tile search --resume " + file + " --by symmetry", "--resume");
+}
+
 TEST_CASE("an identity search prints the paper's radii and saves the best tile") {
     const TemporaryFolder folder;
     const std::string file = folder / "best.tile";

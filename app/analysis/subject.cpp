@@ -14,6 +14,7 @@
 #include "app/files/sample.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
+#include "app/shown_text.h"
 #include "core/analysis/point_table.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/exposure.h"
@@ -146,6 +147,14 @@ Subject dots_of_grey(double value, const DrawingSettings& wanted, Topology topol
     const double tiles = double(subject.points.size()) / double(pipeline.tile().tile().size());
     const int level = tiles >= 1 ? static_cast<int>(std::log2(tiles) / 2 + 1e-9) : 0;
     subject.period = glm::dvec2(std::exp2(-level));
+    return subject;
+}
+
+Subject dots_of_method(const RelatedMethod& method, std::size_t count, std::uint64_t seed,
+                       Topology topology) {
+    Subject subject{.name = fmt::format("{}, {} dots asked for", method.title, grouped(count)),
+                    .domain = {1, 1, topology}};
+    subject.points = points_inside(method.dots({.count = count, .seed = seed}), subject.domain);
     return subject;
 }
 

@@ -13,6 +13,7 @@
 #include "core/analysis/domain.h"
 #include "core/analysis/tone_fidelity.h"
 #include "core/image/grid.h"
+#include "core/related/methods.h"
 
 namespace dapple {
 
@@ -63,6 +64,10 @@ Subject points_of_drawing(const std::filesystem::path& file, Topology topology);
 /// The period is that of the finest complete level of tiles: 2^-l for 4^l N dots or more. Figure 8 given a
 /// count places about so many. Throws std::runtime_error as tile_named() and stipple() do.
 Subject dots_of_grey(double density, const DrawingSettings& settings, Topology topology);
+
+/// Dots of a constant grey by a method that this program is compared with, about as many as asked for, on the
+/// unit square. No period is looked for.
+Subject dots_of_method(const RelatedMethod& method, std::size_t count, std::uint64_t seed, Topology topology);
 
 /// The dots of a picture, or of the sample, and their tone at four viewing distances, where the eye's blur is
 /// 1/2, 1, 2 and 4 mean spacings. Drawn in the picture's own size for this. Throws std::runtime_error as

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "app/files/drawing_format.h"
 #include "app/files/file_ending.h"
 #include "core/analysis/report.h"
+#include "core/related/methods.h"
 #include "core/reports/spectrum_picture.h"
 
 namespace dapple {
@@ -61,8 +63,25 @@ void check_has_dots(const fs::path& path) {
     }
 }
 
+const RelatedMethod& method_of(const std::string& name) {
+    if (const RelatedMethod* const method = related_method(name)) return *method;
+    std::string known;
+    for (const RelatedMethod& one : related_methods())
+        known += (known.empty() ? "" : ", ") + std::string(one.name);
+    throw std::runtime_error(fmt::format("--method: {} is not known; there are {}", name, known));
+}
+
+// Of a tile, 16 to a unit of scale.
+std::size_t dots_asked_for(const AnalyseOptions& options) {
+    const PlacingRequest& placing = options.drawing.placing;
+    return placing.count ? *placing.count : std::size_t(std::lround(16 * placing.scale * options.grey));
+}
+
 Subject subject_of(const AnalyseOptions& options) {
     const Topology cut_out = options.topology.value_or(Topology::window);
+    if (options.method)
+        return dots_of_method(method_of(*options.method), dots_asked_for(options), options.seed,
+                              options.topology.value_or(Topology::torus));
     if (!options.input) {
         return dots_of_grey(options.grey, options.drawing, options.topology.value_or(Topology::torus));
     }
@@ -97,6 +116,12 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
         "--exposure",   "--tone",  "--black-point", "--white-point", "--contrast",
         "--brightness", "--gamma", "--blur",        "--detail",      "--invert"};
     if (!options.input) refuse(command, tone, "is for pictures; a constant grey has its --density");
+    if (options.input)
+        refuse(command, {"--method"}, "is for a constant grey; dapple compare draws pictures with it");
+    if (!options.method) refuse(command, {"--seed"}, "is for a --method");
+    if (options.method)
+        refuse(command, {"--tile", "--ranking", "--placer", "--relax"},
+               "is for this program's own dots; a --method has its own");
     if (options.input && has_points(*options.input)) {
         refuse(command, tone, "is for pictures, and points have none");
         if (is_drawing(*options.input))
@@ -157,6 +182,11 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     add_number(*command, "--density", options_.grey,
                {.least = 0, .most = 1, .at_least = NumberRange::Least::excluded}, "0..1",
                "Ink of the constant grey: with --scale, 16 S times this many dots");
+    command
+        ->add_option("--method", options_.method,
+                     "Of a constant grey: the dots of another method, of those that dapple compare measures")
+        ->type_name("NAME");
+    add_seed(*command, options_.seed, "Of a --method that throws dice");
     add_choice(*command, "--topology", options_.topology, {Topology::torus, Topology::window},
                "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
                "constant grey and window else");
@@ -181,6 +211,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         "  dapple analyse --placer figure8 --scale 2500 -o spectrum.png   the paper's own, its spectrum\n"
         "  dapple analyse cat.jpg -o cat.json                             a drawing's tone and evenness\n"
         "  dapple analyse cat.svg -o cat.html                             the same of dots that are there\n"
+        "  dapple analyse --method lloyd --dots 10000 -o lloyd.html       dots by another method\n"
         "  dapple analyse points.csv --width 1 --height 1 --topology torus -o points.json");
     command->callback([this, command] {
         check_options(*command, options_.drawing);

@@ -1,8 +1,10 @@
 #pragma once
 // dapple analyse: how even a set of points is, and whether it repeats.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/drawing_settings.h"
 #include "app/files/picture.h"
@@ -20,9 +22,11 @@ struct AnalyseOptions {
     std::filesystem::path output;                // .json, .html or .png
     DrawingSettings drawing;                     // of a picture or a grey
     double grey = 1;                             // its density
-    std::optional<Topology> topology;            // none: window, but torus for a grey
-    std::optional<double> width, height;         // of a table's domain; the width in mm of a picture's page
-    std::optional<double> period;                // of a table, in its unit
+    std::optional<std::string> method{};  // of a grey: whose dots, of related_methods(); none: this program's
+    std::uint64_t seed = 1;               // of the method
+    std::optional<Topology> topology;     // none: window, but torus for a grey
+    std::optional<double> width, height;  // of a table's domain; the width in mm of a picture's page
+    std::optional<double> period;         // of a table, in its unit
     PictureLimit limit = PictureLimit::usual;
 };
 

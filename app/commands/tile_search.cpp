@@ -21,11 +21,14 @@
 #include "app/progress_line.h"
 #include "app/shown_text.h"
 #include "app/signals.h"
+#include "core/analysis/discrepancy.h"
+#include "core/tile/criterion_search.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/relink_search.h"
 #include "core/tile/rule_search.h"
 #include "core/tile/rules.h"
+#include "core/tile/symmetry.h"
 #include "core/tile/tile_marks.h"
 
 namespace dapple {
@@ -88,18 +91,75 @@ void check_nothing_is_lost(const fs::path& file) {
         name));
 }
 
-void print_found(const SearchState& state, std::ostream& out) {
-    if (state.found.empty()) {
+std::vector<glm::dvec2> places_of(const Tile& tile) {
+    std::vector<glm::dvec2> points;
+    for (const BinaryPoint p : tile.points) points.push_back(to_unit_square(p));
+    return points;
+}
+
+double star_discrepancy_of(const std::string& word) {
+    return star_discrepancy(places_of(make_tile(Rule{}, {word})), Domain{}).upper;
+}
+
+// Boxes start in one corner of the square, so that a tile's images differ.
+MeasuredTile least_discrepancy(const std::string& word) {
+    MeasuredTile least{word, std::numeric_limits<double>::infinity()};
+    for (const std::string& image : symmetric_words(word)) {
+        const double cost = star_discrepancy_of(image);
+        if (cost < least.cost) least = {image, cost};
+    }
+    return least;
+}
+
+MeasuredTile least_asymmetry(const std::string& word) {
+    return {word, 1 - symmetry(make_tile(Rule{}, {word}))};
+}
+
+void print_found(const std::vector<std::string>& words, int points, std::ostream& out) {
+    if (words.empty()) {
         out << "no tile found yet\n";
         return;
     }
-    out << fmt::format("{:>4}  {:<15}  {:<32}  {}\n", "", "relative radius", "tile", "word");
+    out << fmt::format("{:>4}  {:<15}  {:<11}  {:<8}  {:<32}  {}\n", "", "relative radius", "discrepancy",
+                       "symmetry", "tile", "word");
     int place = 0;
-    for (const FoundTile& found : state.found) {
-        const TileIntegers integers = integers_of(found.word);
-        out << fmt::format("{:>4}  {:<15.6f}  {:<32}  {}\n", ++place, found.relative_radius,
-                           fmt::format("{},{}/{}", integers.a, integers.b, state.points), found.word);
+    for (const std::string& word : words) {
+        const TileIntegers integers = integers_of(word);
+        out << fmt::format("{:>4}  {:<15.6f}  {:<11.6f}  {:<8.3f}  {:<32}  {}\n", ++place,
+                           relative_radius(word), star_discrepancy_of(word),
+                           symmetry(make_tile(Rule{}, {word})),
+                           fmt::format("{},{}/{}", integers.a, integers.b, points), word);
     }
+}
+
+void save_first(const std::vector<std::string>& words, const std::optional<fs::path>& output) {
+    if (!output || words.empty()) return;
+    save_tile(*output, ranked(make_tile(Rule{}, {words.front()}), RankingMethod::energy));
+}
+
+// By a measure that lets no tile be left out.
+void search_by(const TileSearchOptions& options, std::ostream& out) {
+    if (options.output) check_can_save(*options.output);
+    std::optional<std::chrono::duration<double>> limit;
+    if (options.seconds) limit = std::chrono::duration<double>(*options.seconds);
+    CriterionResult result;
+    {
+        const StopOnInterrupt stop(limit);
+        ProgressLine line;
+        line.restart(0);
+        result = search_by_criterion(
+            options.points, static_cast<std::size_t>(options.top),
+            options.by == TileCriterion::discrepancy ? least_discrepancy : least_asymmetry,
+            {.threads = options.threads, .stop = stop.token(), .on_progress = [&](double share) {
+                 line.show(share, "of all tiles");
+             }});
+    }
+    std::vector<std::string> words;
+    for (const MeasuredTile& tile : result.best) words.push_back(tile.word);
+    save_first(words, options.output);
+    print_found(words, options.points, out);
+    if (!result.finished)
+        out << fmt::format("stopped after {} tiles: there may be better ones\n", grouped(result.tiles));
 }
 
 void search_identity(const TileSearchOptions& options, std::ostream& out) {
@@ -150,11 +210,10 @@ void search_identity(const TileSearchOptions& options, std::ostream& out) {
         std::error_code error;
         fs::remove(rest, error);
     }
-    if (options.output && !state.found.empty()) {
-        const Tile best = make_tile(Rule{}, {state.found.front().word});
-        save_tile(*options.output, ranked(best, RankingMethod::energy));
-    }
-    print_found(state, out);
+    std::vector<std::string> words;
+    for (const FoundTile& found : state.found) words.push_back(found.word);
+    save_first(words, options.output);
+    print_found(words, state.points, out);
     if (state.finished) return;
     const double proven = proven_radius(state);
     out << fmt::format(
@@ -269,6 +328,18 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
 
 }  // namespace
 
+std::string_view name_of(TileCriterion criterion) {
+    switch (criterion) {
+        case TileCriterion::radius:
+            return "radius";
+        case TileCriterion::discrepancy:
+            return "discrepancy";
+        case TileCriterion::symmetry:
+            return "symmetry";
+    }
+    throw std::logic_error("no such criterion");
+}
+
 void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--points", options.points, {.least = 4, .most = kMaxTilePoints},
                      "Points of the tile, a multiple of 4; up to 60 for identity")
@@ -299,6 +370,12 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         ->default_str("identity");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
+    add_choice(command, "--by", options.by,
+               {TileCriterion::radius, TileCriterion::discrepancy, TileCriterion::symmetry},
+               "identity: what the best tiles have: the largest radius, the lowest star discrepancy, or the "
+               "most symmetry, which is likeness to their own turned and moved copies. For the latter two "
+               "every tile is looked at, which takes seconds for 12 points, minutes for 16 and hours for 20, "
+               "the most there may be");
     add_number(command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
                "identity: stop after so many seconds, to go on later; any: search for so many. Which tile is "
                "found then depends on the machine's speed; with --moves it is the same on all");
@@ -340,6 +417,7 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         "Examples:\n"
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"
+        "  dapple tile search --points 12 --by discrepancy\n"
         "  dapple tile search --resume dapple-search-32.txt    after Ctrl+C\n"
         "  dapple tile search --points 64 --rule any --seconds 60 -o mine.tile\n"
         "  dapple tile search --points 1024 --rule 3760 --seconds 60 -o mine.tile\n"
@@ -355,12 +433,15 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
         for (const char* option : {"--moves", "--runs", "--seed", "--tone", "--pairs", "--peaks"})
             refuse(option,
                    "belongs to a search with --rule any; the one for identity leaves nothing to chance");
+        if (options.by != TileCriterion::radius)
+            refuse("--resume", "goes on with a search by radius; leave --by away");
         if (options.resume) {
             refuse("--points", "is known from the search that goes on; leave it out");
             refuse("--top", "is known from the search that goes on; leave it out");
         }
     } else {
         refuse("--top", "belongs to a search with --rule identity");
+        refuse("--by", "belongs to a search with --rule identity");
         refuse("--resume", "belongs to a search with --rule identity");
         if (options.seconds) refuse("--moves", "and --seconds exclude each other");
         if (options.tone == 0 && options.pairs == 0) {
@@ -378,10 +459,18 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
             "--points", fmt::format("{} is not possible; give a multiple of 4 up to {}", options.points,
                                     identity ? static_cast<std::size_t>(kMaxIdentityWord) : kMaxTilePoints));
     }
+    if (options.by != TileCriterion::radius && options.points > kMostCriterionPoints) {
+        throw CLI::ValidationError(
+            "--by",
+            fmt::format("{} looks at every tile, and of {} points there are too many; give {} or fewer",
+                        name_of(options.by), options.points, kMostCriterionPoints));
+    }
 }
 
 void search_tiles(const TileSearchOptions& options, std::ostream& out) {
-    if (options.kind == SearchKind::identity) {
+    if (options.kind == SearchKind::identity && options.by != TileCriterion::radius) {
+        search_by(options, out);
+    } else if (options.kind == SearchKind::identity) {
         search_identity(options, out);
     } else {
         search_any(options, out);

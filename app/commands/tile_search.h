@@ -20,14 +20,24 @@ enum class SearchKind {
     identity,  // all tiles of the paper's kind, by relative radius
     any,       // tiles of a rule that does not repeat, by evenness
 };
+/// What the best of the tiles found is the best in.
+enum class TileCriterion {
+    radius,       // the largest relative radius
+    discrepancy,  // the lowest star discrepancy
+    symmetry,     // the highest symmetry()
+};
+/// "radius", "discrepancy", "symmetry".
+std::string_view name_of(TileCriterion criterion);
+
 struct TileSearchOptions {
     int points = 0;
     SearchKind kind = SearchKind::identity;
-    std::optional<Rule> rule;            // of SearchKind::any; none: the one that suits the points
-    int top = 5;                         // identity: so many tiles
-    int runs = 0;                        // any: with the seeds seed, seed + 1, ...; 0: as many as cores
-    std::optional<double> seconds;       // identity: stops then; any: ends then
-    std::optional<std::uint64_t> moves;  // any: tried in each run
+    std::optional<Rule> rule;                  // of SearchKind::any; none: the one that suits the points
+    int top = 5;                               // identity: so many tiles, the best ones
+    TileCriterion by = TileCriterion::radius;  // identity: what they are the best in
+    int runs = 0;                              // any: with the seeds seed, seed + 1, ...; 0: as many as cores
+    std::optional<double> seconds;             // identity: stops then; any: ends then
+    std::optional<std::uint64_t> moves;        // any: tried in each run
     std::uint64_t seed = 1;
     double tone = 1, pairs = 1, peaks = 1;        // any: weights of the objective, 1 being the usual ones
     int threads = 0;                              // 0: all cores

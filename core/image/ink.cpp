@@ -214,6 +214,21 @@ InkCurve::InkCurve(const InkedDots& dots)
     }
 }
 
+InkCurve::InkCurve(const MeasuredCoverage& measured) {
+    const auto& covered = measured.coverage;
+    const auto black = std::ranges::find_if(covered, [](float share) { return share >= kBlackCoverage; });
+    const std::size_t last =
+        black == covered.end() ? covered.size() - 1 : std::size_t(black - covered.begin());
+    full_load_ = measured.load_step * double(last);
+    coverage_[0] = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+        const float at = float(last) * float(i) / kSteps;
+        const std::size_t below = std::min(std::size_t(at), last - 1);
+        const float here = covered[below] + (covered[below + 1] - covered[below]) * (at - float(below));
+        coverage_[i] = std::max(here, coverage_[i - 1] + 1e-6f);
+    }
+}
+
 float InkCurve::coverage(float density) const {
     const float at = std::clamp(density, 0.0f, 1.0f) * kSteps;
     const int i = std::min(static_cast<int>(at), kSteps - 1);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace dapple {
 
@@ -33,16 +34,28 @@ struct InkedDots {
     bool operator==(const InkedDots&) const = default;
 };
 
+/// Of the paper, where the density is 1.
+inline constexpr float kBlackCoverage = 0.995f;
+
 /// log4(kDotsPerScale * scale / tile size).
 double level_of(double scale, std::size_t tile_size);
 
 /// Whether the coverage of dots relaxed so often depends on InkedDots::level.
 bool depends_on_level(int relaxing_steps);
 
+/// Coverage as measured at loads 0, load_step, 2 load_step, ..., of whatever dots.
+struct MeasuredCoverage {
+    double load_step = 0.05;
+    std::span<const float> coverage;  // from 0 on, never falling; at least two
+};
+
 /// Between density and coverage, for one kind of dots.
 class InkCurve {
  public:
     explicit InkCurve(const InkedDots& dots = {});
+
+    /// Density 1 is the first of the loads that covers kBlackCoverage, or the last.
+    explicit InkCurve(const MeasuredCoverage& measured);
 
     /// Density 0..1; clamped.
     float coverage(float density) const;

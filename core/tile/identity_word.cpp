@@ -77,11 +77,16 @@ double relative_radius(std::string_view word) {
     return radius / std::sqrt(1 / (2 * std::numbers::sqrt3 * static_cast<double>(count)));
 }
 
+std::array<std::string, 8> symmetric_words(std::string_view word) {
+    std::array<std::string, 8> words;
+    for (const Orientation g : all_orientations())
+        for (const char c : word) words[g.index] += static_cast<char>('0' + apply_to_quadrant(g, c - '0'));
+    return words;
+}
+
 std::string smallest_symmetric_word(std::string_view word) {
     std::string smallest;
-    for (const Orientation g : all_orientations()) {
-        std::string image;
-        for (const char c : word) image += static_cast<char>('0' + apply_to_quadrant(g, c - '0'));
+    for (std::string& image : symmetric_words(word)) {
         for (std::size_t i = 0; i < image.size(); ++i) {
             std::rotate(image.begin(), image.begin() + 1, image.end());
             if (smallest.empty() || image < smallest) smallest = image;

@@ -5,6 +5,7 @@
 // every distance is a whole number of 1 / (2^N - 1) and nothing here is rounded before the end
 // (Lagae & Dutré 2006, section 4).
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ TileIntegers integers_of(std::string_view word);
 /// points coincide. For words of 2..kMaxIdentityWord letters. Squared distances are compared as integers, so
 /// tiles of equal distance get the same double.
 double relative_radius(std::string_view word);
+
+/// The words of its tile's images under the square's eight symmetries, the word itself first.
+std::array<std::string, 8> symmetric_words(std::string_view word);
 
 /// The smallest, letter by letter, of all rotations of the word's images under the square's eight symmetries:
 /// two words make the same tile up to symmetry exactly if these are equal.

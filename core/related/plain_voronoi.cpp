@@ -1,4 +1,4 @@
-#include "bench/plain_lloyd.h"
+#include "core/related/plain_voronoi.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -6,18 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
-#include <stdexcept>
 
 #include "core/analysis/point_grid.h"
-#include "core/tile/random.h"
 
 namespace dapple {
 namespace {
-
-glm::dvec2 page_of(const Density& density) {
-    return glm::dvec2(density.width(), density.height()) / double(density.longer_side());
-}
 
 using Polygon = std::vector<glm::dvec2>;  // convex, seen from its dot
 
@@ -40,51 +33,63 @@ double radius_of(const Polygon& cell) {
     return std::sqrt(squared);
 }
 
-struct Moments {
-    double weight = 0;
-    glm::dvec2 first{};
-    double second = 0;
-};
+void add_at(CellMoments& sum, double weight, glm::dvec2 at) {
+    sum.weight += weight;
+    sum.first += weight * at;
+    sum.xx += weight * at.x * at.x;
+    sum.xy += weight * at.x * at.y;
+    sum.yy += weight * at.y * at.y;
+}
 
-class CellMoments {
+// Three points inside a triangle, of its first and second side, integrate polynomials of degree 2 exactly.
+constexpr glm::dvec2 kTrianglePoints[]{{1.0 / 6, 1.0 / 6}, {2.0 / 3, 1.0 / 6}, {1.0 / 6, 2.0 / 3}};
+
+CellMoments plain_moments(const Polygon& cell) {
+    CellMoments sum;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        const glm::dvec2 u = cell[i], v = cell[i + 1 < cell.size() ? i + 1 : 0];
+        const double third = std::abs(u.x * v.y - u.y * v.x) / 6;
+        for (const glm::dvec2 p : kTrianglePoints) add_at(sum, third, u * p.x + v * p.y);
+        sum.area += 3 * third;
+    }
+    return sum;
+}
+
+class WeightedMoments {
  public:
-    CellMoments(const Density& density, LloydWeight weight)
+    WeightedMoments(const Density& density, LloydWeight weight)
         : density_(density), squared_(weight == LloydWeight::density_squared) {}
 
     // Of the cell of a dot, about that dot.
-    Moments of(const Polygon& cell, glm::dvec2 dot) const {
-        Moments sum;
+    CellMoments of(const Polygon& cell, glm::dvec2 dot) const {
+        CellMoments sum;
         for (std::size_t i = 0; i < cell.size(); ++i)
             add_triangle(sum, dot, cell[i], cell[i + 1 < cell.size() ? i + 1 : 0]);
         return sum;
     }
 
  private:
-    // The triangle of the dot and two corners, divided into parts * parts small ones of the same shape. Three
-    // points inside a triangle integrate polynomials of degree 2 exactly.
-    void add_triangle(Moments& sum, glm::dvec2 dot, glm::dvec2 b, glm::dvec2 c) const {
+    // The triangle of the dot and two corners, divided into parts * parts small ones of the same shape.
+    void add_triangle(CellMoments& sum, glm::dvec2 dot, glm::dvec2 b, glm::dvec2 c) const {
         const double longest = std::sqrt(std::max({glm::dot(b, b), glm::dot(c, c), glm::dot(b - c, b - c)}));
         const int parts = std::max(1, int(std::ceil(longest * density_.longer_side())));
+        sum.area += std::abs(b.x * c.y - b.y * c.x) / 2;
         const glm::dvec2 u = b / double(parts), v = c / double(parts);
         const double third = std::abs(u.x * v.y - u.y * v.x) / 6;
         const auto add = [&](double i, double j) {
             const glm::dvec2 at = u * i + v * j;
             const double density = density_.at(dot + at);
             const double weight = third * (squared_ ? density * density : density);
-            sum.weight += weight;
-            sum.first += weight * at;
-            sum.second += weight * glm::dot(at, at);
+            add_at(sum, weight, at);
         };
         for (int i = 0; i < parts; ++i) {
             for (int j = 0; i + j < parts; ++j) {
-                for (const glm::dvec2 p : kPoints) add(i + p.x, j + p.y);
+                for (const glm::dvec2 p : kTrianglePoints) add(i + p.x, j + p.y);
                 if (i + j + 1 == parts) continue;
-                for (const glm::dvec2 p : kPoints) add(i + 1 - p.x, j + 1 - p.y);
+                for (const glm::dvec2 p : kTrianglePoints) add(i + 1 - p.x, j + 1 - p.y);
             }
         }
     }
-
-    static constexpr glm::dvec2 kPoints[]{{1.0 / 6, 1.0 / 6}, {2.0 / 3, 1.0 / 6}, {1.0 / 6, 2.0 / 3}};
 
     const Density& density_;
     bool squared_;
@@ -97,8 +102,9 @@ class Cells {
     // Neighbours further away than twice the cell's furthest corner cannot cut it. The polygon is valid until
     // the next call.
     const Polygon& cell_of(const PointGrid::Entry& dot) {
-        const glm::dvec2 low = -dot.position;
-        const glm::dvec2 high = low + glm::dvec2(grid_.domain().width, grid_.domain().height);
+        const glm::dvec2 page(grid_.domain().width, grid_.domain().height);
+        const bool torus = grid_.domain().topology == Topology::torus;
+        const glm::dvec2 low = torus ? -page : -dot.position, high = torus ? page : low + page;
         cell_ = {low, {high.x, low.y}, high, {low.x, high.y}};
         double reach = grid_.cell_size(), needed = 0;
         while (true) {
@@ -121,40 +127,33 @@ class Cells {
     Polygon cell_, spare_;
 };
 
-}  // namespace
-
-std::vector<glm::dvec2> random_dots(const Density& density, std::size_t count, std::uint64_t seed) {
-    const std::vector<float>& values = density.values().values;
-    const double highest = *std::max_element(values.begin(), values.end());
-    if (!(highest > 0)) throw std::runtime_error("the picture is white: there is nothing to draw");
-    const glm::dvec2 page = page_of(density);
-    Random random(seed);
-    std::vector<glm::dvec2> dots;
-    dots.reserve(count);
-    while (dots.size() < count) {
-        const double x = random.unit() * page.x, y = random.unit() * page.y;
-        if (random.unit() * highest < density.at({x, y})) dots.emplace_back(x, y);
-    }
-    return dots;
-}
-
-double lloyd_step(std::vector<glm::dvec2>& dots, const Density& density, LloydWeight weight) {
-    const glm::dvec2 page = page_of(density);
-    const PointGrid grid(dots, {page.x, page.y, Topology::window});
-    const CellMoments moments(density, weight);
-    std::vector<double> energies(dots.size());
+template <class MomentsOf>
+std::vector<CellMoments> moments_in(const std::vector<glm::dvec2>& dots, const Domain& domain,
+                                    const MomentsOf& moments_of) {
+    const PointGrid grid(dots, domain);
+    std::vector<CellMoments> moments(dots.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, dots.size(), 256), [&](const auto& range) {
         Cells cells(grid);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const PointGrid::Entry& dot = grid.entries()[i];
-            const Moments of_cell = moments.of(cells.cell_of(dot), dot.position);
-            energies[dot.index] = of_cell.second;
-            if (of_cell.weight > 0)
-                dots[dot.index] =
-                    glm::clamp(dot.position + of_cell.first / of_cell.weight, glm::dvec2(0), page);
+            moments[dot.index] = moments_of(cells.cell_of(dot), dot.position);
         }
     });
-    return std::accumulate(energies.begin(), energies.end(), 0.0);
+    return moments;
+}
+
+}  // namespace
+
+std::vector<CellMoments> weighted_cells(const std::vector<glm::dvec2>& dots, const Density& density,
+                                        LloydWeight weight) {
+    const WeightedMoments moments(density, weight);
+    const double longer = density.longer_side();
+    return moments_in(dots, {density.width() / longer, density.height() / longer, Topology::window},
+                      [&](const Polygon& cell, glm::dvec2 dot) { return moments.of(cell, dot); });
+}
+
+std::vector<CellMoments> plain_cells(const std::vector<glm::dvec2>& dots, const Domain& domain) {
+    return moments_in(dots, domain, [](const Polygon& cell, glm::dvec2) { return plain_moments(cell); });
 }
 
 }  // namespace dapple

@@ -1,4 +1,4 @@
-#include "bench/picture_marks.h"
+#include "core/reports/picture_marks.h"
 
 #include <algorithm>
 #include <cmath>
