@@ -61,6 +61,7 @@ DrawingRequest request_of(const DrawingSettings& settings) {
     return {.automatic_tone = settings.automatic_tone,
             .automatic_exposure = settings.automatic_exposure,
             .tone = settings.tone,
+            .mask = settings.mask,
             .placer = settings.placer,
             .placing = settings.placing,
             .relax = settings.relax,

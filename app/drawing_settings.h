@@ -13,6 +13,7 @@
 #include "core/drawing/request.h"
 #include "core/image/colour.h"
 #include "core/image/detail.h"
+#include "core/image/mask.h"
 #include "core/output/gcode.h"
 #include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
@@ -54,6 +55,7 @@ struct DrawingSettings {
     DrawingStyle style = DrawingStyle::dots;
     DotMark mark = {};          // each dot's shape, where the style is dots
     double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
+    Mask mask = {};             // more dots, fewer or none here and there
 
     bool operator==(const DrawingSettings&) const = default;
 };

@@ -17,6 +17,7 @@
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/pen_panel.h"
@@ -31,13 +32,14 @@ namespace {
 
 const std::array<std::string, 2> kTiles{"paper16", "wild64"};
 /// What a click folds.
-const std::set<std::string> kFolds{"Crop", "Dots",    "Page",    "Pens",    "Figures",
-                                   "View", "Samples", "Compare", "The tile"};
+const std::set<std::string> kFolds{"Crop",    "Mask", "Dots",    "Page",    "Pens",
+                                   "Figures", "View", "Samples", "Compare", "The tile"};
 
 /// All that the panels edit.
 struct Everything {
     ViewerSettings all = {};
     LightsSettings lights = {};
+    MaskBrush brush = {};
     bool framing = false, dialog = true, desktop = false;
     Appearance appearance = {};
     TilePanelState tile = {};
@@ -87,6 +89,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
              draw_tone_panel(drawing, {});
              draw_rotate_row(drawing.page.quarter_turns);
              draw_crop_rows(drawing.page.crop, {400, 300}, one.framing);
+             draw_mask_panel(drawing.mask, one.brush);
          }},
         {"dots", [&] { draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25}); }},
         {"page",
@@ -118,7 +121,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
 void make_high(HeadlessUi& ui, float width = 400) {
     ImGui::GetIO().DisplaySize = {width, 4000};
     for (int i = 0; i < 3; ++i) ui.frame();
-    for (const char* folded : {"Crop"})
+    for (const char* folded : {"Crop", "Mask"})
         if (ui.has(folded)) ui.click(folded);
 }
 

@@ -22,6 +22,7 @@ struct JourneyFolder {
         for (int pixel = 0; pixel < 24 * 16; ++pixel)
             picture += std::to_string(250 - 10 * (pixel % 24)) + "\n";
         put_text(folder / "ramp.pgm", picture);
+        put_text(folder / "mask.pgm", "P2\n2 2\n255\n128 128 0 255\n");
         put_text(folder / "start.dapple", R"({"dapple": 1, "drawing": {"count": 500, "relax": 0}})");
     }
     std::string svg() const { return text_of(folder / "ramp.svg"); }
@@ -106,6 +107,16 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
             walk_to(viewer, "90");
             viewer.key("Right");
         });
+        place_anew(viewer, "masked", [&] {
+            viewer.key("ctrl+p");
+            REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+            viewer.xdotool("type 'open mask'");
+            viewer.key("Return");
+            REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+            viewer.key("ctrl+a");
+            viewer.xdotool("type '" + (files.folder / "mask.pgm").string() + "'");
+            viewer.key("Return");
+        });
         viewer.key("ctrl+e");
         REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
         walk_to(viewer, "Paper in SVG");
@@ -125,6 +136,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
     const json page = json::parse(text_of(files.folder / "ramp.dapple"));
     CHECK(page["drawing"]["count"] == 700);
     CHECK(page["drawing"]["background"] == true);
+    CHECK_FALSE(page["drawing"]["mask"].empty());
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     viewer.key("ctrl+e");
     REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
@@ -133,7 +145,8 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
     files.compare(exported, files.svg());
 }
 
-TEST_CASE("by mouse: a picture opened, adjusted, laid out, exported and saved is the same another day") {
+TEST_CASE(
+    "by mouse: a picture opened, adjusted, masked, laid out, exported and saved is the same another day") {
     const JourneyFolder files;
     Display display;
     const auto in_dialog = [](RunningViewer& viewer, const char* button) {
@@ -155,6 +168,22 @@ TEST_CASE("by mouse: a picture opened, adjusted, laid out, exported and saved is
             viewer.point_at("Brightness", 0.3);
             viewer.release();
         });
+        viewer.click("Mask");
+        REQUIRE(viewer.shows([&] { return viewer.has("none"); }));
+        viewer.click("none");
+        const json unmasked = viewer.status()["scale"];
+        place_anew(viewer, "painted", [&] {
+            viewer.move(400, 400);
+            viewer.press();
+            viewer.move(480, 420);
+            viewer.release();
+        });
+        place_anew(viewer, "undone", [&] { viewer.key("ctrl+z"); });
+        CHECK(viewer.status()["scale"] == unmasked);
+        place_anew(viewer, "redone", [&] { viewer.key("ctrl+y"); });
+        CHECK(viewer.status()["scale"] != unmasked);
+        viewer.click("off");
+        viewer.click("Mask");
         place_anew(viewer, "turned", [&] { viewer.click("90"); });
         in_dialog(viewer, "Export...");
         REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
@@ -167,6 +196,7 @@ TEST_CASE("by mouse: a picture opened, adjusted, laid out, exported and saved is
     }
     const json drawing = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"];
     CHECK(drawing["tone"]["brightness"] < 0);
+    CHECK_FALSE(drawing["mask"].empty());
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     in_dialog(viewer, "Export...");
     REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));

@@ -14,9 +14,11 @@
 #include "app/commands/render_command.h"
 #include "app/settings/drawing_fields.h"
 #include "app/settings/embedded_settings.h"
+#include "app/settings/mask_text.h"
 #include "app/settings/project.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/viewer_fields.h"
+#include "core/image/brush.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
@@ -66,7 +68,8 @@ ViewerSettings nothing_usual() {
         .show_tiles = true,
         .style = DrawingStyle::nearest,
         .mark = parse_dot_mark("M0,0 L1,1"),
-        .pen_width_mm = 0.7};
+        .pen_width_mm = 0.7,
+        .mask = Mask(Grid<std::uint8_t>(3, 2, 77))};
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;
@@ -175,6 +178,9 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
     drawing.background = drawing.show_tiles = true;
     drawing.relax = 2;
     drawing.paper = parse_colour("#f1faee");
+    BrushStroke stroke({}, {64, 64}, {.kind = BrushKind::none, .radius = 0.2});
+    stroke.go_to({0.3, 0.4});
+    drawing.mask = stroke.mask();
     window.session.settings.saving = {DotOrder::priority, 50};
     window.session.save_project(project);
     for (const char* name : {"a.svg", "a.png", "a.csv"}) {
@@ -329,6 +335,14 @@ TEST_CASE("a project whose picture is missing opens, keeps its name when saved, 
     CHECK(Json::parse(text_of(file))["picture"]["absolute"] == icon.string());
 }
 
+TEST_CASE("a mask's levels as text come back level for level") {
+    Grid<std::uint8_t> levels(40, 30);
+    for (std::size_t i = 0; i < levels.values.size(); ++i)
+        levels.values[i] = static_cast<std::uint8_t>(i * i % 251);
+    CHECK(unpacked_mask(packed_levels(Mask(levels)), 40, 30) == Mask(levels));
+    CHECK_THROWS(unpacked_mask(packed_levels(Mask(levels)), 40, 29));
+}
+
 TEST_CASE("a project brings back every setting") {
     const TemporaryFolder folder;
     ViewerSettings saved = nothing_usual(), usual, read;
@@ -427,6 +441,11 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tile": "gone.tile"}})") ==
           "p.dapple: drawing.tile cannot be found, gone.tile is not there; put that file back, or name "
           "another");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"mask": {"width": 513, "height": 1}}})") ==
+          "p.dapple: drawing.mask has no width of 1 to 512");
+    CHECK(complaint_about(
+              R"({"dapple": 1, "drawing": {"mask": {"width": 9, "height": 9, "levels": "Zm9v"}}})") ==
+          "p.dapple: drawing.mask has levels that are not as many as width and height say, or damaged");
     CHECK(complaint_about(R"({"dapple": 9})") ==
           "p.dapple: written by a newer Dapple, in version 9 of the format; this one reads version 1");
     CHECK(complaint_about("[1, 2]") == "p.dapple: not settings of Dapple's, which say \"dapple\": 1");

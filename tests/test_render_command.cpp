@@ -372,3 +372,25 @@ TEST_CASE("without a picture the sample is drawn") {
     CHECK(read_svg(scene("s.svg")).circles().size() == 500);
     CHECK(read_json(scene("s.json"))["image_width"] == 1024);
 }
+
+TEST_CASE("a mask leaves paper bare where it is black, and goes with the drawing's own settings") {
+    const Scene scene;
+    PictureFile mask{.width = 12, .height = 8};
+    for (int i = 0; i < 12 * 8; ++i) mask.values.push_back(i % 12 < 4 ? 0.0f : 128 / 255.0f);
+    write_picture(scene.folder / "mask.png", mask);
+    const std::vector<double> all = drawn_with(scene, "cat.png", "--dots 2000");
+    CHECK(dots_between(all, 0, 27) > 500);
+    const std::vector<double> dots = drawn_with(scene, "cat.png", "--dots 2000 --mask " + scene("mask.png"));
+    CHECK(dots.size() == 2000);
+    CHECK(dots_between(dots, 0, 27) == 0);  // up to the last black centre, less a pixel
+    const std::string render = "render " + scene("cat.png") + " --dots 500 -o ";
+    CHECK(run_dapple(render + scene("a.svg") + " --mask " + scene("mask.png")).status == 0);
+    CHECK(run_dapple(render + scene("b.svg") + " --settings-from " + scene("a.svg")).status == 0);
+    CHECK(
+        run_dapple(render + scene("c.svg") + " --settings-from " + scene("a.svg") + " --mask none").status ==
+        0);
+    CHECK(text_of(scene("a.svg")) == text_of(scene("b.svg")));
+    CHECK(text_of(scene("a.svg")) != text_of(scene("c.svg")));
+    CHECK(run_dapple(render + scene("d.svg") + " --mask " + scene("a.svg")).err.find("--mask: ") !=
+          std::string::npos);
+}

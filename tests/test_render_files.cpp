@@ -103,7 +103,7 @@ TEST_CASE("settings and templates that cannot be read are refused with the true 
     std::filesystem::create_symlink(scene("loop.svg"), scene("loop.svg"));
     scene.must_fail(from + " --settings-from " + scene("folder.png"), "folder.png: is a folder, not a file");
     scene.must_fail(from + " --settings-from " + scene("none.svg"), "none.svg: no such file");
-    for (const char* option : {" --settings-from ", " --gcode ", " --tile "})
+    for (const char* option : {" --settings-from ", " --gcode ", " --tile ", " --mask "})
         scene.must_fail(from + option + scene("loop.svg"), "loop.svg: ");
     put_text(scene("zeros"), std::string(100, '\0'));
     for (const char* option : {" --gcode ", " --pens ", " --tile "})

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "app/viewer/model/mask_brush.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "tests/headless_ui.h"
 
@@ -60,6 +61,26 @@ TEST_CASE("a question mark asks for help wherever the keyboard has it") {
     keyboard.actions.clear();
     keyboard.ui.type("?");
     CHECK(keyboard.actions == Actions{Action::help});
+}
+
+TEST_CASE("the brackets size the mask's brush, never beyond its limits") {
+    Keyboard keyboard;
+    keyboard.actions.clear();
+    keyboard.ui.type("]");
+    CHECK(keyboard.actions == Actions{Action::larger_brush});
+    keyboard.actions.clear();
+    keyboard.ui.type("[");
+    CHECK(keyboard.actions == Actions{Action::smaller_brush});
+    MaskBrush tool;
+    const double before = tool.brush.radius;
+    resize_brush(tool, 1);
+    CHECK(tool.brush.radius > before);
+    resize_brush(tool, -1);
+    CHECK(tool.brush.radius == doctest::Approx(before));
+    resize_brush(tool, 100);
+    CHECK(tool.brush.radius == kLargestBrush);
+    resize_brush(tool, -200);
+    CHECK(tool.brush.radius == kSmallestBrush);
 }
 
 TEST_CASE("while text is typed, keys are letters") {

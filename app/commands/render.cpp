@@ -81,7 +81,7 @@ class Stages {
 void check_files(const RenderOptions& options) {
     FileInUse picture{options.image, "the picture"}, drawing{options.output, "the drawing"};
     const FileInUse tile{options.drawing.tile, "the tile"}, project{options.project, "the project"},
-        settings{options.settings_from, "the settings"};
+        settings{options.settings_from, "the settings"}, mask{options.mask, "the mask"};
     if (reads_standard_input(options)) picture.path.reset();
     if (is_standard_stream(options.output)) {
         drawing.path.reset();
@@ -91,11 +91,11 @@ void check_files(const RenderOptions& options) {
                 "a program");
         }
     } else {
-        check_apart(options.output, {picture, tile, project});
+        check_apart(options.output, {picture, tile, project, mask});
         check_can_save(options.output);
     }
     if (!options.stats) return;
-    check_apart(*options.stats, {picture, tile, project, settings, drawing});
+    check_apart(*options.stats, {picture, tile, project, settings, mask, drawing});
     check_can_save(*options.stats);
 }
 
@@ -118,8 +118,9 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     request.placing.thresholds = is_table(format_of(options)) || options.saving.order == DotOrder::priority;
     DrawingPlan plan = pipeline.plan(request);
     if (plan.density->mean() == 0 && plan.placing.count) {
-        throw std::runtime_error(
-            fmt::format("{}: nothing to draw, all of it is as light as the paper", name_of_image(options)));
+        throw std::runtime_error(fmt::format("{}: nothing to draw, all of it is as light as the paper{}",
+                                             name_of_image(options),
+                                             options.drawing.mask.empty() ? "" : " or masked"));
     }
     if (plan.lowered) {
         const bool by_size = request.size.sizing == DotSizing::by_tone;

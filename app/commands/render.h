@@ -17,6 +17,7 @@ struct RenderOptions {
     std::optional<std::filesystem::path> image;          // none: the built-in sample; "-": the standard input
     std::optional<std::filesystem::path> project;        // that it was named by
     std::optional<std::filesystem::path> settings_from;  // whose settings it is drawn with
+    std::optional<std::filesystem::path> mask;           // that --mask names
     std::filesystem::path output;         // ends as drawing_format() has it; "-": the standard output
     std::optional<DrawingFormat> format;  // none: what the output's name says, or SVG
     DrawingSettings drawing;

@@ -78,6 +78,25 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
+    const auto read_mask = [this](const std::string& file) {
+        options_.drawing.mask = {};
+        options_.mask.reset();
+        if (file == "none") return;
+        options_.mask = file;
+        try {
+            options_.drawing.mask = mask_of(read_picture(file, options_.limit).light);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(fmt::format("--mask: {}", error.what()));
+        }
+    };
+    command
+        ->add_option_function<std::string>(
+            "--mask", read_mask,
+            "A grey picture that lies over the picture as it was opened: middle grey (#808080) changes "
+            "nothing, darker has fewer dots, black none, lighter more, white four times as many where the "
+            "tone leaves room; kept with 512 pixels along its longer side. none: without the project's")
+        ->type_name("FILE|none")
+        ->group("Tone");
     add_page_options(*command, options_.drawing);
     add_number(*command, "--dpi", options_.saving.dpi, {.least = 1, .most = 100'000}, "N",
                "PNG, TIFF: pixels to the inch")

@@ -79,7 +79,7 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
-           pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm] =
+           pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm, mask] =
         drawing;
     fields.flag("automatic_tone", automatic_tone);
     fields.flag("automatic_exposure", automatic_exposure);
@@ -103,6 +103,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.text("dot_shape", text_of(mark),
                 [&mark = mark](const std::string& text) { mark = parse_dot_mark(text); });
     fields.number("pen_width_mm", pen_width_mm, {kFinestPenMm, kWidestPenMm});
+    fields.mask("mask", mask);
 }
 
 static void describe(Fields& fields, OwnTemplate& own) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
+#include "app/settings/mask_text.h"
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "core/image/colour.h"
@@ -179,6 +180,39 @@ void Fields::colour(const char* name, glm::vec3& value) {
             refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
         }
         if (!found->is_string()) refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+    }
+}
+
+void Fields::mask(const char* name, Mask& value) {
+    if (way_ == Way::write) {
+        Json& there = written(name);
+        there = Json();
+        if (!value.empty())
+            there = {{"width", value.levels().width},
+                     {"height", value.levels().height},
+                     {"levels", packed_levels(value)}};
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    value = {};
+    if (found->is_null()) return;
+    const auto side = [&](const char* which) {
+        const auto at = found->find(which);
+        const bool whole = at != found->end() && at->is_number_integer();
+        const double pixels = whole ? at->get<double>() : 0;
+        if (!(pixels >= 1 && pixels <= kMostMaskSide))
+            refuse(name, fmt::format("has no {} of 1 to {}", which, kMostMaskSide));
+        return static_cast<int>(pixels);
+    };
+    if (!found->is_object()) refuse_value(name, *found, "a mask, in braces, or null");
+    const int width = side("width"), height = side("height");
+    const auto levels = found->find("levels");
+    if (levels == found->end() || !levels->is_string()) refuse(name, "has no levels");
+    try {
+        value = unpacked_mask(levels->get_ref<const std::string&>(), width, height);
+    } catch (const std::runtime_error& error) {
+        refuse(name, fmt::format("has levels that {}", error.what()));
     }
 }
 

@@ -24,6 +24,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/mask.h"
+
 namespace dapple {
 
 /// Both ends are included.
@@ -81,6 +83,8 @@ class Fields {
     /// A text that `take` understands, or else throws std::runtime_error saying what is wrong with it.
     void text(const char* name, const std::string& value,
               const std::function<void(const std::string& text)>& take);
+    /// {"width": 512, "height": 341, "levels": see packed_levels()}; an empty one is null.
+    void mask(const char* name, Mask& value);
     /// A name for tile_named(). Of a tile's file, its path.
     void tile(const char* name, std::string& value);
     /// A file; none is null. Reading throws MissingFile if it is not there, as tile() does.

@@ -160,6 +160,39 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     return density_;
 }
 
+std::shared_ptr<const Density> Pipeline::density_for(const Toned& toned, const Mask& mask) {
+    if (mask.empty() || plain_) {
+        masked_.reset();
+        unmasked_.reset();
+        return toned_density(toned);
+    }
+    if (!density_ || toned_ != toned) {  // its memory may be needed
+        masked_.reset();
+        unmasked_.reset();
+    }
+    const auto density = toned_density(toned);
+    if (masked_ && unmasked_ == density && mask_ == mask) return masked_;
+    const auto start = Clock::now();
+    masked_ = std::make_shared<const Density>(
+        masked(density->values(), mask, framing_, {light_.width, light_.height}));
+    unmasked_ = density;
+    mask_ = mask;
+    tone_ms_ += milliseconds_since(start);
+    return masked_;
+}
+
+PenDensities Pipeline::by_pen_under(const Mask& mask) const {
+    PenDensities result = by_pen_;
+    if (mask.empty()) return result;
+    const auto under = [&](const std::shared_ptr<const Density>& density) {
+        return std::make_shared<const Density>(
+            masked(density->values(), mask, framing_, {light_.width, light_.height}));
+    };
+    result.all = masked_;
+    std::ranges::transform(result.each, result.each.begin(), under);
+    return result;
+}
+
 PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
     if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper) {
         separation_ = std::make_shared<const Separation>(toned.pens, toned.paper);
@@ -209,10 +242,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const bool by_level = depends_on_level(plan.steps) && plan.placer == PlacerKind::exact;
     const std::size_t tile_size = tile_->tile().size();
     if (by_level && !plan.placing.count) toned.ink.level = level_of(plan.placing.scale, tile_size);
-    plan.density = toned_density(toned);
+    plan.density = density_for(toned, request.mask);
     for (int round = 0; by_level && plan.placing.count && round < 2 && plan.density->mean() > 0; ++round) {
         toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
-        plan.density = toned_density(toned);
+        plan.density = density_for(toned, request.mask);
     }
 }
 
@@ -250,7 +283,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     }
 
     const double most = static_cast<double>(request.most_dots) / (moves ? 1 : kWithDuplicates);
-    if (!plan.pens.empty()) plan.by_pen = by_pen_;
+    if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
     plan.lowered = dots() > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);

@@ -1,8 +1,8 @@
 #pragma once
 // From a picture to its dots: the one line that window, commands, tests and benchmarks go along.
 //
-//      light ──► tone ──► density ──► placed dots ──► relaxed dots, each with its size
-//                            tile ───────┘
+//      light ──► tone ──► density, under its mask ──► placed dots ──► relaxed dots, each with its size
+//                                              tile ──────────┘
 //
 // A stage is done again only if something that it depends on has changed.
 
@@ -122,8 +122,11 @@ class Pipeline {
         bool operator==(const Toned&) const = default;
     };
 
+    /// Under the mask, if there is one.
+    std::shared_ptr<const Density> density_for(const Toned& toned, const Mask& mask);
     std::shared_ptr<const Density> toned_density(const Toned& toned);
     PenDensities toned_by_pen(const Toned& toned, Grid<float> light);
+    PenDensities by_pen_under(const Mask& mask) const;
     std::shared_ptr<const Histogram> histogram(float exposure);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
@@ -145,6 +148,8 @@ class Pipeline {
     std::shared_ptr<const Histogram> histogram_;
     std::optional<Toned> toned_;  // what density_ was made with
     std::shared_ptr<const Density> density_, plain_;
+    Mask mask_;                                         // masked_ is density_ under it
+    std::shared_ptr<const Density> masked_, unmasked_;  // the latter is density_ as it was then
     std::optional<RankedTile> tile_;
     double tone_ms_ = 0;
 };

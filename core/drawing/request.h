@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/drawing/page_setup.h"
+#include "core/image/mask.h"
 #include "core/image/tone.h"
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
@@ -39,6 +40,7 @@ struct DrawingRequest {
     /// If automatic, tone.exposure is the picture's usual one: see Pipeline::set_light().
     bool automatic_exposure = true;
     Tone tone = {};
+    Mask mask = {};  // over the picture's density
     PlacerKind placer = PlacerKind::exact;
     /// Of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.
     PlacingRequest placing = {};

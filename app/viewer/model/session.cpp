@@ -84,6 +84,8 @@ void Session::open_sample() {
 
 void Session::open(const fs::path& path) {
     begin_reading({.picture = path});
+    // It was painted for another picture; undo brings it back.
+    readings_.back().mask_before = std::exchange(settings.drawing.mask, {});
     read(path);
     if (!banner.offer.empty()) banner = {};  // it was about the picture before
 }
@@ -131,7 +133,10 @@ void Session::go_back_before(const fs::path& picture) {
         if (failed->settings_before) next->settings_before = std::move(failed->settings_before);
     } else {
         source_ = std::move(failed->before);
-        if (failed->settings_before) std::tie(settings, history_) = std::move(*failed->settings_before);
+        if (failed->settings_before)
+            std::tie(settings, history_) = std::move(*failed->settings_before);
+        else if (settings.drawing.mask.empty())
+            settings.drawing.mask = std::move(failed->mask_before);
     }
     readings_.erase(failed);
 }
@@ -240,7 +245,7 @@ void Session::play(FilmKind kind) {
     film = PlayedFilm{.kind = kind,
                       .seconds = film ? film->seconds : 8,
                       .dots = std::clamp<std::uint64_t>(dots, 1, kMostFilmDots)};
-    cropping = false;
+    cropping = brush.on = false;
 }
 
 void Session::save_film(const fs::path& path) {

@@ -16,6 +16,7 @@
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
+#include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
 #include "app/viewer/model/played_film.h"
 #include "app/viewer/model/tile_choices.h"
@@ -89,7 +90,8 @@ class Session {
 
     ViewerSettings settings;  // the panels edit them
     // Tools, and so neither saved nor undone.
-    bool cropping = false;           // all of the picture is shown, for a frame over it
+    bool cropping = false;  // all of the picture is shown, for a frame over it
+    MaskBrush brush;
     std::optional<PlayedFilm> film;  // shown in the drawing's place
     Banner banner;
 
@@ -125,6 +127,7 @@ class Session {
         std::filesystem::path picture;
         Source before;
         std::optional<std::pair<ViewerSettings, History<ViewerSettings>>> settings_before = {};
+        Mask mask_before = {};  // where the settings stay
     };
 
     void read(const std::filesystem::path& picture);

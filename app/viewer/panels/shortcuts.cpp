@@ -11,6 +11,7 @@ constexpr Shortcut kShortcuts[] = {
     {Action::open, "Ctrl+O", "Open a picture or a project"},
     {Action::open_tile, "Ctrl+T", "Open a tile"},
     {Action::find_picture, "", "Use another picture in this project"},
+    {Action::open_mask, "", "Open a mask: black for no dots, middle grey as it is, white for more"},
     {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
     {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
@@ -35,6 +36,8 @@ constexpr Shortcut kShortcuts[] = {
     {Action::film_zoom, "", "Film: zoom in, with ever more dots"},
     {Action::film_plot, "", "Film: as a machine plots it"},
     {Action::save_film, "", "Save the film that is played"},
+    {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"},
+    {Action::larger_brush, "]", "A larger brush"},
     {Action::photograph, "P, held", "The photograph instead of its dots"},
     {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"},
     {Action::full_screen, "F11", "Full screen"},
@@ -132,6 +135,8 @@ std::vector<Action> pressed_actions(bool row_has_keys) {
         when(key_pressed(Key::i), Action::explain_dots);
         when(typed('+'), Action::zoom_in);
         when(typed('-'), Action::zoom_out);
+        when(typed('['), Action::smaller_brush);
+        when(typed(']'), Action::larger_brush);
         when(typed('e'), Action::lighter);
         when(typed('E'), Action::darker);
     }

@@ -10,6 +10,7 @@ enum class Action {
     open,
     open_tile,
     find_picture,  // that a project is to have, as where its own is missing
+    open_mask,
     paste,
     save,
     save_as,
@@ -34,6 +35,8 @@ enum class Action {
     film_zoom,
     film_plot,
     save_film,
+    smaller_brush,
+    larger_brush,
     photograph,  // while the key is held: see photograph_key_down()
     toggle_panels,
     full_screen,

@@ -8,6 +8,7 @@
 #include "app/viewer/panels/compare_panel.h"
 #include "app/viewer/panels/crop_rows.h"
 #include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/pen_panel.h"
@@ -43,8 +44,8 @@ namespace {
 
 void draw_picture_section(Session& session) {
     DrawingSettings& drawing = session.settings.drawing;
-    if (!section("Picture")) {  // what cannot be seen is not to frame
-        session.cropping = false;
+    if (!section("Picture")) {  // what cannot be seen is not to paint or to frame
+        session.brush.on = session.cropping = false;
         return;
     }
     const PlacedDrawing& page = session.pane().page();
@@ -61,6 +62,7 @@ void draw_picture_section(Session& session) {
          .neutral = 0,
          .tip = "How much of the photograph shows through under the dots; holding P shows all of it."});
     draw_crop_rows(drawing.page.crop, page.picture_pixels, session.cropping);
+    draw_mask_panel(drawing.mask, session.brush);
 }
 
 void draw_export_section(const std::function<void(Action)>& act) {

@@ -40,6 +40,8 @@ class Document {
 
     virtual void open(const std::filesystem::path& file) = 0;
     virtual void open_tile(const std::filesystem::path& file) = 0;
+    /// A picture that says where there are more dots or fewer: see mask.h.
+    virtual void open_mask(const std::filesystem::path&) {}
     virtual void take_dropped(const std::filesystem::path& file) = 0;
     /// Whether a file is both: a picture, and settings that take_dropped() would take from it.
     virtual bool is_picture_with_settings(const std::filesystem::path&) const { return false; }

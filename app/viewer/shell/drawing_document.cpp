@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/files/file_ending.h"
+#include "app/files/picture.h"
 #include "app/files/tile_library.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/working_folder.h"
@@ -25,6 +26,7 @@
 #include "app/viewer/model/thumbnail.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/player_bar.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/shell/lights_document.h"
@@ -78,6 +80,7 @@ DrawingSettings without_pictures_own(DrawingSettings drawing) {
     drawing.page.crop = usual.page.crop;
     drawing.page.quarter_turns = usual.page.quarter_turns;
     drawing.placing.threads = usual.placing.threads;
+    drawing.mask = usual.mask;
     return drawing;
 }
 
@@ -89,6 +92,7 @@ DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake),
+      mask_reading_(&Window::wake),
       plot_(&Window::wake) {
     ViewerSettings begin = session_.settings;
     begin.zoom_mode = view.zoom_mode;
@@ -112,6 +116,21 @@ std::span<const Shortcut> DrawingDocument::shortcuts() const {
 OpenQuestion DrawingDocument::what_to_open() const {
     const fs::path& path = session_.picture_path();
     return {"Open a picture", kPictures, path};
+}
+
+void DrawingDocument::open_mask(const fs::path& file) {
+    if (mask_reading_.busy()) return;
+    mask_reading_.begin([file](const auto& todo) -> std::optional<Mask> {
+        return mask_of(read_picture(file, PictureLimit::usual, PictureColours::left_out, todo.stop()).light);
+    });
+}
+
+void DrawingDocument::take_mask() {
+    try {
+        if (auto mask = mask_reading_.result()) session_.settings.drawing.mask = std::move(*mask);
+    } catch (const std::exception& error) {
+        say(error.what());
+    }
 }
 
 // An SVG cannot be opened as a picture.
@@ -224,6 +243,10 @@ void DrawingDocument::act(Action action, const Frame&) {
             return play(FilmKind::zoom);
         case Action::film_plot:
             return play(FilmKind::plot);
+        case Action::smaller_brush:
+            return resize_brush(session_.brush, -1);
+        case Action::larger_brush:
+            return resize_brush(session_.brush, 1);
         default:  // the photograph, while its key is held; or of environment maps
             return;
     }
@@ -252,6 +275,7 @@ void DrawingDocument::draw(const Frame& frame) {
         session_.stop_placing();
     if (session_.film && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_film();
     session_.take_events(std::chrono::milliseconds(0));
+    take_mask();
     show_film();
     show_changes(frame.window);
 
@@ -260,9 +284,13 @@ void DrawingDocument::draw(const Frame& frame) {
     open_ = panels ? side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels)
                    : OpenSections{};
     draw_split(place);
-    const bool can_frame =
+    Mask& mask = session_.settings.drawing.mask;
+    const bool can_paint =
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
-    if (!can_frame) session_.cropping = false;
+    if (!can_paint) session_.cropping = false;
+    if (!can_paint || session_.cropping || session_.film) session_.brush.on = false;
+    const bool painting =
+        mask_painter_.paint(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     // The frame is there once all of the picture is.
     const PlacedDrawing& page = session_.pane().page();
     const std::optional<DotsRequest>& placed = session_.pane().page_request();
@@ -271,12 +299,12 @@ void DrawingDocument::draw(const Frame& frame) {
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
     const bool cropping =
         framing && crop_frame_.drag(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
-    session_.remember(ImGui::IsAnyItemActive() || cropping);
+    session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
     if (session_.film) draw_player({0, place.size.y}, player, frame);
     draw_over_canvas(place, frame.act);
-    canvas_.handle_mouse(place, cropping);
+    canvas_.handle_mouse(place, session_.brush.on || cropping);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
@@ -285,6 +313,7 @@ void DrawingDocument::draw(const Frame& frame) {
     // What it says of the view is of the one that is seen now.
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
+    mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
     draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
     if (const Pane* right = session_.right())
@@ -427,7 +456,9 @@ const Pane& DrawingDocument::pane_under_pointer(const CanvasPlace& place) const 
 }
 
 void DrawingDocument::explain_dot(const CanvasPlace& place) const {
-    if (!session_.settings.origins || session_.settings.loupe.on || !session_.placed_once()) return;
+    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on ||
+        !session_.placed_once())
+        return;
     const Pane& pane = pane_under_pointer(place);
     if (!pane.page_request()) return;
     const PlacerKind placer = pane.page_request()->drawing.placer;

@@ -10,6 +10,7 @@
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/crop_frame.h"
 #include "app/viewer/canvas/loupe.h"
+#include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/background.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
@@ -35,6 +36,7 @@ class DrawingDocument : public Document {
     std::span<const Shortcut> shortcuts() const override;
     void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
+    void open_mask(const std::filesystem::path& file) override;
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     bool is_picture_with_settings(const std::filesystem::path& file) const override;
     void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
@@ -83,6 +85,7 @@ class DrawingDocument : public Document {
     /// Both sides are measured by the smaller tile, so that they compare.
     std::size_t compared_tile_size() const;
     SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
+    void take_mask();
     void show_changes(Window& window);
     void show_changes(Side side, const Pane* pane);
     StatusInfo info() const;
@@ -102,7 +105,9 @@ class DrawingDocument : public Document {
     OpenSections open_ = {};
     SidePanel side_panel_;
     Loupe loupe_;
+    MaskPainter mask_painter_;
     CropFrame crop_frame_;
+    Background<Mask> mask_reading_;
     FrameRate frame_rate_;
     ExportEstimate estimate_;
     PlottingClock plotting_clock_;

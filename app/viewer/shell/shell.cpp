@@ -147,7 +147,8 @@ void Shell::frame(Document& document) {
 void Shell::act(Action action, Document& document, const Frame& frame) {
     switch (action) {
         case Action::open:
-        case Action::find_picture: {
+        case Action::find_picture:
+        case Action::open_mask: {
             OpenQuestion question = document.what_to_open();
             if (question.start.empty()) question.start = folder_to_open();
             question.recent = memory_.state.recent;
@@ -155,8 +156,9 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             question.bookmarks = memory_.state.bookmarks;
             question.pictures = true;
             if (action == Action::open) return ask_what_to_open(std::move(question), Asked::picture);
-            question.title = "Find the project's picture";
-            return ask_what_to_open(std::move(question), Asked::found_picture);
+            const bool mask = action == Action::open_mask;
+            question.title = mask ? "Open a mask" : "Find the project's picture";
+            return ask_what_to_open(std::move(question), mask ? Asked::mask : Asked::found_picture);
         }
         case Action::open_tile:
             return ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},
@@ -300,6 +302,8 @@ void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document
             return document.find_picture(path);
         case Asked::tile:
             return document.open_tile(path);
+        case Asked::mask:
+            return document.open_mask(path);
         case Asked::drawing:
             return document.save(path);
         case Asked::project:

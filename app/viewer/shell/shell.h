@@ -31,7 +31,7 @@ class Shell {
     void frame(Document& document);
     void act(Action action, Document& document, const Frame& frame);
     /// What the dialog that is open asks for.
-    enum class Asked { picture, found_picture, tile, drawing, project, film };
+    enum class Asked { picture, found_picture, tile, mask, drawing, project, film };
     /// What was dropped or pasted; see file_question.h.
     void take_files(std::vector<std::filesystem::path> files, Document& document);
     void draw_file_question(Document& document);

@@ -1,0 +1,52 @@
+#include "app/viewer/panels/mask_panel.h"
+
+#include <array>
+
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
+    if (!subsection("Mask", false)) {
+        tool.on = false;  // what cannot be seen is not to paint
+        return false;
+    }
+    Brush& brush = tool.brush;
+    int paints = tool.on ? 1 + static_cast<int>(brush.kind) : 0;
+    if (segmented_row("Brush", paints, std::array{"off", "more", "fewer", "none", "erase"},
+                      "The left mouse button paints on the picture; the middle one still moves the page. "
+                      "more: up to four times as many dots, where the tone leaves room. fewer: half of them. "
+                      "none: bare paper. erase: as the picture has it.")) {
+        tool.on = paints > 0;
+        if (tool.on) brush.kind = static_cast<BrushKind>(paints - 1);
+    }
+    double percent = 100 * brush.radius;
+    if (slider_row("Size, %", percent,
+                   {.min = 0.5,
+                    .max = 50,
+                    .neutral = 5,
+                    .curve = SliderCurve::logarithmic,
+                    .format = "%.1f",
+                    .hard_min = 100 * kSmallestBrush,
+                    .hard_max = 100 * kLargestBrush,
+                    .tip = "The brush's radius, in percent of the picture's longer side. The keys [ and ] "
+                           "change it too."}))
+        brush.radius = percent / 100;
+    slider_row("Softness", brush.softness,
+               {.min = 0,
+                .max = 1,
+                .neutral = 0.5,
+                .tip = "How much of the brush fades towards its rim: 0 has a sharp edge."});
+    slider_row("Strength", brush.strength,
+               {.min = 0.05,
+                .max = 1,
+                .neutral = 1,
+                .hard_min = 0.01,
+                .tip = "How far one stroke goes; the next goes on from there."});
+    const Greyed greyed(mask.empty() ? "Nothing is masked." : nullptr);
+    const bool cleared =
+        wide_button("Clear the mask", "The whole picture is drawn as its tone says again.") && !mask.empty();
+    if (cleared) mask = {};
+    return cleared;
+}
+
+}  // namespace dapple

@@ -1,0 +1,59 @@
+// The rows of the section "Mask", used without a window.
+
+#include <doctest/doctest.h>
+
+#include "app/viewer/panels/mask_panel.h"
+#include "core/image/brush.h"
+#include "tests/headless_ui.h"
+
+namespace dapple {
+
+TEST_CASE("the brush is chosen by what it paints, and is off where its section is folded") {
+    Mask mask;
+    MaskBrush brush;
+    HeadlessUi ui([&] { draw_mask_panel(mask, brush); });
+    ui.click("Mask");
+    CHECK_FALSE(brush.on);
+    for (const auto& [name, kind] : {std::pair("none", BrushKind::none), {"fewer", BrushKind::fewer}}) {
+        ui.click(name);
+        CHECK(brush.on);
+        CHECK(brush.brush.kind == kind);
+    }
+    ui.click("off");
+    CHECK_FALSE(brush.on);
+    ui.click("erase");
+    CHECK(brush.on);
+    ui.click("Mask");
+    CHECK_FALSE(brush.on);
+}
+
+TEST_CASE("the brush's size is typed in percent, or stepped by keys") {
+    Mask mask;
+    MaskBrush brush;
+    HeadlessUi ui([&] { draw_mask_panel(mask, brush); });
+    ui.click("Mask");
+    ui.click("more");
+    ui.enter("Size, %", "10");
+    CHECK(brush.brush.radius == doctest::Approx(0.1));
+    resize_brush(brush, 1);
+    CHECK(brush.brush.radius == doctest::Approx(0.125));
+}
+
+TEST_CASE("a mask is cleared by its button, which is of no use without one") {
+    Mask mask;
+    MaskBrush brush;
+    bool cleared = false;
+    HeadlessUi ui([&] { cleared |= draw_mask_panel(mask, brush); });
+    ui.click("Mask");
+    ui.click("Clear the mask");
+    CHECK_FALSE(cleared);
+    BrushStroke stroke(mask, {100, 100}, {.kind = BrushKind::none});
+    stroke.go_to({0.5, 0.5});
+    mask = stroke.mask();
+    REQUIRE_FALSE(mask.empty());
+    ui.click("Clear the mask");
+    CHECK(cleared);
+    CHECK(mask.empty());
+}
+
+}  // namespace dapple
