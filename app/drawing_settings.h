@@ -16,6 +16,7 @@
 #include "core/image/mask.h"
 #include "core/output/gcode.h"
 #include "core/output/plotting_time.h"
+#include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 #include "core/strokes/dot_shape.h"
 #include "core/strokes/drawing_style.h"
@@ -46,6 +47,7 @@ struct DrawingSettings {
     std::optional<int> relax;  // steps; none: the usual ones
     DotSize dot_size;
     PageSetup page;
+    Sheet sheets;               // all of these are saved, each in a file of its own, rather than the page
     PenChoice pens;             // several have colours of their own
     bool registration = false;  // several pens draw crosses too: see registration_marks()
     glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1

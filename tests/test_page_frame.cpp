@@ -1,4 +1,4 @@
-// The lines of margins, where ImGui is told to draw them.
+// The lines of margins and sheets, where ImGui is told to draw them.
 
 #include <doctest/doctest.h>
 #include <imgui.h>
@@ -59,6 +59,31 @@ TEST_CASE("margins are a frame on the page, and a page without them has none") {
     page.layout.within_margins = {{0, 0}, {200, 100}};
     page.show([&] { draw_margin_lines(page.layout, page.camera, page.place); });
     CHECK(page.corners.empty());
+}
+
+TEST_CASE("sheets are lines where one ends and the next begins, and a strip where they overlap") {
+    ShownPage page;
+    Sheet sheets{.columns = 2, .rows = 1};
+    const auto show = [&] {
+        page.show([&] { draw_sheet_lines(page.layout, sheets, page.camera, page.place); });
+    };
+    show();
+    CHECK(page.has({200, 0}));
+    CHECK(page.has({200, 200}));
+    sheets.overlap_mm = 20;  // of sheets of 110 mm
+    show();
+    for (const glm::vec2 corner :
+         {glm::vec2(180, 0), glm::vec2(220, 0), glm::vec2(180, 200), glm::vec2(220, 200)})
+        CHECK(page.has(corner));
+    CHECK_FALSE(page.has({200, 0}));
+    sheets = {.columns = 1, .rows = 4};
+    show();
+    for (const float y : {50.0f, 100.0f, 150.0f}) CHECK(page.has({400, y}));
+    for (const Sheet& none : {Sheet{}, Sheet{.columns = 2, .rows = 1, .overlap_mm = 300}}) {
+        sheets = none;
+        show();
+        CHECK(page.corners.empty());
+    }
 }
 
 }  // namespace dapple

@@ -269,11 +269,12 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
 
 TEST_CASE("the page is a paper, or as large as is typed, with margins alike or each its own") {
     PageSetup setup;
+    Sheet sheets;
     LengthUnit unit = LengthUnit::mm;
     const PageSize drawn{200, 150, 200};
     HeadlessUi ui([&] {
         draw_rotate_row(setup.quarter_turns);
-        draw_page_panel(setup, drawn, unit);
+        draw_page_panel(setup, sheets, drawn, unit);
     });
     // A page of the picture's shape has no orientation, and one side rules.
     ui.click("Orientation");
@@ -306,6 +307,24 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     CHECK(setup.width_mm == 200);
     CHECK(*setup.height_mm == 150);
     CHECK(setup.orientation == PageOrientation::automatic);
+}
+
+TEST_CASE("a mural's sheets share strips, and say how large they are or why they cannot be") {
+    PageSetup setup;
+    Sheet sheets;
+    LengthUnit unit = LengthUnit::mm;
+    HeadlessUi ui([&] { draw_page_panel(setup, sheets, {200, 150, 200}, unit); });
+    CHECK(sheets == Sheet{});
+    CHECK_FALSE(ui.has("Sheets"));
+    ui.enter("Sheets across", "2");
+    ui.enter("Sheets down", "3");
+    ui.enter("Overlap, mm", "1.5cm");
+    CHECK(sheets == Sheet{.columns = 2, .rows = 3, .overlap_mm = 15});
+    CHECK(ui.has("Sheets"));
+    ui.enter("Overlap, mm", "120");
+    CHECK(ui.has("No sheets"));
+    ui.enter("Sheets across", "1000");
+    CHECK(sheets.columns == kMostSheetsAtOnce);
 }
 
 TEST_CASE("a fixed dot size begins at the one on screen") {
@@ -516,7 +535,7 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
     DrawingSettings& settings = all.drawing;
     HeadlessUi ui([&] {
         draw_dots_panel(settings, {}, all.unit);
-        draw_page_panel(settings.page, {200, 150, 200}, all.unit);
+        draw_page_panel(settings.page, settings.sheets, {200, 150, 200}, all.unit);
         draw_pen_panel(settings, all.unit);
     });
     ImGui::GetIO().DisplaySize.y = 2000;
@@ -868,7 +887,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {});
-        draw_page_panel(settings.drawing.page, {200, 150, 200}, settings.unit);
+        draw_page_panel(settings.drawing.page, settings.drawing.sheets, {200, 150, 200}, settings.unit);
         draw_method_rows(settings, {kTiles});
         draw_compare_panel(settings, {kTiles});
     });
@@ -877,7 +896,7 @@ TEST_CASE("every panel fits its column without cutting a label") {
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",
-                              "Orientation", "Right placer"}) {
+                              "Orientation", "Sheets across", "Right placer"}) {
         CAPTURE(label);
         float start = ImGui::GetStyle().WindowPadding.x;
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);

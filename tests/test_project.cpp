@@ -60,6 +60,7 @@ ViewerSettings nothing_usual() {
                  .fit = PageFit::fill,
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
+        .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
         .pens = parse_pens("greys:0.4"),
         .registration = true,
         .ink = parse_colour("#1d3557"),

@@ -296,12 +296,13 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
                     "--registration: is of what is plotted");
 }
 
-TEST_CASE("a PDF has a layer for each pen, which readers can hide, and the paper in its own") {
+TEST_CASE(
+    "a PDF has a layer for each pen, which readers can hide, and the paper and cut marks in their own") {
     require_program("pdfinfo -v");
     const Scene scene;
     const Outcome made = run_dapple("render " + scene("cat.png") +
                                     " --dots 900 --width 60 --pens 'Sand:#d0a040,Night (x):#102060' --sheet "
-                                    "1,1/2x1 --background --paper '#eeeeee' -o " +
+                                    "1,1/2x1 --overlap 5 --background --paper '#eeeeee' -o " +
                                     scene("p.pdf"));
     CAPTURE(made.err);
     REQUIRE(made.status == 0);
@@ -309,6 +310,7 @@ TEST_CASE("a PDF has a layer for each pen, which readers can hide, and the paper
     CHECK(file.find("/Name (Paper)") != std::string::npos);
     CHECK(file.find("/Name (1 Sand)") != std::string::npos);
     CHECK(file.find("/Name (2 Night \\(x\\))") != std::string::npos);
+    CHECK(file.find("/Name (3 Cut marks)") != std::string::npos);
     CHECK(run_in_shell("pdfinfo " + scene("p.pdf")).out.find("Pages:           1\n") != std::string::npos);
     const auto darkest = [&](const std::string& name) {
         const Outcome shown =

@@ -288,11 +288,26 @@ TEST_CASE("a large file's size is said before it is written") {
     CHECK(run_dapple(from + scene("a.csv") + " --dots 5k").err.find("will be written") == std::string::npos);
 }
 
+TEST_CASE("of sheets the findings are told once for each kind, and all figures saved") {
+    const Scene scene;
+    const std::string stats = " --stats " + scene("s.json");
+    const Outcome sheets = run_dapple("render " + scene("cat.png") + " --dots 2000 --width 100 -o " +
+                                      scene("m.svg") + " --sheets 2x1" + stats);
+    CAPTURE(sheets.err);
+    REQUIRE(sheets.status == 0);
+    CHECK(sheets.err.find("\nA1: a plotter follows the circles' outlines: ") != std::string::npos);
+    CHECK(sheets.err.find(" (and 1 more like it)\n") != std::string::npos);
+    const nlohmann::json all = read_json(scene("s.json"));
+    REQUIRE(all.size() == 2);
+    CHECK(all[0]["emitted"].get<int>() + all[1]["emitted"].get<int>() == 2000);
+    CHECK(kinds_in(all[1]).contains("rings"));
+}
+
 TEST_CASE("xmllint finds every SVG well formed") {
     if (!is_installed("xmllint --version")) return;
     const Scene scene;
     for (const std::string how : {"--tiles", "--style line", "--pens cmyk:0.3 --registration --background",
-                                  "--dot-shape spiral", "--sheet 1,1/2x1"}) {
+                                  "--dot-shape spiral", "--sheet 1,1/2x1 --overlap 8"}) {
         CAPTURE(how);
         REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 400 -o " + scene("a.svg") + " " + how)
                     .status == 0);

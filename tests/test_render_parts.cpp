@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/files/picture.h"
 #include "tests/file_text.h"
@@ -55,6 +56,90 @@ TEST_CASE("a mural's sheets, made one by one, have the dots of the whole, each o
         }
         CHECK(found == whole.size());
     }
+}
+
+TEST_CASE("settings with sheets draw all of them, one page, or one sheet, as the command says") {
+    const Scene scene;
+    const std::string sample = "render --dots 500 -o ";
+    REQUIRE(run_dapple(sample + scene("m.svg") + " --sheets 2x1 --overlap 12").status == 0);
+    const std::string again = "render --settings-from " + scene("m-A1.svg") + " ";
+    REQUIRE(run_dapple(again + "-o " + scene("n.svg")).status == 0);
+    CHECK(text_of(scene("n-B1.svg")) == text_of(scene("m-B1.svg")));
+    REQUIRE(run_dapple(again + "-o " + scene("one.svg") + " --sheets 1x1").status == 0);
+    REQUIRE(run_dapple(sample + scene("plain.svg")).status == 0);
+    CHECK(text_of(scene("one.svg")) == text_of(scene("plain.svg")));
+    REQUIRE(run_dapple(again + "-o " + scene("b.csv") + " --sheet 2,1/2x1 --overlap 12").status == 0);
+    REQUIRE(run_dapple(sample + scene("m.csv") + " --sheets 2x1 --overlap 12").status == 0);
+    CHECK(text_of(scene("b.csv")) == text_of(scene("m-B1.csv")));
+    scene.must_fail(again + "-o -", "--sheets: makes several files");
+}
+
+TEST_CASE(
+    "sheets with an overlap have its dots on both sides, all of the drawing, and a plan of how they join") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --width 300 --dots 5000 -o ";
+    REQUIRE(run_dapple(from + scene("whole.csv")).status == 0);
+    const Outcome drawn = run_dapple(from + scene("m.csv") + " --sheets 3x2 --overlap 12");
+    REQUIRE_MESSAGE(drawn.status == 0, drawn.err);
+    CHECK(drawn.err.find("6 sheets of 108 x 106 mm") != std::string::npos);
+
+    // Millimetres from a corner; where each place of the whole has to be: its sheet begins each 96 and 94 mm.
+    const auto places = [](const std::string& table) {
+        std::vector<std::pair<double, double>> read;
+        std::istringstream lines(table);
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line)) {
+            double x = 0, y = 0;
+            REQUIRE(std::sscanf(line.c_str(), "%lf,%lf", &x, &y) == 2);
+            read.emplace_back(x, y);
+        }
+        return read;
+    };
+    const auto whole = places(text_of(scene("whole.csv")));
+    std::size_t twice = 0;
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const std::string name =
+                "m-" + std::string(1, static_cast<char>('A' + column)) + std::to_string(row + 1) + ".csv";
+            auto on_sheet = places(text_of(scene(name)));
+            std::vector<std::pair<double, double>> expected;
+            for (const auto& [x, y] : whole) {
+                const double across = x - 96 * column, down = y - 94 * row;
+                if (across >= 0 && across < 108 && down >= 0 && down < 106)
+                    expected.emplace_back(across, down);
+            }
+            CAPTURE(name);
+            REQUIRE(on_sheet.size() == expected.size());
+            std::ranges::sort(on_sheet);
+            std::ranges::sort(expected);
+            double furthest = 0;
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                furthest = std::max(furthest, std::abs(on_sheet[i].first - expected[i].first));
+            CHECK(furthest < 2e-3);
+            twice += on_sheet.size();
+        }
+    }
+    CHECK(twice > whole.size() + 300);
+
+    const std::string plan = text_of(scene("m-plan.svg"));
+    for (const char* said : {">A1<", ">C2<", "300 x 200 mm on 6 sheets of 108 x 106 mm", "cut 6 mm off"}) {
+        CAPTURE(std::string(said));
+        CHECK(plan.find(said) != std::string::npos);
+    }
+    // Two cut lines, each with a mark at both ends, in a corner; three in the middle above.
+    for (const auto& [sheet, marks] : {std::pair{"1,1", 4}, std::pair{"2,1", 6}}) {
+        REQUIRE(run_dapple(from + scene("s.svg") + " --overlap 12 --sheet " + sheet + "/3x2").status == 0);
+        pugi::xml_document svg;
+        REQUIRE(svg.load_file(scene("s.svg").c_str()));
+        const pugi::xml_node layer =
+            svg.child("svg").find_child_by_attribute("inkscape:label", "2 Cut marks");
+        CHECK(std::ranges::distance(layer.children("path")) == marks);
+    }
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("m.svg") + " --sheets 3x2 --overlap 80",
+                    "--overlap: an overlap of 80 mm is too wide");
+    scene.must_fail("render " + scene("cat.png") + " -o " + scene("m.svg") + " --overlap 8",
+                    "--overlap: is of sheets");
 }
 
 TEST_CASE("a region is what the page shows there, at its place and in its size") {

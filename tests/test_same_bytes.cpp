@@ -5,9 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "app/commands/mural.h"
 #include "app/commands/render.h"
 #include "app/commands/render_report.h"
 #include "app/files/save_drawing.h"
+#include "app/files/sheet_files.h"
 #include "app/viewer/model/session.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
@@ -137,6 +139,35 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
         CHECK(text.size() > 1000);
         CHECK((text == text_of(by_command)));
         if (each.saving == own) CHECK(text.starts_with("G1 F1234\n"));
+    }
+}
+
+TEST_CASE("window and command save the same sheets of a mural, and the same plan") {
+    TemporaryFolder folder;
+    DrawingSettings drawing;
+    drawing.placing.count = 1000;
+    drawing.relax = 1;
+    drawing.page.margins = {10, 20, 30, 40};
+    drawing.sheets = {.columns = 2, .rows = 2, .overlap_mm = 8};
+    SavingWindow window(drawing);
+    DrawingSettings lines = drawing, tiles = drawing;
+    lines.style = DrawingStyle::line;
+    tiles.show_tiles = true;
+    for (const auto& [wanted, name] :
+         {std::pair(tiles, "m.svg"), std::pair(drawing, "m.png"), std::pair(drawing, "m.csv"),
+          std::pair(lines, "m.pdf"), std::pair(lines, "m.gcode")}) {
+        const std::filesystem::path by_window = folder / name, by_command = folder / "command" / name;
+        std::filesystem::create_directory(folder / "command");
+        window.save(wanted, by_window);
+        render_mural(command_for(wanted, by_command));
+        const auto files = files_of(by_window, drawing.sheets);
+        const auto of_command = files_of(by_command, drawing.sheets);
+        REQUIRE(files.size() == 5);
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            CAPTURE(files[i].filename());
+            CHECK(text_of(files[i]).size() > 500);
+            CHECK((text_of(files[i]) == text_of(of_command[i])));
+        }
     }
 }
 

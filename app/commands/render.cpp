@@ -243,11 +243,13 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     move_to(page.part.part, tiles);
     times.place = stages.lap();
 
+    const std::vector<CutMark> marks = cut_marks(page.layout.page, options.sheet);
     DrawingToSave file{.dots = drawn,
                        .page = page.part.size,
                        .pens = plan.pens,
                        .dot_radius_mm = radius * unit_mm,
                        .tiles = tiles,
+                       .cut_marks = marks,
                        .picture = picture_on(page.part, plan.pixels),
                        .tile_size = pipeline.tile().tile().size(),
                        .dpi = options.saving.dpi,

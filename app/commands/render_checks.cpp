@@ -40,6 +40,15 @@ void check_format(const RenderOptions& options) {
 
 }  // namespace
 
+void take_part(const CLI::App& command, RenderOptions& options) {
+    Sheet& sheets = options.drawing.sheets;
+    const bool one_sheet = command.count("--sheet") > 0;
+    if (command.count("--sheets") > 0)
+        refuse(command, {"--sheet", "--region"}, "is a part of what --sheets draws; leave one of them away");
+    if (one_sheet) options.sheet.overlap_mm = sheets.overlap_mm;
+    if (one_sheet || options.region || !is_several(sheets)) sheets = {};
+}
+
 void take_usual_shape(const CLI::App& command, RenderOptions& options) {
     DrawingSettings& drawing = options.drawing;
     const bool chosen = command.count("--pens") > 0 && have_widths(drawing.pens);
@@ -53,6 +62,14 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     const DrawingFormat format = format_of(options);
     if (options.region && command.count("--sheet") > 0)
         throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (is_several(options.drawing.sheets)) {
+        if (is_standard_stream(options.output))
+            throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
+        if (reads_standard_input(options))
+            throw CLI::ValidationError(
+                "--sheets", "the standard input can be read once only; save the picture as a file");
+    } else if (command.count("--sheet") == 0)
+        refuse(command, {"--overlap"}, "is of sheets; give --sheets or --sheet too");
     if (options.drawing.pens.set == PenSet::one)
         refuse(command, {"--registration"}, "is for several pens; give --pens too");
     if (has_pixels(format) || is_table(format))

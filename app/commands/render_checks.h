@@ -7,6 +7,10 @@
 
 namespace dapple {
 
+/// A part is drawn alone, even of what a project says to save as sheets. Throws CLI::ValidationError if both
+/// were asked for.
+void take_part(const CLI::App& command, RenderOptions& options);
+
 /// A pen whose width is known touches the paper once for each dot, rather than that a plotter follows a
 /// circle around which the pen's line is as wide again. What is printed or has pixels looks the same either
 /// way.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/commands/gcode_options.h"
+#include "app/commands/mural.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
 #include "app/commands/render_checks.h"
@@ -129,6 +130,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "V3, and a GRBL machine for G-code")
         ->group("Page");
     add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
+    add_mural_options(*command, options_.drawing.sheets);
     add_gcode_options(*command, options_.saving);
     command->footer(
         std::string(gcode_help()) +
@@ -142,6 +144,8 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
         "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
         "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
+        "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a "
+        "plan\n"
         "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
         "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
@@ -152,8 +156,12 @@ RenderCommand::RenderCommand(CLI::App& program) {
     command->callback([this, command] {
         check_options(*command, options_.drawing, automatic_tone_);
         take_usual_shape(*command, options_);
+        take_part(*command, options_);
         check_that_fit(*command, options_);
-        render(options_);
+        if (is_several(options_.drawing.sheets))
+            render_mural(options_);
+        else
+            render(options_);
     });
 }
 

@@ -85,6 +85,7 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
                       .dots = saved.dots.count,
                       .scale = saved.dots.scale,
                       .page = part.size,
+                      .whole_page = saved.page.layout.page,
                       .picture = saved.page.layout.picture,
                       .radius_mm = saved.file.dot_radius_mm,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};

@@ -21,7 +21,8 @@ auto with_option(const char* option, const Make& make) {
 // The page, or the part of it that is drawn.
 Excerpt excerpt_of(const PageLayout& layout, const RenderOptions& options) {
     const glm::dvec2 corner = layout.picture.low;
-    if (!options.region) return sheet_of(layout.page, options.sheet, corner);
+    if (!options.region)
+        return with_option("--overlap", [&] { return sheet_of(layout.page, options.sheet, corner); });
     const glm::dvec2 size = options.region->size();
     if (std::min(size.x, size.y) < kShortestSideMm) {
         throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",

@@ -102,6 +102,35 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     }
 }
 
+std::vector<std::string> findings_among(std::span<const NamedFindings> drawings) {
+    struct Kind {
+        FindingKind kind;
+        std::size_t drawings = 0;
+        std::string first;
+    };
+    std::vector<Kind> kinds;
+    for (const NamedFindings& drawing : drawings) {
+        std::vector<FindingKind> seen;  // a drawing may have several of a kind
+        for (const Finding& finding : drawing.findings) {
+            if (std::ranges::find(seen, finding.kind) != seen.end()) continue;
+            seen.push_back(finding.kind);
+            auto kind = std::ranges::find(kinds, finding.kind, &Kind::kind);
+            if (kind == kinds.end())
+                kind = kinds.insert(kinds.end(), {finding.kind, 0,
+                                                  fmt::format("{}: {}", drawing.name, sentence_of(finding))});
+            ++kind->drawings;
+        }
+    }
+    std::ranges::sort(kinds, {}, &Kind::kind);
+    std::vector<std::string> lines;
+    for (const Kind& kind : kinds) {
+        const std::size_t others = kind.drawings - 1;
+        lines.push_back(kind.first +
+                        (others == 0 ? "" : fmt::format(" (and {} more like it)", grouped(others))));
+    }
+    return lines;
+}
+
 std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     const DrawingSettings& settings = options.drawing;
     const int threads = settings.placing.threads;
@@ -192,6 +221,16 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     };
     // File names need not be UTF-8, JSON has to be.
     return stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string stats_of_all(std::span<const std::string> stats) {
+    std::string all = "[\n";
+    for (std::size_t i = 0; i < stats.size(); ++i) {
+        const std::string_view one = stats[i];
+        all += one.substr(0, one.find_last_not_of('\n') + 1);
+        all += i + 1 < stats.size() ? ",\n" : "\n";
+    }
+    return all + "]\n";
 }
 
 }  // namespace dapple

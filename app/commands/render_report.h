@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Rendered {
     double scale = 0;
     std::optional<std::uint64_t> duplicates = {};  // among them; none if that is not known
     PageSize page;                                 // the sheet, the region or all of it
+    PageSize whole_page = {};
     glm::ivec2 pixels{0, 0};    // of the file, if it has some
     Rectangle<double> picture;  // on the whole page, in millimetres
     double radius_mm = 0;
@@ -53,7 +55,18 @@ struct Rendered {
 /// What someone who is about to plot it should know, to standard error.
 void print_summary(const RenderOptions& options, const Rendered& drawn);
 
+/// A line for each kind of finding among several drawings, which `name` names: in how many of them, and what
+/// it is in the first one. Empty if there is none.
+struct NamedFindings {
+    std::string name;
+    std::vector<Finding> findings;
+};
+std::vector<std::string> findings_among(std::span<const NamedFindings> drawings);
+
 /// One drawing's figures, a JSON object.
 std::string stats_of(const RenderOptions& options, const Rendered& drawn);
+
+/// Several drawings', a JSON array.
+std::string stats_of_all(std::span<const std::string> stats);
 
 }  // namespace dapple

@@ -24,6 +24,7 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr std::size_t kDotsAtOnce = 1 << 14;  // sorted by their radii
 constexpr std::size_t kDotsOfAPath = 1000;    // printers' memory for one is small
 constexpr double kMicrometresPerMm = 1000;
+constexpr double kCutMarkMm = 0.1;
 constexpr double kUsualMarkMm = 0.3;       // of a pen whose width is not told
 constexpr double kBytesADot = 9.5;         // in a file, about
 constexpr double kShareOfGathering = 0.2;  // of the time, before the library begins to write
@@ -201,6 +202,11 @@ void write_page(std::ostream& out, std::uint64_t dots, const PageSize& page, con
     }
     set_colour(pdf.context(), style.ink);
     draw(pdf, [&](double share) { pdf.gathered(share); });
+    if (!style.cut_marks.empty()) {
+        if (layered) pdf.begin_layer(fmt::format("{} Cut marks", style.pens.size() + 1));
+        set_colour(pdf.context(), kBlack);
+        draw_marks(pdf.context(), style.cut_marks, kCutMarkMm);
+    }
     if (layered && pdf.layers().empty()) pdf.begin_layer("Paper");  // a sheet without dots
     pdf.finish();
     if (layered) write_as_layers(out, pages.view(), pdf.layers());

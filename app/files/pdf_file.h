@@ -29,6 +29,7 @@ struct PdfStyle {
     std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
     std::optional<glm::vec3> background;         // a rectangle under everything
     std::string title = {};                      // UTF-8
+    std::span<const CutMark> cut_marks = {};     // of a sheet, in black on top
 };
 
 /// Throws std::runtime_error if a PDF cannot have such a page, or so many dots.

@@ -164,6 +164,7 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                                  .background = background,
                                  .tiles = drawing.tiles,
                                  .picture = drawing.picture,
+                                 .cut_marks = drawing.cut_marks,
                                  .settings = drawing.settings};
             return with_ink([&](const auto& ink) { write_svg(out, ink, page, style, progress); });
         }
@@ -173,7 +174,8 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                                  .pens = drawing.pens,
                                  .registration = marks,
                                  .background = background,
-                                 .title = title};
+                                 .title = title,
+                                 .cut_marks = drawing.cut_marks};
             return with_ink([&](const auto& ink) { write_pdf(out, ink, page, style, progress); });
         }
         case DrawingFormat::png:

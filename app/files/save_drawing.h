@@ -53,6 +53,7 @@ struct DrawingToSave {
     std::span<const Pen> pens = {};           // several, for Dots::pen; none: the ink
     double dot_radius_mm = 0;                 // of all, or of the largest where they have radii of their own
     std::span<const PlacedTile> tiles = {};   // outlines, for SVG; none, no layer
+    std::span<const CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
     double dpi = 300;                               // of pixels

@@ -79,7 +79,7 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
-           pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm, mask] =
+           sheets, pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm, mask] =
         drawing;
     fields.flag("automatic_tone", automatic_tone);
     fields.flag("automatic_exposure", automatic_exposure);
@@ -93,6 +93,12 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.whole("relax", relax, {0, kMostRelaxingSteps});
     fields.group("dot_size", dot_size);
     fields.group("page", page);
+    fields.text("sheets", grid_text(sheets), [&sheets = sheets](const std::string& text) {
+        const Sheet read = parse_sheets(text);
+        sheets.columns = read.columns;
+        sheets.rows = read.rows;
+    });
+    fields.number("sheet_overlap_mm", sheets.overlap_mm, {0, kWidestOverlapMm});
     fields.text("pens", text_of(pens), [&pens = pens](const std::string& text) { pens = parse_pens(text); });
     fields.flag("registration", registration);
     fields.colour("ink", ink);

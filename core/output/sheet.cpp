@@ -15,15 +15,35 @@ namespace {
 
 constexpr int kMostSheets = 1000;  // along a side
 
+constexpr double kLongestMarkMm = 5;
+
 constexpr double kRoundingMm = 0.1;  // of a page size that someone has read and typed
 
 constexpr float kPageStart = PageSpan{}.first, kPageEnd = PageSpan{}.end;
 
 // Lengths in page units, counted from the picture's corner, which lies a margin from the page's.
-PageSpan span_of(int index, int count, double length, double margin) {
-    const auto edge = [&](int i) { return static_cast<float>(length * i / count - margin); };
-    return {index == 1 ? kPageStart : edge(index - 1), index == count ? kPageEnd : edge(index),
-            length * (index - 1) / count - margin};
+PageSpan span_of(int index, int count, double length, double overlap, double margin) {
+    // The same sum for a sheet's end as for the next one's begin where nothing overlaps.
+    const auto begin = [&](int i) { return (length - overlap) * i / count; };
+    return {index == 1 ? kPageStart : static_cast<float>(begin(index - 1) - margin),
+            index == count ? kPageEnd : static_cast<float>(begin(index) + overlap - margin),
+            begin(index - 1) - margin};
+}
+
+// A side alone is not cut, and so has no strip to share.
+glm::dvec2 overlap_of(const Sheet& sheet) {
+    return {sheet.columns > 1 ? sheet.overlap_mm : 0, sheet.rows > 1 ? sheet.overlap_mm : 0};
+}
+
+void check_overlap(const PageSize& page, const Sheet& sheet) {
+    const glm::dvec2 overlap = overlap_of(sheet);
+    const double across = page.width_mm / (sheet.columns + 1), down = page.height_mm / (sheet.rows + 1);
+    if (overlap.x < across && overlap.y < down) return;
+    throw std::runtime_error(
+        fmt::format("an overlap of {:g} mm is too wide for {} x {} sheets of a page of {:.4g} x {:.4g} mm; "
+                    "choose less than {:.3g} mm",
+                    sheet.overlap_mm, sheet.columns, sheet.rows, page.width_mm, page.height_mm,
+                    std::min(sheet.columns > 1 ? across : down, sheet.rows > 1 ? down : across)));
 }
 
 // From and to in millimetres.
@@ -53,6 +73,43 @@ Sheet parse_sheet(std::string_view text) {
     return {column, row, columns, rows};
 }
 
+Sheet parse_sheets(std::string_view text) {
+    const auto numbers = numbers_of<int, 2>(text, "x");
+    if (!numbers) {
+        throw std::runtime_error(
+            fmt::format("'{}' are no sheets; write COLUMNSxROWS, for example 3x4", text));
+    }
+    const auto [columns, rows] = *numbers;
+    if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce) {
+        throw std::runtime_error(
+            fmt::format("'{}': there are from 1 to {} sheets a side", text, kMostSheetsAtOnce));
+    }
+    return {.columns = columns, .rows = rows};
+}
+
+std::string grid_text(const Sheet& sheet) {
+    return fmt::format("{}x{}", sheet.columns, sheet.rows);
+}
+
+bool is_several(const Sheet& sheet) {
+    return sheet.columns > 1 || sheet.rows > 1;
+}
+
+std::vector<Sheet> all_sheets(const Sheet& sheet) {
+    std::vector<Sheet> all;
+    for (int row = 1; row <= sheet.rows; ++row)
+        for (int column = 1; column <= sheet.columns; ++column)
+            all.push_back({column, row, sheet.columns, sheet.rows, sheet.overlap_mm});
+    return all;
+}
+
+std::string name_of(const Sheet& sheet) {
+    std::string letters;
+    for (int left = sheet.column; left > 0; left = (left - 1) / 26)
+        letters.insert(letters.begin(), static_cast<char>('A' + (left - 1) % 26));
+    return letters + std::to_string(sheet.row);
+}
+
 Rectangle<double> parse_region(std::string_view text) {
     const auto numbers = numbers_of<double, 4>(text, ",,x");
     if (!numbers) {
@@ -72,10 +129,38 @@ Rectangle<double> parse_region(std::string_view text) {
 }
 
 Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_corner_mm) {
-    const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
-    return {{span_of(sheet.column, sheet.columns, page.width_mm / page.mm_per_page_unit, margin.x),
-             span_of(sheet.row, sheet.rows, page.height_mm / page.mm_per_page_unit, margin.y)},
-            {page.width_mm / sheet.columns, page.height_mm / sheet.rows, page.mm_per_page_unit}};
+    check_overlap(page, sheet);
+    const double unit = page.mm_per_page_unit;
+    const glm::dvec2 margin = picture_corner_mm / unit, overlap = overlap_of(sheet);
+    const glm::dvec2 size = sheet_step(page, sheet) + overlap;
+    return {{span_of(sheet.column, sheet.columns, page.width_mm / unit, overlap.x / unit, margin.x),
+             span_of(sheet.row, sheet.rows, page.height_mm / unit, overlap.y / unit, margin.y)},
+            {size.x, size.y, unit}};
+}
+
+glm::dvec2 sheet_step(const PageSize& page, const Sheet& sheet) {
+    const glm::dvec2 overlap = overlap_of(sheet);
+    return {(page.width_mm - overlap.x) / sheet.columns, (page.height_mm - overlap.y) / sheet.rows};
+}
+
+std::vector<CutMark> cut_marks(const PageSize& page, const Sheet& sheet) {
+    if (sheet.overlap_mm == 0) return {};
+    const glm::dvec2 size = sheet_step(page, sheet) + overlap_of(sheet);
+    const double cut = sheet.overlap_mm / 2, length = std::min(cut, kLongestMarkMm);
+    std::vector<CutMark> marks;
+    const auto across = [&](double x) {
+        marks.push_back({{x, 0}, {x, length}});
+        marks.push_back({{x, size.y - length}, {x, size.y}});
+    };
+    const auto down = [&](double y) {
+        marks.push_back({{0, y}, {length, y}});
+        marks.push_back({{size.x - length, y}, {size.x, y}});
+    };
+    if (sheet.column > 1) across(cut);
+    if (sheet.column < sheet.columns) across(size.x - cut);
+    if (sheet.row > 1) down(cut);
+    if (sheet.row < sheet.rows) down(size.y - cut);
+    return marks;
 }
 
 std::vector<CutMark> registration_marks(const PageSize& page) {

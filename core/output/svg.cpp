@@ -168,6 +168,13 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
     text << "</g>\n";
 }
 
+void write_cut_marks(TextBuffer& text, std::span<const CutMark> marks, int layer) {
+    begin_layer(text, layer, "Cut marks");
+    text << R"( fill="none" stroke="#000000" stroke-width="0.4">)" << '\n';
+    write_marks(text, marks);
+    text << "</g>\n";
+}
+
 // The file, with what write_ink() puts into its first layers.
 template <class WriteInk>
 void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& style,
@@ -194,8 +201,9 @@ void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& sty
         text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
     }
     write_ink(text);
-    const int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
-    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture), layer);
+    int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
+    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture), layer++);
+    if (!style.cut_marks.empty()) write_cut_marks(text, style.cut_marks, layer);
     text << "</svg>\n";
     text.flush();
 }

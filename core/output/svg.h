@@ -37,6 +37,7 @@ struct SvgStyle {
     std::span<const PlacedTile> tiles = {};      // their outlines, coloured by level; none, no layer
     std::optional<Rectangle<double>> picture =
         {};                                   // page units: outlines end at its edges; none: at the page's
+    std::span<const CutMark> cut_marks = {};  // of a sheet, the last layer: "2 Cut marks"; none, no layer
     std::string_view settings =
         {};  // text without <, > and & for whoever opens the drawing again; empty: no <metadata>
 };

@@ -4,29 +4,101 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "app/viewer/widgets/theme.h"
 
 namespace dapple {
+namespace {
 
-void draw_margin_lines(const PageLayout& layout, const Camera& camera, const CanvasPlace& place) {
-    const double unit = layout.page.mm_per_page_unit;
-    const glm::dvec2 page(layout.page.width_mm, layout.page.height_mm);
-    if (!(unit > 0) || layout.within_margins == Rectangle<double>{{0, 0}, page}) return;
-    const glm::dvec2 origin = to_canvas(camera, PagePoint(0));
-    const auto at = [&](glm::dvec2 mm) {
-        const glm::dvec2 pixel = origin + (mm - layout.picture.low) / unit * camera.pixels_per_unit;
+ImU32 faint(ImU32 colour, unsigned int opacity) {
+    return (colour & ~IM_COL32_A_MASK) | opacity << IM_COL32_A_SHIFT;
+}
+
+/// Millimetres of the page, from its corner, on screen.
+class PageOnScreen {
+ public:
+    PageOnScreen(const PageLayout& layout, const Camera& camera, const CanvasPlace& place)
+        : layout_(layout), camera_(camera), place_(place) {}
+
+    ImVec2 at(glm::dvec2 mm) const {
+        const glm::dvec2 origin = to_canvas(camera_, PagePoint(0));
+        const glm::dvec2 pixel =
+            origin + (mm - layout_.picture.low) / layout_.page.mm_per_page_unit * camera_.pixels_per_unit;
         // Far outside, floats and their rounding are of no use.
         const glm::dvec2 point =
-            glm::clamp(pixel, glm::dvec2(-1), camera.canvas + 1.0) / place.pixels_per_point;
-        return ImVec2(place.corner.x + std::round(static_cast<float>(point.x)),
-                      place.corner.y + std::round(static_cast<float>(point.y)));
+            glm::clamp(pixel, glm::dvec2(-1), camera_.canvas + 1.0) / place_.pixels_per_point;
+        return {place_.corner.x + std::round(static_cast<float>(point.x)),
+                place_.corner.y + std::round(static_cast<float>(point.y))};
+    }
+    ImDrawList* begin() const {
+        ImDrawList* const list = ImGui::GetBackgroundDrawList();
+        const glm::vec2 far = place_.corner + place_.size;
+        list->PushClipRect({place_.corner.x, place_.corner.y}, {far.x, far.y}, true);
+        return list;
+    }
+
+ private:
+    const PageLayout& layout_;
+    const Camera& camera_;
+    const CanvasPlace& place_;
+};
+
+}  // namespace
+
+void draw_margin_lines(const PageLayout& layout, const Camera& camera, const CanvasPlace& place) {
+    const glm::dvec2 page(layout.page.width_mm, layout.page.height_mm);
+    if (!(layout.page.mm_per_page_unit > 0) || layout.within_margins == Rectangle<double>{{0, 0}, page})
+        return;
+    const PageOnScreen on_screen(layout, camera, place);
+    ImDrawList* const list = on_screen.begin();
+    list->AddRect(on_screen.at(layout.within_margins.low), on_screen.at(layout.within_margins.high),
+                  faint(colour_of(ThemeColour::accent), 0x90));
+    list->PopClipRect();
+}
+
+void draw_sheet_lines(const PageLayout& layout, const Sheet& sheets, const Camera& camera,
+                      const CanvasPlace& place) {
+    if (!(layout.page.mm_per_page_unit > 0) || !is_several(sheets)) return;
+    glm::dvec2 size;
+    try {
+        const PageSize sheet = sheet_of(layout.page, sheets).size;
+        size = {sheet.width_mm, sheet.height_mm};
+    } catch (const std::runtime_error&) {
+        return;  // the page's section says why
+    }
+    const PageOnScreen on_screen(layout, camera, place);
+    const glm::dvec2 page(layout.page.width_mm, layout.page.height_mm),
+        step = sheet_step(layout.page, sheets);
+    const ImU32 accent = colour_of(ThemeColour::accent), edge = faint(accent, 0xc0),
+                strip = faint(accent, 0x28);
+    ImDrawList* const list = on_screen.begin();
+    // What two neighbours share, along the whole page; without an overlap, where one ends and the other
+    // begins.
+    const auto seam = [&](glm::dvec2 from, glm::dvec2 to) {
+        const ImVec2 low = on_screen.at(from), high = on_screen.at(to);
+        if (sheets.overlap_mm > 0) list->AddRectFilled(low, high, strip);
+        list->AddRect(low, high, edge);
     };
-    ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    const glm::vec2 far = place.corner + place.size;
-    list->PushClipRect({place.corner.x, place.corner.y}, {far.x, far.y}, true);
-    list->AddRect(at(layout.within_margins.low), at(layout.within_margins.high),
-                  (colour_of(ThemeColour::accent) & ~IM_COL32_A_MASK) | 0x90u << IM_COL32_A_SHIFT);
+    for (int column = 1; column < sheets.columns; ++column)
+        seam({column * step.x, 0}, {(column - 1) * step.x + size.x, page.y});
+    for (int row = 1; row < sheets.rows; ++row)
+        seam({0, row * step.y}, {page.x, (row - 1) * step.y + size.y});
+    const float line = ImGui::GetTextLineHeight(), air = line / 3;
+    for (const Sheet& sheet : all_sheets(sheets)) {
+        const glm::dvec2 corner = step * glm::dvec2(sheet.column - 1, sheet.row - 1);
+        const ImVec2 low = on_screen.at(corner), high = on_screen.at(corner + size);
+        const std::string name = name_of(sheet);
+        const ImVec2 text = ImGui::CalcTextSize(name.c_str());
+        if (high.x - low.x < 3 * text.x || high.y - low.y < 3 * line) continue;
+        const ImVec2 middle{std::round((low.x + high.x - text.x) / 2),
+                            std::round((low.y + high.y - line) / 2)};
+        list->AddRectFilled({middle.x - air, middle.y - air / 2},
+                            {middle.x + text.x + air, middle.y + line + air / 2},
+                            faint(colour_of(ThemeColour::panel), 0xd0), air);
+        list->AddText(middle, colour_of(ThemeColour::text), name.c_str());
+    }
     list->PopClipRect();
 }
 

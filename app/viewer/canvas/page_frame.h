@@ -1,13 +1,19 @@
 #pragma once
-// The margins as lines on the page.
+// The page's margins and sheets as lines on it: over the canvas, behind ImGui's windows.
 
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/model/camera.h"
 #include "core/drawing/page_setup.h"
+#include "core/output/sheet.h"
 
 namespace dapple {
 
-/// Over the canvas, behind ImGui's windows; nothing on a page without margins.
+/// Nothing on a page without margins.
 void draw_margin_lines(const PageLayout& layout, const Camera& camera, const CanvasPlace& place);
+
+/// The edges of several sheets, the strips that they share tinted, and their names where there is room.
+/// Nothing if they cannot be: see sheet_of().
+void draw_sheet_lines(const PageLayout& layout, const Sheet& sheets, const Camera& camera,
+                      const CanvasPlace& place);
 
 }  // namespace dapple

@@ -1,5 +1,5 @@
 #pragma once
-// What the window saves: a drawing in a file.
+// What the window saves: a drawing in a file, or its sheets in several.
 
 #include <filesystem>
 
@@ -18,7 +18,8 @@ struct DrawingFile {
 /// Whether the dots have to tell when they appear.
 bool needs_thresholds(const DrawingFile& file);
 
-/// Writes it. False if stopped. Uses the drawing up. Throws what save_drawing() throws.
+/// Writes files_of() it. False if stopped: sheets that were written before then stay. Uses the drawing up.
+/// Throws what save_drawing() throws, or if the sheets' overlap is too wide.
 bool save_placed(const DrawingFile& file, PlacedDrawing& drawing, const SavingWatch& watch);
 
 }  // namespace dapple

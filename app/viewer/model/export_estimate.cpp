@@ -203,6 +203,11 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, stippling.dots.size(), settings.drawing.style));
     DrawingFacts drawn = facts_of(settings.drawing, settings.saving, format, estimated);
+    if (const Sheet& sheets = settings.drawing.sheets; is_several(sheets)) {
+        drawn.whole_page = false;
+        drawn.page.width_mm = page.width_mm / sheets.columns + sheets.overlap_mm;
+        drawn.page.height_mm = page.height_mm / sheets.rows + sheets.overlap_mm;
+    }
     if (drawn.machine) {
         const PlottingEstimate plotting =
             estimated_plotting(settings.drawing, estimated, format, order, speeds_of(*drawn.machine));

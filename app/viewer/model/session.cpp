@@ -8,6 +8,7 @@
 
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
+#include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/film/save_film.h"
 #include "app/settings/working_folder.h"
@@ -235,6 +236,7 @@ void Session::save(const fs::path& path) {
             return save_placed(file, drawing, watch);
         };
     };
+    saves_[path] = settings.drawing.sheets;
     pane_.worker().save(path, prepare);
 }
 
@@ -370,12 +372,20 @@ void Session::take(TaskFailed& event) {
 }
 
 void Session::take(DrawingSaved& event) {
-    if (event.path != film_path_) saved_path_ = event.path;
-    banner = {BannerKind::notice, "Saved " + event.path.string()};
+    if (event.path != film_path_) {
+        saved_path_ = event.path;
+        saved_sheets_ = saves_[event.path];
+    }
+    const bool several = event.path != film_path_ && is_several(saved_sheets_);
+    banner = {BannerKind::notice,
+              "Saved " + (several ? sheet_files_in_words(event.path, saved_sheets_) : event.path.string())};
 }
 
 void Session::take(SavingCancelled& event) {
-    banner = {BannerKind::notice, "Cancelled: " + event.path.string() + " was not written"};
+    const bool several = event.path != film_path_ && is_several(saves_[event.path]);
+    banner = {BannerKind::notice,
+              several ? "Cancelled: not all sheets of " + event.path.string() + " were written"
+                      : "Cancelled: " + event.path.string() + " was not written"};
 }
 
 void Session::take(OpeningStopped& event) {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -109,6 +110,8 @@ class Session {
     const std::filesystem::path& picture_path() const { return source_.picture; }  // empty: none yet
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
+    /// The sheets that it was saved as then.
+    const Sheet& saved_sheets() const { return saved_sheets_; }
 
     /// The project that was opened or saved last, and not left for another picture; empty: none.
     const std::filesystem::path& project_path() const { return source_.project_path; }
@@ -163,7 +166,9 @@ class Session {
     OpenedPicture picture_;
     int pictures_ = 0, previews_ = 0;
     std::filesystem::path saved_path_;
-    std::filesystem::path film_path_;  // saved last
+    Sheet saved_sheets_;
+    std::map<std::filesystem::path, Sheet> saves_;  // under way
+    std::filesystem::path film_path_;               // saved last
     Source source_;
     std::deque<Reading> readings_;  // in the order in which they were asked for
 };

@@ -163,7 +163,11 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         hint(info.trouble.c_str());
         return changed;
     }
-    hint(size_in_words(info).c_str());
+    const Sheet& sheets = settings.drawing.sheets;
+    hint(is_several(sheets) ? fmt::format("{} x {} sheets, each a file, and a plan; together {}.",
+                                          sheets.columns, sheets.rows, size_in_words(info))
+                                  .c_str()
+                            : size_in_words(info).c_str());
     note_place("File size");
     for (const Finding& finding : info.findings) {
         // The time is told above, with its machine.

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
+#include "app/files/sheet_files.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -100,9 +104,51 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     return changed;
 }
 
+bool draw_number_of_sheets(const char* label, int& number) {
+    double shown = number;
+    const bool changed = slider_row(
+        label, shown,
+        {.min = 1,
+         .max = 10,
+         .neutral = 1,
+         .format = "%.0f",
+         .hard_max = kMostSheetsAtOnce,
+         .tip = "For a mural larger than the printer or the plotter: with more than one, each sheet is "
+                "exported into a file of its own, with a plan of how they join."});
+    number = static_cast<int>(std::lround(shown));
+    return changed;
+}
+
+bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
+    bool changed = draw_number_of_sheets("Sheets across", sheets.columns);
+    changed |= draw_number_of_sheets("Sheets down", sheets.rows);
+    {
+        const Greyed greyed(is_several(sheets) ? nullptr : "One sheet shares nothing.");
+        changed |= slider_row("Overlap", sheets.overlap_mm,
+                              {.min = 0,
+                               .max = 30,
+                               .neutral = 0,
+                               .format = "%.3g",
+                               .hard_max = kWidestOverlapMm,
+                               .typed = TypedKind::length,
+                               .unit = unit,
+                               .tip = "How wide the strips are that neighbouring sheets share, to cut and to "
+                                      "glue in; SVG and PDF have marks where to cut."});
+    }
+    if (!is_several(sheets)) return changed;
+    try {
+        hint((sheets_in_words(drawn, sheets, unit) + ".").c_str());
+        note_place("Sheets");
+    } catch (const std::runtime_error& error) {
+        hint((std::string("No sheets: ") + error.what() + ".").c_str());
+        note_place("No sheets");
+    }
+    return changed;
+}
+
 }  // namespace
 
-bool draw_page_panel(PageSetup& setup, const PageSize& drawn, LengthUnit& unit) {
+bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit& unit) {
     if (!section("Page")) return false;
     bool changed = false;
     int shown_in = unit == LengthUnit::inch ? 1 : 0;
@@ -137,7 +183,7 @@ bool draw_page_panel(PageSetup& setup, const PageSize& drawn, LengthUnit& unit) 
             changed = true;
         }
     }
-    return changed;
+    return draw_sheets(sheets, drawn, unit) || changed;
 }
 
 }  // namespace dapple

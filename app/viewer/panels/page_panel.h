@@ -1,7 +1,8 @@
 #pragma once
-// The section "Page": the paper, its margins, and how the picture lies on it.
+// The section "Page": the paper, its margins, how the picture lies on it, and the sheets of a mural.
 
 #include "core/drawing/page_setup.h"
+#include "core/output/sheet.h"
 #include "core/text/length.h"
 
 namespace dapple {
@@ -9,6 +10,6 @@ namespace dapple {
 /// `drawn` is the page on screen: where a page of a size of one's own starts from. `unit` is what lengths are
 /// shown and typed in, here and in other sections; settings keep millimetres. Returns true if it changed
 /// anything.
-bool draw_page_panel(PageSetup& setup, const PageSize& drawn, LengthUnit& unit);
+bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit& unit);
 
 }  // namespace dapple

@@ -91,7 +91,7 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     draw_picture_section(session);
     const DrawnInfo drawn = session.drawn(session.pane());
     draw_dots_panel(settings.drawing, drawn, settings.unit);
-    draw_page_panel(settings.drawing.page, drawn.page, settings.unit);
+    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
     draw_pen_panel(settings.drawing, settings.unit);
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};

@@ -13,6 +13,7 @@
 
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
+#include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/working_folder.h"
@@ -158,6 +159,7 @@ std::optional<KeptView> DrawingDocument::kept_view() const {
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
     const fs::path& saved = session_.saved_path();
+    const Sheet sheets = session_.settings.drawing.sheets;
     const fs::path name = fs::path(session_.picture().name).stem().concat(".svg");
     std::vector<FileFormat> formats;
     for (const DrawingFormatName& each : kDrawingFormats)
@@ -165,8 +167,9 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
     return SaveQuestion{.title = "Export the drawing",
                         .formats = std::move(formats),
                         .start = saved.empty() ? working_folder() / name : saved,
-                        .own_file = saved,
-                        .has_options = true};
+                        .own_file = session_.saved_sheets() == sheets ? saved : fs::path(),
+                        .has_options = true,
+                        .files = [sheets](const fs::path& chosen) { return files_of(chosen, sheets); }};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
@@ -316,6 +319,8 @@ void DrawingDocument::draw(const Frame& frame) {
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
     draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
+    draw_sheet_lines(session_.pane().page().layout, session_.settings.drawing.sheets, canvas_.camera(),
+                     place);
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y + player.y}, captions);

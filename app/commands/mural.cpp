@@ -1,0 +1,75 @@
+#include "app/commands/mural.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "app/commands/options.h"
+#include "app/commands/render_report.h"
+#include "app/files/atomic_file.h"
+#include "app/files/sheet_files.h"
+#include "app/progress_line.h"
+
+namespace dapple {
+
+void add_mural_options(CLI::App& app, Sheet& sheets) {
+    const auto read_sheets = [&](const std::string& text) {
+        try {
+            const Sheet read = parse_sheets(text);
+            sheets.columns = read.columns;
+            sheets.rows = read.rows;
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError("--sheets", error.what());
+        }
+    };
+    app.add_option_function<std::string>(
+           "--sheets", read_sheets,
+           "All sheets of a mural, each in a file: 3x4 -o mural.svg makes mural-A1.svg to mural-C4.svg, of 3 "
+           "columns and 4 rows, and mural-plan.svg, which shows how they join")
+        ->type_name("CxR")
+        ->group("Page");
+    add_length(
+        app, "--overlap", sheets.overlap_mm, {.least = 0, .most = kWidestOverlapMm},
+        "How wide the strips are that neighbouring sheets share, to cut and to glue in; the drawing is "
+        "on both. SVG and PDF have marks where to cut")
+        ->group("Page");
+}
+
+void render_mural(const RenderOptions& options) {
+    const Sheet& sheets = options.drawing.sheets;
+    const std::vector<Sheet> all = all_sheets(sheets);
+    PageSize page;
+    std::size_t drawn = 0;
+    std::vector<NamedFindings> found;
+    std::vector<std::string> stats;
+    if (options.stats) check_can_save(*options.stats);
+    {
+        ProgressLine line;
+        for (const Sheet& sheet : all) {
+            RenderOptions one = options;
+            one.sheet = sheet;
+            one.output = sheet_file(options.output, name_of(sheet));
+            one.stats.reset();
+            const auto show = [&](double share) {
+                line.show((static_cast<double>(drawn) + share) / static_cast<double>(all.size()),
+                          fmt::format("{} of {} sheets drawn", drawn, all.size()));
+            };
+            const Rendered rendered = render(one, {.progress = show});
+            page = rendered.whole_page;
+            found.push_back({name_of(sheet), rendered.findings});
+            if (options.stats) stats.push_back(stats_of(one, rendered));
+            ++drawn;
+        }
+    }
+    save_assembly_plan(options.output, page, sheets);
+    fmt::print(stderr, "{}: {}\n", sheets_in_words(page, sheets),
+               sheet_files_in_words(options.output, sheets));
+    for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
+    if (options.stats)
+        save_atomically(*options.stats, [&](std::ostream& out) { out << stats_of_all(stats); });
+}
+
+}  // namespace dapple
