@@ -475,3 +475,30 @@ TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and 
         most = std::max(most, glm::distance(plot.lines[0][i], glm::dvec2(line[i].x, kHeight - line[i].y)));
     CHECK(most < 0.005);
 }
+
+TEST_CASE("of several pictures each becomes a drawing in the folder, and a bad one is told and stops none") {
+    const Scene scene;
+    put_text(scene("bad.jpg"), "no picture");
+    run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));
+    const std::string pictures = scene("cat.png") + " " + scene("bad.jpg") + " " + scene("dog.png");
+    const std::string how = " --dots 500 --width 96 --jobs 2 --format pdf";
+    const Outcome all = run_dapple("render " + pictures + how + " -o " + scene("out/"));
+    CHECK(all.status != 0);
+    CHECK(all.err.find("2 drawings in ") != std::string::npos);
+    CHECK(all.err.find("1 picture failed:\n") != std::string::npos);
+    CHECK(all.err.find("bad.jpg: ") != std::string::npos);
+    REQUIRE(
+        run_dapple("render " + scene("cat.png") + " --dots 500 --width 96 -o " + scene("cat.pdf")).status ==
+        0);
+    // But for the time it takes, the same as alone.
+    CHECK(text_of(scene("out/cat.pdf")) == text_of(scene("cat.pdf")));
+    // But for its title, whose letters take a byte more or less.
+    const auto bytes = [](const std::string& file) { return static_cast<double>(text_of(file).size()); };
+    CHECK(std::abs(bytes(scene("out/dog.pdf")) - bytes(scene("cat.pdf"))) < 8);
+    const Outcome no_folder = run_dapple("render " + pictures + " -o " + scene("a.svg"));
+    CHECK(no_folder.status != 0);
+    CHECK(no_folder.err.find("3 pictures need a folder") != std::string::npos);
+    const Outcome twice =
+        run_dapple("render " + scene("cat.png") + " " + scene("cat.png") + " -o " + scene("out/"));
+    CHECK(twice.err.find("would both become") != std::string::npos);
+}

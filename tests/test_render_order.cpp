@@ -288,7 +288,7 @@ TEST_CASE("a large file's size is said before it is written") {
     CHECK(run_dapple(from + scene("a.csv") + " --dots 5k").err.find("will be written") == std::string::npos);
 }
 
-TEST_CASE("of sheets the findings are told once for each kind, and all figures saved") {
+TEST_CASE("of sheets and of many pictures the findings are told once for each kind, and all figures saved") {
     const Scene scene;
     const std::string stats = " --stats " + scene("s.json");
     const Outcome sheets = run_dapple("render " + scene("cat.png") + " --dots 2000 --width 100 -o " +
@@ -297,10 +297,32 @@ TEST_CASE("of sheets the findings are told once for each kind, and all figures s
     REQUIRE(sheets.status == 0);
     CHECK(sheets.err.find("\nA1: a plotter follows the circles' outlines: ") != std::string::npos);
     CHECK(sheets.err.find(" (and 1 more like it)\n") != std::string::npos);
-    const nlohmann::json all = read_json(scene("s.json"));
+    nlohmann::json all = read_json(scene("s.json"));
     REQUIRE(all.size() == 2);
     CHECK(all[0]["emitted"].get<int>() + all[1]["emitted"].get<int>() == 2000);
     CHECK(kinds_in(all[1]).contains("rings"));
+
+    run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));
+    put_text(scene("bad.jpg"), "no picture");
+    const Outcome batch = run_dapple("render " + scene("cat.png") + " " + scene("bad.jpg") + " " +
+                                     scene("dog.png") + " --dots 900 -o " + scene("out/") + stats);
+    CHECK(batch.status != 0);
+    CHECK(batch.err.find("\n  cat.svg: a plotter follows") != std::string::npos);
+    all = read_json(scene("s.json"));
+    REQUIRE(all.size() == 2);
+    CHECK(all[1]["output"].get<std::string>().ends_with("dog.svg"));
+}
+
+TEST_CASE("a drawing's settings apply to each of several pictures") {
+    const Scene scene;
+    run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));
+    const std::string both = "render " + scene("cat.png") + " " + scene("dog.png") + " --dots 600 -o ";
+    const std::string one = "render " + scene("dog.png") + " --dots 600 -o ";
+    REQUIRE(run_dapple(one + scene("from.svg") + " --dot-shape cross --pen-width 0.4 --page a5").status == 0);
+    const std::string how = " --settings-from " + scene("from.svg");
+    REQUIRE(run_dapple(both + scene("out/") + how).status == 0);
+    REQUIRE(run_dapple(one + scene("one.svg") + how).status == 0);
+    CHECK(text_of(scene("out/dog.svg")) == text_of(scene("one.svg")));
 }
 
 TEST_CASE("xmllint finds every SVG well formed") {

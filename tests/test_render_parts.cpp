@@ -72,6 +72,8 @@ TEST_CASE("settings with sheets draw all of them, one page, or one sheet, as the
     REQUIRE(run_dapple(sample + scene("m.csv") + " --sheets 2x1 --overlap 12").status == 0);
     CHECK(text_of(scene("b.csv")) == text_of(scene("m-B1.csv")));
     scene.must_fail(again + "-o -", "--sheets: makes several files");
+    scene.must_fail(again + scene("cat.png") + " " + scene("cat.png") + " -o " + scene("drawings/"),
+                    "--sheets: is for one picture");
 }
 
 TEST_CASE(

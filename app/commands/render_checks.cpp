@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/commands/batch.h"
 #include "app/commands/options.h"
 #include "app/files/drawing_facts.h"
 #include "app/files/save_drawing.h"
@@ -19,6 +20,7 @@ std::string let_it_end_in(const char* endings) {
 }
 
 void check_format(const RenderOptions& options) {
+    if (is_output_folder(options.output)) return;
     if (is_standard_stream(options.output)) {
         if (options.format == DrawingFormat::tiff)
             throw CLI::ValidationError(

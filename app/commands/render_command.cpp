@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "app/commands/batch.h"
 #include "app/commands/gcode_options.h"
 #include "app/commands/mural.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
 #include "app/commands/render_checks.h"
 #include "app/commands/render_report.h"
+#include "app/files/save_drawing.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
 
@@ -31,6 +35,35 @@ void take_image(RenderOptions& options, const std::filesystem::path& file) {
     options.saving = project.saving;
 }
 
+void check_batch_picture(const std::string& file) {
+    if (file == kStandardStream)
+        throw CLI::ValidationError("IMAGE", "- cannot be one of several; name files alone");
+    if (ends_as_project(file)) {
+        throw CLI::ValidationError("IMAGE", file +
+                                                ": a project cannot be one of several; give pictures, and "
+                                                "the project's settings by --settings-from");
+    }
+}
+
+// A folder for a single picture names its drawing; several need one.
+void take_folder(RenderOptions& options, std::size_t pictures) {
+    const bool folder = is_output_folder(options.output);
+    if (pictures > 1 && !folder) {
+        throw CLI::ValidationError(
+            "--output", fmt::format("{}: {} pictures need a folder; end its name in /, as in -o {}/",
+                                    options.output.string(), pictures, options.output.stem().string()));
+    }
+    if (!folder) return;
+    if (!options.format) options.format = DrawingFormat::svg;
+    if (pictures > 1) return;
+    if (!options.image || is_standard_stream(*options.image))
+        throw CLI::ValidationError("--output", options.output.string() +
+                                                   " is a folder, where drawings have their pictures' names, "
+                                                   "and this picture has none; name a file");
+    std::filesystem::create_directories(options.output);
+    options.output = output_in(options.output, *options.image, *options.format);
+}
+
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program) {
@@ -39,15 +72,22 @@ RenderCommand::RenderCommand(CLI::App& program) {
                                                      "DXF for plotters and lasers, PDF, PNG and TIFF for "
                                                      "print, CSV and JSON as tables");
     // First, so that it is taken before the other options, which say otherwise.
-    const auto read_image = [this](const std::string& file) {
-        take_image(options_, file);
+    const auto read_image = [this](const std::vector<std::string>& files) {
+        if (files.size() > 1) {
+            for (const std::string& file : files) check_batch_picture(file);
+            pictures_.assign(files.begin(), files.end());
+            return;
+        }
+        take_image(options_, files.front());
         automatic_tone_ = options_.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::string>(
+        ->add_option_function<std::vector<std::string>>(
             "image", read_image,
             "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
-            "settings the other options change; without one, the built-in sample")
+            "settings the other options change; without one, the built-in sample. Several pictures become as "
+            "many "
+            "drawings in a folder")
         ->type_name("IMAGE");
     const auto read_settings = [this](const std::string& file) {
         const SavedSettings read = settings_from(file);
@@ -64,7 +104,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->type_name("FILE");
     command
         ->add_option("-o,--output", options_.output,
-                     "The drawing; its name ends in " + drawing_endings() + ". - for the standard output")
+                     "The drawing; its name ends in " + drawing_endings() +
+                         ". - for the standard output. A folder, which is there or ends in /: drawings named "
+                         "after their pictures, of --format")
         ->type_name("OUT")
         ->required();
     add_choice(*command, "--format", options_.format,
@@ -72,6 +114,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
                 DrawingFormat::gcode, DrawingFormat::hpgl, DrawingFormat::dxf, DrawingFormat::csv,
                 DrawingFormat::json},
                "What is written where no name says it: an SVG without this");
+    add_whole_number(
+        *command, "--jobs", jobs_, {.least = 0, .most = 256},
+        "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
     command->add_option("--stats", options_.stats, "Save figures about the drawing, as JSON")
         ->type_name("FILE");
     command->add_flag_callback(
@@ -150,18 +195,33 @@ RenderCommand::RenderCommand(CLI::App& program) {
         "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
         "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
         "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
+        "  dapple render *.jpg -o drawings/ --format pdf       a drawing of each\n"
         "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
         "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
         "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
     command->callback([this, command] {
         check_options(*command, options_.drawing, automatic_tone_);
+        take_folder(options_, pictures_.size());
         take_usual_shape(*command, options_);
+        if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it away");
         take_part(*command, options_);
         check_that_fit(*command, options_);
+        if (pictures_.empty()) {
+            if (is_several(options_.drawing.sheets))
+                render_mural(options_);
+            else
+                render(options_);
+            return;
+        }
         if (is_several(options_.drawing.sheets))
-            render_mural(options_);
-        else
-            render(options_);
+            throw CLI::ValidationError("--sheets",
+                                       "is for one picture; draw the others' sheets by themselves");
+        const BatchResult result = render_batch(options_, pictures_, jobs_);
+        const std::string summary = batch_summary(result, options_.output);
+        fmt::print(stderr, "{}\n", summary);
+        if (!result.failures.empty())
+            throw std::runtime_error(
+                fmt::format("{} of {} pictures failed", result.failures.size(), pictures_.size()));
     });
 }
 

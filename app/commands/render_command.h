@@ -1,6 +1,9 @@
 #pragma once
 // dapple render: its options, and what they come to.
 
+#include <filesystem>
+#include <vector>
+
 #include "app/commands/render.h"
 
 namespace CLI {
@@ -18,6 +21,8 @@ class RenderCommand {
 
  private:
     RenderOptions options_;
+    std::vector<std::filesystem::path> pictures_;  // where there are several
+    int jobs_ = 0;
     bool automatic_tone_ = true;  // before the options say another
 };
 

@@ -1,0 +1,42 @@
+#pragma once
+// dapple render of many pictures: side by side, with one progress line, and none that goes wrong stops the
+// others.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/commands/render.h"
+
+namespace dapple {
+
+/// Whether the output is a folder that drawings go into: its name ends in a slash, or it is
+/// there and its name has no ending, as that of a drawing has.
+bool is_output_folder(const std::filesystem::path& output);
+
+/// Where a picture's drawing goes: into the folder, with the picture's name and the format's ending.
+std::filesystem::path output_in(const std::filesystem::path& folder, const std::filesystem::path& picture,
+                                DrawingFormat format);
+
+struct BatchResult {
+    struct Failure {
+        std::filesystem::path picture;
+        std::string why;
+    };
+    std::size_t drawn = 0;
+    std::vector<Failure> failures = {};      // in the order of the pictures
+    std::vector<std::string> findings = {};  // see findings_among()
+};
+
+/// Draws each picture as `options` say, into the folder options.output, which is made if it is not there. So
+/// many are drawn at a time, and no more in memory; 0: one for each two cores, 4 at most. Throws
+/// std::runtime_error before anything is drawn if two drawings would have the same name, or the folder cannot
+/// be made.
+BatchResult render_batch(const RenderOptions& options, const std::vector<std::filesystem::path>& pictures,
+                         int jobs);
+
+/// "12 drawings in out; 2 pictures failed:" and each with its reason, a line each, and what someone should
+/// know of the drawings.
+std::string batch_summary(const BatchResult& result, const std::filesystem::path& folder);
+
+}  // namespace dapple
