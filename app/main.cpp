@@ -17,6 +17,7 @@
 #include "app/commands/lights.h"
 #include "app/commands/manual.h"
 #include "app/commands/options.h"
+#include "app/commands/presets.h"
 #include "app/commands/record.h"
 #include "app/commands/render_command.h"
 #include "app/commands/reproduce.h"
@@ -95,6 +96,7 @@ int main(int argc, char** argv) {
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
     const dapple::CompleteCommand complete(program);
+    dapple::add_presets_command(program);
     dapple::add_manual_command(program);
 
     // Before the command runs.

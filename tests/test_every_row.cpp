@@ -21,6 +21,7 @@
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
 #include "app/viewer/panels/pen_panel.h"
+#include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/tile_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/widgets/row_keys.h"
@@ -43,6 +44,8 @@ struct Everything {
     bool framing = false, dialog = true, desktop = false;
     Appearance appearance = {};
     TilePanelState tile = {};
+    PresetRow presets{{}};
+    Banner banner = {};
 };
 
 /// In which what is greyed at first can be used.
@@ -81,9 +84,12 @@ std::vector<PanelToTest> all_panels(Everything& one) {
     const TileView view = view_of("paper16", tile, PlacerKind::exact);
     std::vector<PanelToTest> panels{
         {"title",
-         [nothing] {
+         [&one, nothing] {
              draw_title("a picture", nothing);
              draw_action_buttons({"dots", "dots"}, true, nothing);
+             one.presets.draw(
+                 {one.all.drawing, one.all.saving}, [](const SavedSettings&) {},
+                 [](const DrawingSettings&) { return EntryPicture{}; }, one.banner);
          }},
         {"picture",
          [&] {

@@ -313,16 +313,19 @@ TEST_CASE("of sheets and of many pictures the findings are told once for each ki
     CHECK(all[1]["output"].get<std::string>().ends_with("dog.svg"));
 }
 
-TEST_CASE("a drawing's settings apply to each of several pictures") {
+TEST_CASE("a preset's and a drawing's settings apply to each of several pictures") {
     const Scene scene;
     run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));
     const std::string both = "render " + scene("cat.png") + " " + scene("dog.png") + " --dots 600 -o ";
     const std::string one = "render " + scene("dog.png") + " --dots 600 -o ";
     REQUIRE(run_dapple(one + scene("from.svg") + " --dot-shape cross --pen-width 0.4 --page a5").status == 0);
-    const std::string how = " --settings-from " + scene("from.svg");
-    REQUIRE(run_dapple(both + scene("out/") + how).status == 0);
-    REQUIRE(run_dapple(one + scene("one.svg") + how).status == 0);
-    CHECK(text_of(scene("out/dog.svg")) == text_of(scene("one.svg")));
+    for (const std::string& how :
+         {std::string(" --preset fine-pen"), " --settings-from " + scene("from.svg")}) {
+        CAPTURE(how);
+        REQUIRE(run_dapple(both + scene("out/") + how).status == 0);
+        REQUIRE(run_dapple(one + scene("one.svg") + how).status == 0);
+        CHECK(text_of(scene("out/dog.svg")) == text_of(scene("one.svg")));
+    }
 }
 
 TEST_CASE("xmllint finds every SVG well formed") {

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "app/files/png_file.h"
+#include "app/viewer/model/small_drawing.h"
 #include "app/viewer/model/small_pictures.h"
 #include "app/viewer/model/thumbnail.h"
+#include "core/drawing/page_setup.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
@@ -18,6 +20,15 @@ const glm::u8vec4 kRed(255, 0, 0, 255), kBlue(0, 0, 255, 255);
 SmallPicture one_pixel(glm::u8vec4 colour) {
     SmallPicture picture(1, 1);
     picture.at(0, 0) = colour;
+    return picture;
+}
+
+// Black at the left, white at the right.
+SmallPicture half_black(int width, int height) {
+    SmallPicture picture(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            picture.at(x, y) = x < width / 2 ? glm::u8vec4(0, 0, 0, 255) : glm::u8vec4(255);
     return picture;
 }
 
@@ -71,6 +82,44 @@ TEST_CASE("a file's thumbnail is the picture, small, and another once the file i
     write_half_red(200);
     CHECK(thumbnail_key(folder / "a.png") != key);
     CHECK_THROWS_AS(thumbnail_of(folder / "none.png", {}), std::exception);
+}
+
+TEST_CASE("the preview of settings is their page: ink where the picture is dark, paper around it") {
+    DrawingSettings settings;
+    settings.automatic_tone = false;
+    settings.placing.count = 5000;
+    settings.ink = {1, 0, 0};
+    settings.paper = {0, 0, 1};
+    settings.page.paper = Paper::a4;
+    settings.page.margins = {20, 20, 20, 20};
+    const auto inked = [&] {
+        const SmallPicture page =
+            small_drawing(half_black(60, 60), settings, 297, {});  // a pixel a millimetre
+        REQUIRE(page.height == 297);
+        CHECK(page.width == 210);
+        const glm::u8vec4 paper(glm::u8vec3(settings.paper * 255.0f), 255);
+        CHECK(page.at(10, 10) == paper);
+        CHECK(page.at(170, 148) == paper);
+        int ink = 0;
+        for (int y = 130; y < 170; ++y)
+            for (int x = 40; x < 80; ++x) ink += page.at(x, y).b < 128;
+        return ink / 1600.0;
+    };
+    SUBCASE("dots") {
+        CHECK(inked() > 0.8);
+    }
+    SUBCASE("lines of a pen") {
+        settings.style = DrawingStyle::line;
+        settings.pen_width_mm = 2;
+        CHECK(inked() > 0.8);
+    }
+    SUBCASE("several pens") {
+        settings.pens.set = PenSet::own;
+        settings.pens.own = {{.name = "Red", .colour = {1, 0, 0}, .width_mm = 2},
+                             {.name = "Black", .colour = kBlack, .width_mm = 2}};
+        settings.paper = kWhite;
+        CHECK(inked() > 0.8);
+    }
 }
 
 }  // namespace dapple

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/files/tile_library.h"
+#include "app/settings/presets.h"
 
 namespace dapple {
 namespace {
@@ -20,6 +21,11 @@ std::vector<Completion> values_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     if (type == "TILE") {
         for (const BuiltInTile& tile : built_in_tiles()) values.push_back({tile.name, tile.about});
+        return values;
+    }
+    if (type == "PRESET") {
+        for (const Preset& preset : built_in_presets()) values.push_back({preset.name, preset.about});
+        for (const std::string& name : own_presets(presets_folder())) values.push_back({name, ""});
         return values;
     }
     std::istringstream parts(type);

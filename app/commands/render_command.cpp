@@ -17,6 +17,7 @@
 #include "app/commands/render_report.h"
 #include "app/files/save_drawing.h"
 #include "app/settings/embedded_settings.h"
+#include "app/settings/presets.h"
 #include "app/settings/project.h"
 
 namespace dapple {
@@ -102,6 +103,18 @@ RenderCommand::RenderCommand(CLI::App& program) {
             "Draw as a project or as a drawing (.svg, .png) that Dapple made, with "
             "what the other options change")
         ->type_name("FILE");
+    const auto read_preset = [this](const std::string& name) {
+        const SavedSettings preset = preset_named(name, presets_folder()).settings;
+        options_.drawing = with_preset(preset.drawing, options_.drawing);
+        options_.saving = preset.saving;
+        automatic_tone_ = preset.drawing.automatic_tone;
+    };
+    command
+        ->add_option_function<std::string>(
+            "--preset", read_preset,
+            "Draw as a preset says, with what the other options change; `dapple presets` lists them")
+        ->type_name("PRESET")
+        ->excludes("--settings-from");
     command
         ->add_option("-o,--output", options_.output,
                      "The drawing; its name ends in " + drawing_endings() +

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/files/tile_library.h"
+#include "app/settings/presets.h"
 #include "app/settings/xdg_folders.h"
 #include "app/viewer/shell/drawing_document.h"
 #include "app/viewer/shell/lights_document.h"
@@ -17,8 +18,8 @@ static Memory memory_of_person(bool fresh) {
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
     Shell shell(options.log_status, memory_of_person(options.fresh));
-    return shell.run(
-        std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view));
+    return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
+                                                       options.fresh ? "" : presets_folder()));
 }
 
 int run_viewer(const LightViewerOptions& options) {

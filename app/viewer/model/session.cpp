@@ -11,6 +11,7 @@
 #include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/film/save_film.h"
+#include "app/settings/presets.h"
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/change_words.h"
@@ -192,6 +193,17 @@ void Session::take_settings(const fs::path& file) {
         settings.saving = read.saving;
         banner = {BannerKind::notice,
                   "The settings of " + file.string() + " are taken; undo brings yours back"};
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::take_preset(const SavedSettings& preset) {
+    try {
+        DrawingSettings drawing = with_preset(preset.drawing, settings.drawing);
+        if (is_tile_file_name(drawing.tile)) drawing.tile = tiles_.open(drawing.tile);
+        settings.drawing = std::move(drawing);
+        settings.saving = preset.saving;
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }

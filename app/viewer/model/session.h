@@ -60,6 +60,8 @@ class Session {
     /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
     /// went.
     void take_settings(const std::filesystem::path& file);
+    /// Those of a preset, but for what is the picture's own.
+    void take_preset(const SavedSettings& preset);
 
     /// A tile or a project, if the file's name ends as theirs do; the settings of an SVG or PNG that Dapple
     /// made; or else a picture.

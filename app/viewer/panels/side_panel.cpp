@@ -80,7 +80,8 @@ void draw_export_section(const std::function<void(Action)>& act) {
 }  // namespace
 
 OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
-                             const std::function<void(Action)>& act, glm::vec2 corner, glm::vec2 size) {
+                             const PresetRow::Preview& preview, const std::function<void(Action)>& act,
+                             glm::vec2 corner, glm::vec2 size) {
     begin_side_panel(corner, size,
                      {session.picture().name,
                       session.picture().description,
@@ -88,6 +89,9 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
                       true},
                      act);
     ViewerSettings& settings = session.settings;
+    presets_.draw(
+        {settings.drawing, settings.saving},
+        [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
     draw_picture_section(session);
     const DrawnInfo drawn = session.drawn(session.pane());
     draw_dots_panel(settings.drawing, drawn, settings.unit);

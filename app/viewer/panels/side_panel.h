@@ -7,6 +7,7 @@
 
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/action_buttons.h"
+#include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -33,11 +34,15 @@ struct OpenSections {
 /// That of a drawing: what an artist does, from the picture to the file, and at last the method.
 class SidePanel {
  public:
+    /// `presets` is the folder of the person's own: see preset_row.h.
+    explicit SidePanel(std::filesystem::path presets = {}) : presets_(std::move(presets)) {}
+
     /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`.
-    OpenSections draw(Session& session, const SpectrumInfo& spectrum, const std::function<void(Action)>& act,
-                      glm::vec2 corner, glm::vec2 size);
+    OpenSections draw(Session& session, const SpectrumInfo& spectrum, const PresetRow::Preview& preview,
+                      const std::function<void(Action)>& act, glm::vec2 corner, glm::vec2 size);
 
  private:
+    PresetRow presets_;
     TilePanelState tile_;
     int tiles_seen_ = 0;
 };

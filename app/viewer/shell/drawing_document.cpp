@@ -16,6 +16,7 @@
 #include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/settings/embedded_settings.h"
+#include "app/settings/presets.h"
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/canvas/dot_card.h"
@@ -24,6 +25,7 @@
 #include "app/viewer/canvas/pen_trail.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
+#include "app/viewer/model/small_drawing.h"
 #include "app/viewer/model/thumbnail.h"
 #include "app/viewer/panels/banner.h"
 #include "app/viewer/panels/export_panel.h"
@@ -42,6 +44,8 @@ namespace fs = std::filesystem;
 
 constexpr double kLongOpening = 0.5;  // seconds: shorter ones are not told
 constexpr float kStatusHeight = 30;   // at 96 dpi
+// Pixels of presets' previews, and of the copy of the picture that they are made of.
+constexpr int kSmallDrawingSide = 220, kPreviewedSide = 512;
 
 // Of files that hold pictures, of projects, and of drawings that hold settings; others are opened as well if
 // they do.
@@ -74,25 +78,16 @@ DrawingSettings drawing_to_begin_with(DrawingSettings kept, const std::optional<
     return kept;
 }
 
-DrawingSettings without_pictures_own(DrawingSettings drawing) {
-    const DrawingSettings usual;
-    drawing.automatic_exposure = usual.automatic_exposure;
-    drawing.tone.exposure = usual.tone.exposure;
-    drawing.page.crop = usual.page.crop;
-    drawing.page.quarter_turns = usual.page.quarter_turns;
-    drawing.placing.threads = usual.placing.threads;
-    drawing.mask = usual.mask;
-    return drawing;
-}
-
 }  // namespace
 
 DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile,
-                                 const KeptView& view)
+                                 const KeptView& view, const fs::path& presets)
     : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake),
+      side_panel_(presets),
+      previews_(&Window::wake),
       mask_reading_(&Window::wake),
       plot_(&Window::wake) {
     ViewerSettings begin = session_.settings;
@@ -154,7 +149,7 @@ std::optional<KeptView> DrawingDocument::kept_view() const {
     return KeptView{.zoom_mode = settings.zoom_mode,
                     .unit = settings.unit,
                     .saving = settings.saving,
-                    .drawing = without_pictures_own(settings.drawing)};
+                    .drawing = with_preset(settings.drawing, DrawingSettings{})};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
@@ -284,8 +279,10 @@ void DrawingDocument::draw(const Frame& frame) {
 
     const auto [place, player, captions, status_size] = layout(frame);
     const bool panels = frame.panels.x > 0;
-    open_ = panels ? side_panel_.draw(session_, spectrum(), frame.act, {place.size.x, 0}, frame.panels)
-                   : OpenSections{};
+    const auto preview = [this](const DrawingSettings& drawing) { return preview_of(drawing); };
+    open_ = panels
+                ? side_panel_.draw(session_, spectrum(), preview, frame.act, {place.size.x, 0}, frame.panels)
+                : OpenSections{};
     draw_split(place);
     Mask& mask = session_.settings.drawing.mask;
     const bool can_paint =
@@ -609,6 +606,18 @@ ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_
     return {.view = points_on_screen(pane.shown(), canvas_.camera()),
             .tile_size = tile_size,
             .has_duplicates = pane.page().stippling.duplicates > 0};
+}
+
+EntryPicture DrawingDocument::preview_of(const DrawingSettings& drawing) {
+    const OpenedPicture& picture = session_.picture();
+    if (!picture.preview) return {};
+    if (std::exchange(previewed_, session_.previews()) != session_.previews()) previews_.forget();
+    const auto make = [mipmaps = picture.preview, drawing = drawing,
+                       exposed = picture.exposure](const std::stop_token& stop) mutable {
+        if (!drawing.automatic_exposure) drawing.tone.exposure -= exposed;
+        return small_drawing(small_copy(*mipmaps, kPreviewedSide), drawing, kSmallDrawingSide, stop);
+    };
+    return previews_.of(embedded_settings({}, drawing, {}), make);
 }
 
 SpectrumInfo DrawingDocument::spectrum() {

@@ -9,6 +9,7 @@
 
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/crop_frame.h"
+#include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/background.h"
@@ -31,7 +32,7 @@ class DrawingDocument : public Document {
     /// tile that is given is drawn with, whatever a project says. Throws std::runtime_error if the project
     /// cannot be read.
     DrawingDocument(const std::optional<std::filesystem::path>& image, const std::optional<std::string>& tile,
-                    const KeptView& view = {});
+                    const KeptView& view = {}, const std::filesystem::path& presets = {});
 
     std::span<const Shortcut> shortcuts() const override;
     void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
@@ -93,6 +94,8 @@ class DrawingDocument : public Document {
     std::optional<double> placed_share() const;
     std::optional<StatusInfo::RightSide> right_info() const;
     SpectrumInfo spectrum();
+    /// What settings make of the picture shown, small.
+    EntryPicture preview_of(const DrawingSettings& drawing);
     void measure_dots();
     ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
 
@@ -104,6 +107,8 @@ class DrawingDocument : public Document {
     int spectrum_drawn_ = 0;  // the number of the analysis that it shows
     OpenSections open_ = {};
     SidePanel side_panel_;
+    EntryPictures previews_;  // of presets,
+    int previewed_ = 0;       // and of the picture of that number
     Loupe loupe_;
     MaskPainter mask_painter_;
     CropFrame crop_frame_;

@@ -37,7 +37,7 @@ struct WindowPlace {
 };
 
 /// How pictures are shown, drawn and saved whatever they are, as if the window had not been closed. What is
-/// one picture's own, its crop, turns, exposure and mask, is not among it. Projects bring their own.
+/// one picture's own, as with_preset() has it, is not among it. Projects bring their own.
 struct KeptView {
     ZoomMode zoom_mode = ZoomMode::drawing;
     LengthUnit unit = LengthUnit::mm;

@@ -1,0 +1,22 @@
+#include "app/commands/presets.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/settings/presets.h"
+
+namespace dapple {
+
+void add_presets_command(CLI::App& program) {
+    program
+        .add_subcommand("presets",
+                        "List the presets that render --preset takes: the built-in ones, and those "
+                        "that the window saved")
+        ->callback([] {
+            for (const Preset& preset : built_in_presets()) fmt::print("{}\t{}\n", preset.name, preset.about);
+            for (const std::string& name : own_presets(presets_folder())) fmt::print("{}\tyour own\n", name);
+        });
+}
+
+}  // namespace dapple

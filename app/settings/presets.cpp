@@ -1,0 +1,173 @@
+#include "app/settings/presets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
+#include "app/settings/drawing_fields.h"
+#include "app/settings/project.h"
+#include "app/settings/settings_text.h"
+#include "app/settings/xdg_folders.h"
+#include "app/shown_text.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 60;
+
+PageSetup upright_page(Paper paper, double margin_mm) {
+    PageSetup page;
+    page.paper = paper;
+    page.margins = {margin_mm, margin_mm, margin_mm, margin_mm};
+    return page;
+}
+
+DrawingSettings drawing_of(std::uint64_t dots, const PageSetup& page) {
+    DrawingSettings drawing;
+    drawing.placing.count = dots;
+    drawing.page = page;
+    return drawing;
+}
+
+DrawingSettings light_on(const char* paper, DrawingSettings drawing) {
+    drawing.tone.invert = true;
+    drawing.ink = kWhite;
+    drawing.paper = parse_colour(paper);
+    drawing.background = true;
+    return drawing;
+}
+
+DrawingSettings coloured(const char* ink, const char* paper, DrawingSettings drawing) {
+    drawing.ink = parse_colour(ink);
+    drawing.paper = parse_colour(paper);
+    drawing.background = true;
+    return drawing;
+}
+
+DrawingSettings sized_by_tone(double smallest_mm, double largest_mm, DrawingSettings drawing) {
+    drawing.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = smallest_mm, .largest_mm = largest_mm};
+    return drawing;
+}
+
+std::vector<Preset> made_presets() {
+    const PageSetup a4 = upright_page(Paper::a4, 15), a2 = upright_page(Paper::a2, 30);
+    const SavingChoice for_pen{.order = DotOrder::shortest};
+    return {
+        {"fine-pen", "many small dots on A4, in a short way for a pen", {drawing_of(60'000, a4), for_pen}},
+        {"quick-pen", "few dots on A4, plotted in a few minutes", {drawing_of(5'000, a4), for_pen}},
+        {"bold-print",
+         "few large dots on A4, for prints seen from afar",
+         {drawing_of(12'000, a4), {.dpi = 600}}},
+        {"light-sketch",
+         "sepia dots on cream paper",
+         {coloured("#5b3a1e", "#f7f0e0", drawing_of(15'000, a4)), {}}},
+        {"night", "white dots on black", {light_on("#000000", drawing_of(40'000, {})), {}}},
+        {"blueprint", "white dots on blue", {light_on("#1d4e89", drawing_of(40'000, a4)), {}}},
+        {"dots-by-tone",
+         "small dots in light parts, large ones in dark, on A4",
+         {sized_by_tone(0.2, 0.6, drawing_of(kDefaultDots, a4)), {}}},
+        {"poster", "a great many dots on A2", {drawing_of(400'000, a2), {.dpi = 600}}},
+    };
+}
+
+fs::path file_of_preset(const std::string& name, const fs::path& folder) {
+    return folder / (name + kProjectEnding);
+}
+
+bool is_built_in(const std::string& name) {
+    return std::ranges::count(built_in_presets(), name, &Preset::name) > 0;
+}
+
+Describe all_of_preset(SavedSettings& settings) {
+    return [&](Fields& fields) { describe_drawing(fields, settings.drawing, settings.saving); };
+}
+
+bool names_a_file(const std::string& name) {
+    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+    return !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
+           name.find('/') == name.npos && std::ranges::none_of(name, is_control) && printable(name) == name;
+}
+
+}  // namespace
+
+const std::vector<Preset>& built_in_presets() {
+    static const std::vector<Preset> presets = made_presets();
+    return presets;
+}
+
+fs::path presets_folder() {
+    const fs::path ours = config_folder();
+    return ours.empty() ? ours : ours / "presets";
+}
+
+std::vector<std::string> own_presets(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    if (folder.empty()) return names;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().stem().string();
+        const bool is_one = entry->path().extension() == kProjectEnding && names_a_file(name);
+        if (is_one && !is_built_in(name)) names.push_back(name);
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+Preset preset_named(const std::string& name, const fs::path& folder) {
+    const auto& built_in = built_in_presets();
+    const auto found = std::ranges::find(built_in, name, &Preset::name);
+    if (found != built_in.end()) return *found;
+    std::error_code ignored;
+    const fs::path file = file_of_preset(name, folder);
+    if (folder.empty() || !names_a_file(name) || !fs::exists(file, ignored))
+        throw std::runtime_error(fmt::format(
+            "there is no preset \"{}\"; `dapple presets` lists those there are", printable(name)));
+    Preset preset{name, "", {}};
+    read_settings(text_of_settings(file), {file}, all_of_preset(preset.settings));
+    return preset;
+}
+
+void save_preset(const std::string& name, const SavedSettings& settings, const fs::path& folder) {
+    if (!names_a_file(name))
+        throw std::runtime_error(fmt::format(
+            "\"{}\" is no name for a preset; give one of 1 to {} letters that has no / and does not begin "
+            "with a point",
+            printable(name), kLongestName));
+    if (is_built_in(name))
+        throw std::runtime_error(
+            fmt::format("the preset {} comes with the program and stays; give another name", name));
+    if (folder.empty())
+        throw std::runtime_error("there is no home folder to keep presets in; set HOME to one");
+    fs::create_directories(folder);
+    const fs::path file = file_of_preset(name, folder);
+    SavedSettings written = settings;
+    const std::string text = settings_text("", {file}, all_of_preset(written));
+    save_atomically(file, [&](std::ostream& out) { out << text; });
+}
+
+void remove_preset(const std::string& name, const fs::path& folder) {
+    std::error_code error;
+    const bool could = !folder.empty() && names_a_file(name);
+    if (!could || !fs::remove(file_of_preset(name, folder), error))
+        throw std::runtime_error(fmt::format("the preset {} cannot be removed, {}", printable(name),
+                                             error ? error.message() : "there is none of that name"));
+}
+
+DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present) {
+    DrawingSettings drawing = preset;
+    drawing.automatic_exposure = present.automatic_exposure;
+    drawing.tone.exposure = present.tone.exposure;
+    drawing.page.crop = present.page.crop;
+    drawing.page.quarter_turns = present.page.quarter_turns;
+    drawing.placing.threads = present.placing.threads;
+    drawing.mask = present.mask;
+    return drawing;
+}
+
+}  // namespace dapple

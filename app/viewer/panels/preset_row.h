@@ -1,0 +1,40 @@
+#pragma once
+// The row "Preset" at the top of the column: chooses one, saves the settings as one, removes one.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/settings/presets.h"
+#include "app/viewer/model/banner.h"
+#include "app/viewer/widgets/picture_entry.h"
+
+namespace dapple {
+
+class PresetRow {
+ public:
+    /// Without a folder there are the built-in presets only, and none is saved.
+    explicit PresetRow(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// What settings make of the picture shown, small; asked for in every frame that shows it.
+    using Preview = std::function<EntryPicture(const DrawingSettings&)>;
+
+    /// For settings as they are now. The chosen preset's are given to `take`; the banner says what went wrong
+    /// with a file, or that one was saved.
+    void draw(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
+              const Preview& preview, Banner& banner);
+
+ private:
+    void read(Banner& banner);
+    bool draw_preset(const Preset& preset, bool marked, const SavedSettings& now, const Preview& preview);
+    void draw_naming(const SavedSettings& now, Banner& banner);
+
+    std::filesystem::path folder_;
+    std::vector<Preset> presets_;  // all that can be chosen; empty: not read yet
+    bool naming_ = false;          // the settings are about to be saved as one,
+    std::string typed_;            // of this name
+    bool ask_for_keys_ = false;    // its field is to have the keyboard
+};
+
+}  // namespace dapple

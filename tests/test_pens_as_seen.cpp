@@ -1,0 +1,45 @@
+// Flat colours drawn with several pens, and looked at from afar.
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/viewer/model/small_drawing.h"
+#include "core/image/linear_colour.h"
+#include "core/pens/separation.h"
+
+namespace dapple {
+namespace {
+
+/// The mean light of a drawing with those pens of a picture in one colour, whose tone nothing changes.
+glm::vec3 seen_of(const SmallPicture& picture, const char* pens) {
+    DrawingSettings settings;
+    settings.automatic_tone = false;
+    settings.tone = {};
+    settings.pens = parse_pens(pens);
+    settings.placing.count = 4000;
+    const SmallPicture drawing = small_drawing(picture, settings, 1500, {});
+    glm::dvec3 sum(0);
+    for (const glm::u8vec4 pixel : drawing.values) sum += glm::dvec3(linear_of(glm::vec3(pixel) / 255.0f));
+    return glm::vec3(sum / static_cast<double>(drawing.values.size()));
+}
+
+}  // namespace
+
+TEST_CASE("pens' dots that lie over one another are seen from afar as the colour that was asked for") {
+    const PenChoice cmyk = parse_pens("cmyk");
+    const Separation separation(palette_of(cmyk), kWhite);
+    for (const glm::u8vec4 colour :
+         {glm::u8vec4(213, 149, 94, 255), {190, 190, 90, 255}, {94, 70, 58, 255}, {204, 204, 204, 255}}) {
+        CAPTURE(int(colour.r));
+        SmallPicture flat(40, 40);
+        for (glm::u8vec4& pixel : flat.values) pixel = colour;
+        const glm::vec3 aim = linear_of(glm::vec3(colour) / 255.0f);
+        const glm::vec3 asked = oklab_of(separation.mixer().seen(separation.shares(aim)));
+        const glm::vec3 seen = oklab_of(seen_of(flat, "cmyk"));
+        CHECK(std::abs(seen.x - asked.x) < 0.015);
+        CHECK(glm::distance(seen, asked) < 0.035);
+    }
+}
+
+}  // namespace dapple
