@@ -289,7 +289,7 @@ double memory_at_rest(const RunningViewer& viewer, Hands& hands, const std::stri
 }  // namespace
 
 TEST_CASE("whatever keyboard and mouse do at random, the window answers and ends well") {
-    const double seconds = std::stod(from_environment("DAPPLE_SECONDS", "60"));
+    const double seconds = std::stod(from_environment("DAPPLE_SECONDS", "20"));
     const auto seed = static_cast<unsigned>(std::stoul(from_environment("DAPPLE_SEED", "1")));
     const std::string replay = from_environment("DAPPLE_REPLAY", "");
     // Leaks of Mesa's are none of ours. What is freed counts as free soon, so that growth can be seen.

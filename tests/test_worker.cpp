@@ -371,6 +371,27 @@ TEST_CASE("a worker that ends does not finish what is still to do") {
     CHECK_FALSE(next_begun);
 }
 
+TEST_CASE("of pictures that are forgotten before they are read none is read") {
+    Worker worker([] {});
+    std::atomic<int> read = 0;
+    const auto open = [&](int side) {
+        worker.open("grey.png", [&, side] {
+            ++read;
+            return grey(side);
+        });
+    };
+    for (int i = 0; i < 5; ++i) {
+        open(16);
+        worker.clear();
+    }
+    open(64);
+    worker.place(dots(500));
+    listen(worker, [](const WorkerEvent& n) {
+        return placed(n) && placed(n)->picture && placed(n)->picture->longer_side == 64;
+    });
+    CHECK(read <= 2);  // the first may have begun
+}
+
 TEST_CASE("cancelled, neither the file that is written nor one that waits for it is, but one asked for later") {
     Worker worker([] {});
     std::atomic<bool> writes = false;

@@ -48,6 +48,10 @@ void Worker::clear() {
     last_request_.reset();
     next_request_.reset();
     if (placing()) placing_.stop();
+    // What has not begun would only be forgotten.
+    std::erase_if(tasks_, [](const Task& task) {
+        return std::holds_alternative<OpenTask>(task) || std::holds_alternative<ClearTask>(task);
+    });
     tasks_.push_back(ClearTask{});
     go_on();
 }

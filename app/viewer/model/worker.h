@@ -78,8 +78,8 @@ class Worker {
     /// rests.
     void place(DotsRequest request);
 
-    /// Forgets picture, dots and requests and gives their memory back, after what is under way. Only events
-    /// that were there already may still come.
+    /// Forgets picture, dots and requests, with pictures that are not being read yet, and gives their memory
+    /// back, after what is under way. Only events that were there already may still come.
     void clear();
 
     /// Runs `prepare` after what is under way, then what it returns beside further placing.
