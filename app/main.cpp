@@ -33,7 +33,7 @@ constexpr int kUsage = 2;
 
 // Sentences name files, whose names may be anything.
 int report(std::string_view sentence, int code) {
-    std::fprintf(stderr, "dapple: %s\n", dapple::printable(sentence).c_str());
+    std::fprintf(stderr, "dapple: %s\n", dapple::shortened(dapple::printable(sentence)).c_str());
     return code;
 }
 

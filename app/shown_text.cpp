@@ -68,6 +68,32 @@ std::string printable(std::string_view text) {
     return result;
 }
 
+std::string shortened(std::string_view text) {
+    constexpr std::size_t kLongest = 500, kKept = 200;
+    // At the beginning of a character.
+    const auto cut = [&](std::size_t at) {
+        while ((static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) --at;
+        return at;
+    };
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t size = std::min(text.find(' '), text.size());
+        if (size <= kLongest) {
+            result += text.substr(0, size);
+        } else {
+            const std::size_t begin = cut(kKept), end = cut(size - kKept);
+            result += text.substr(0, begin);
+            result += "...";
+            result += text.substr(end, size - end);
+        }
+        text.remove_prefix(size);
+        const std::size_t spaces = std::min(text.find_first_not_of(' '), text.size());
+        result += text.substr(0, spaces);
+        text.remove_prefix(spaces);
+    }
+    return result;
+}
+
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
         const std::size_t bytes = first_of(text).bytes;

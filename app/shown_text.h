@@ -14,6 +14,9 @@ namespace dapple {
 /// backslashes too, so that doing it twice changes nothing.
 std::string printable(std::string_view text);
 
+/// Printable text with the middle of every word of over 500 characters left out, as of a name that is none.
+std::string shortened(std::string_view text);
+
 bool is_utf8(std::string_view text);
 
 }  // namespace dapple

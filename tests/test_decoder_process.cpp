@@ -166,10 +166,10 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
 }
 
 TEST_CASE("what a decoder may use is limited") {
+    const TemporaryFolder folder;
     const pid_t child = ::fork();
     if (child == 0) {
         limit_decoder();
-        const TemporaryFolder folder;
         int failed = 0;
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
         constexpr std::size_t kGigabyte = 1 << 30;
@@ -328,10 +328,10 @@ TEST_CASE("what comes through a pipe without an end is refused at its beginning,
 }
 
 TEST_CASE("the true reason is said why what comes through a pipe cannot be kept") {
+    const TemporaryFolder folder;
     // In a process of its own: what it does to limits lasts.
     const pid_t child = ::fork();
     if (child == 0) {
-        const TemporaryFolder folder;
         std::array<int, 2> ends{};
         const Descriptor file(::open((folder / "kept").c_str(), O_RDWR | O_CREAT, 0600));
         std::string picture = "\x89PNG\r\n\x1a\n" + std::string(10'000, '\0');

@@ -37,6 +37,18 @@ TEST_CASE("what is printable stays so") {
     CHECK(printable(once) == once);
 }
 
+TEST_CASE("of a word that is far too long beginning and end are shown, and of letters no halves") {
+    for (const std::string text : {"", " ", "a  b ", "no such file"}) CHECK(shortened(text) == text);
+    const std::string path(500, 'x'), name = std::string(5000, 'a') + "z";
+    CHECK(shortened("dapple: " + path + ": gone") == "dapple: " + path + ": gone");
+    CHECK(shortened("dapple: " + name + " is gone") ==
+          "dapple: " + std::string(200, 'a') + "..." + std::string(199, 'a') + "z is gone");
+    std::string letters = "i";
+    for (int i = 0; i < 400; ++i) letters += "\xc3\xa4";
+    CHECK(is_utf8(shortened(letters)));
+    CHECK(shortened(letters).size() < 410);
+}
+
 TEST_CASE("numbers of any size are told in words that can be read") {
     CHECK(grouped(0) == "0");
     CHECK(grouped(999) == "999");
