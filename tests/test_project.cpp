@@ -456,7 +456,10 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
 
 TEST_CASE("a hostile project ends in a sentence") {
     const std::string deep(100'000, '[');
+    std::string many = R"({"dapple": 1)";
+    for (int i = 0; i < 60'000; ++i) many += ",\"k" + std::to_string(i) + "\":1";
     const std::vector<std::string> texts{"",
+                                         many + "}",
                                          deep,
                                          "{\"dapple\":1,\"x\":" + deep + std::string(100'000, ']') + "}",
                                          R"({"dapple": 1, "drawing": {"page": {"width_mm": 1e999}}})",

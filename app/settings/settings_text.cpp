@@ -18,21 +18,28 @@ constexpr int kVersion = 1;
 // Ours are three deep.
 constexpr int kDeepest = 32;
 
+// Ours are a hundred. Each is compared with all of its object before it is kept, in their order.
+constexpr int kMostFields = 5000;
+
 struct TooDeep {};
+struct TooMany {};
 
 [[noreturn]] void fail_to_read(const SettingsPlace& place, const std::string& what) {
     throw std::runtime_error(fmt::format("{}: {}", printable(place.file.native()), what));
 }
 
 Json parsed_settings(const std::string& text, const SettingsPlace& place) {
-    const auto watch_depth = [](int depth, Json::parse_event_t, Json&) {
+    const auto watch_size = [fields = 0](int depth, Json::parse_event_t event, Json&) mutable {
         if (depth > kDeepest) throw TooDeep();
+        if (event == Json::parse_event_t::key && ++fields > kMostFields) throw TooMany();
         return true;
     };
     try {
-        return Json::parse(text, watch_depth);
+        return Json::parse(text, watch_size);
     } catch (const TooDeep&) {
         fail_to_read(place, "brackets within brackets, deeper than any settings go");
+    } catch (const TooMany&) {
+        fail_to_read(place, fmt::format("more than {} fields, as no settings have", kMostFields));
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
