@@ -39,7 +39,7 @@ TEST_CASE("what is printable stays so") {
 
 TEST_CASE("of a word that is far too long beginning and end are shown, and of letters no halves") {
     for (const std::string text : {"", " ", "a  b ", "no such file"}) CHECK(shortened(text) == text);
-    const std::string path(500, 'x'), name = std::string(5000, 'a') + "z";
+    const std::string path(499, 'x'), name = std::string(5000, 'a') + "z";
     CHECK(shortened("dapple: " + path + ": gone") == "dapple: " + path + ": gone");
     CHECK(shortened("dapple: " + name + " is gone") ==
           "dapple: " + std::string(200, 'a') + "..." + std::string(199, 'a') + "z is gone");
