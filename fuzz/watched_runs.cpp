@@ -1,5 +1,6 @@
 #include "fuzz/watched_runs.h"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <new>
@@ -32,14 +34,21 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+void set_timer(__itimer_which_t which, double seconds) {
+    itimerval timer{};
+    const double whole = std::floor(seconds);
+    timer.it_value.tv_sec = static_cast<time_t>(whole);
+    timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - whole));
+    ::setitimer(which, &timer, nullptr);
+}
+
 [[noreturn]] void work(Progress& progress, std::uint64_t end, double seconds, double longest,
                        const std::function<void(std::uint64_t)>& run) {
     const auto all = Clock::now();
     for (; progress.run < end && seconds_since(all) < seconds; ++progress.run) {
         const auto begin = Clock::now();
-        itimerval timer{};
-        timer.it_value.tv_sec = static_cast<time_t>(longest);
-        ::setitimer(ITIMER_REAL, &timer, nullptr);
+        set_timer(ITIMER_PROF, longest);
+        set_timer(ITIMER_REAL, 20 * longest);
         run(progress.run);
         progress.longest_seconds = std::max(progress.longest_seconds, seconds_since(begin));
     }
@@ -48,7 +57,8 @@ double seconds_since(Clock::time_point begin) {
 
 std::string how_it_ended(int status, double longest) {
     if (WIFEXITED(status)) return "exit " + std::to_string(WEXITSTATUS(status));
-    if (WTERMSIG(status) == SIGALRM) return "over " + std::to_string(static_cast<int>(longest)) + " s";
+    if (WTERMSIG(status) == SIGPROF) return fmt::format("over {} s", longest);
+    if (WTERMSIG(status) == SIGALRM) return "waits for ever";
     return ::strsignal(WTERMSIG(status));
 }
 

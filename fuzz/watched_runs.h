@@ -10,15 +10,17 @@ namespace dapple {
 
 struct WatchedRequest {
     std::uint64_t first = 0, runs = 0;
-    double seconds = 1e9;             // no more is begun after that
-    double longest_run_seconds = 30;  // one that takes longer is ended
+    double seconds = 1e9;  // no more is begun after that
+    // Of processor time, which does not depend on what else the machine does. One that takes longer is ended, and so is
+    // one that takes twenty times as long on the wall, as it waits for something.
+    double longest_run_seconds = 30;
 };
 
 struct WatchedResult {
     std::uint64_t runs = 0;
     struct Ended {
         std::uint64_t run = 0;
-        std::string how;  // "Segmentation fault", "exit 1", "over 30 s"
+        std::string how;  // "Segmentation fault", "exit 1", "over 30 s", "waits for ever"
     };
     std::vector<Ended> ended;
     double longest_seconds = 0;

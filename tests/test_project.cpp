@@ -327,6 +327,7 @@ TEST_CASE("a project whose picture is missing opens, keeps its name when saved, 
     session.find_picture(folder / "not_there.png");
     window.until([&] { return session.banner.message.find("not_there.png") != std::string::npos; });
     CHECK(session.picture_is_missing());
+    CHECK(session.banner.offer == "Find the picture");
     session.find_picture(icon);
     window.until([&] { return session.picture().file == icon; });
     CHECK_FALSE(session.picture_is_missing());
@@ -334,6 +335,14 @@ TEST_CASE("a project whose picture is missing opens, keeps its name when saved, 
     CHECK(session.settings.drawing.tone.gamma == 1.25f);
     session.save_project(file);
     CHECK(Json::parse(text_of(file))["picture"]["absolute"] == icon.string());
+
+    // A picture that was asked for before it, and cannot be read, takes nothing back.
+    save_project(folder / "q.dapple", {folder / "gone.png"}, all_of(saved));
+    session.open(folder / "not_there.png");
+    session.take_dropped(folder / "q.dapple");
+    window.until([&] { return session.banner.message.find("not_there.png") != std::string::npos; });
+    CHECK(session.project_path() == folder / "q.dapple");
+    CHECK(session.banner.offer == "Find the picture");
 }
 
 TEST_CASE("a mask's levels as text come back level for level") {

@@ -137,7 +137,7 @@ TEST_CASE("a search under nohup goes on to its end when the terminal closes, and
         // It saves what it has at once: then the terminal closes.
         return run_in_shell(
             before + "\"$DAPPLE\" tile search --points 64 --rule 3760 --moves 6e4 --runs 1 -o " + file +
-            " & while ! [ -e " + file + " ]; do sleep 0.02; done; kill -HUP $!; wait $!");
+            " & while kill -0 $! && ! [ -e " + file + " ]; do sleep 0.02; done; kill -HUP $!; wait $!");
     };
     const Outcome ignored = search("trap '' HUP; ", folder / "a.tile"), heard = search("", folder / "b.tile");
     CHECK(ignored.status == 0);

@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kPatience(8);
 constexpr std::chrono::milliseconds kLongPatience(50);
 
+constexpr const char* kFindPicture = "Find the picture";
+
 }  // namespace
 
 Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
@@ -164,8 +166,9 @@ void Session::load_project(const fs::path& file) {
                   .project = std::move(project),
                   .project_path = whole_path(file)};
     if (const std::string& why = source.project.why_missing; !why.empty()) {
-        banner = {.kind = BannerKind::error, .message = why, .offer = "Find the picture"};
+        banner = {.kind = BannerKind::error, .message = why, .offer = kFindPicture};
         source_ = std::move(source);
+        readings_.clear();  // what still comes is not gone back from
         if (!placed_once()) read_sample();
         return;
     }
@@ -380,7 +383,9 @@ void Session::take(TaskFailed& event) {
     // The picture named on the command line: there is nothing to go on showing.
     if (!placed_once()) throw std::runtime_error(event.message);
     if (event.picture) go_back_before(*event.picture);
-    banner = {BannerKind::error, event.message};
+    banner = {.kind = BannerKind::error,
+              .message = event.message,
+              .offer = picture_is_missing() ? kFindPicture : ""};
 }
 
 void Session::take(DrawingSaved& event) {
