@@ -1,5 +1,5 @@
 # read_alone(TARGET...): where tests of threads are built with another compiler, the target dapple_read has it read each
-# file of these alone, for its warnings, and since the release does so too: a file that lacks an include is found.
+# file of these too, for its warnings, and since nothing is precompiled there: a file that lacks an include is found.
 function(read_alone)
     if(NOT DAPPLE_TSAN)
         return()
@@ -10,7 +10,6 @@ function(read_alone)
     foreach(target ${ARGN})
         get_target_property(files ${target} SOURCES)
         add_library(read_${target} OBJECT EXCLUDE_FROM_ALL ${files})
-        set_target_properties(read_${target} PROPERTIES UNITY_BUILD OFF)
         target_link_libraries(read_${target} PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
         target_include_directories(read_${target} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
         target_compile_definitions(read_${target} PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)

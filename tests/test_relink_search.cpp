@@ -166,7 +166,7 @@ TEST_CASE("runs by a clock take turns, so that all together last as long as one"
 
 TEST_CASE("a search may start from points that crowd together") {
     RelinkSettings settings = small_search();
-    settings.start = {std::string(40, '0') + "123" + std::string(20, '1') + "2"};
+    settings.start = {std::string(40, '0').append("123").append(20, '1').append("2")};
     settings.moves = 2000;
     const RelinkResult result = relink_search(settings);
     const Tile start = make_tile(settings.rule, settings.start);

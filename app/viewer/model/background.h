@@ -86,8 +86,7 @@ class Background {
         }
         try {
             thread_ = std::jthread([this, work = std::move(work)](const std::stop_token& stop) {
-                const BehindWindow behind_window;
-                run(work, stop);
+                behind_window([&] { run(work, stop); });
             });
         } catch (const std::system_error& error) {
             end(std::make_exception_ptr(

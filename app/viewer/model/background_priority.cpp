@@ -1,5 +1,7 @@
 #include "app/viewer/model/background_priority.h"
 
+#include <tbb/task_scheduler_observer.h>
+
 #if defined(DAPPLE_LINUX)
 #include <sys/resource.h>
 #endif
@@ -16,15 +18,20 @@ void lower_own_priority() {
 #endif
 }
 
+struct HelpersBehindWindow : tbb::task_scheduler_observer {
+    HelpersBehindWindow() { observe(true); }
+    ~HelpersBehindWindow() override { observe(false); }
+    void on_scheduler_entry(bool is_worker) override {
+        if (is_worker) lower_own_priority();
+    }
+};
+
 }  // namespace
 
-BehindWindow::BehindWindow() {
+void behind_window(const std::function<void()>& work) {
     lower_own_priority();
-    observe(true);
-}
-
-void BehindWindow::on_scheduler_entry(bool is_worker) {
-    if (is_worker) lower_own_priority();
+    const HelpersBehindWindow helpers;
+    work();
 }
 
 }  // namespace dapple
