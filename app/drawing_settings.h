@@ -72,13 +72,14 @@ struct OwnTemplate {
 
 /// How the drawing is saved, beside how it looks.
 struct SavingChoice {
-    std::optional<DotOrder> order = {};            // none: the usual one; pixels have none
-    double dpi = 300;                              // of pixels
-    GcodeTool tool = GcodeTool::pen;               // that G-code is for
-    std::optional<Machine> machine = {};           // whose time is told; none: usual_machine()
-    int bits = 8;                                  // a channel of them: 8 or 16
-    OwnTemplate gcode_template = {};               // instead of the tool's
-    double feed_mm_per_min = 3000, dwell_s = 0.1;  // of G-code
+    std::optional<DotOrder> order = {};   // none: the usual one; pixels have none
+    double dpi = 300;                     // of pixels
+    GcodeTool tool = GcodeTool::pen;      // that G-code is for
+    std::optional<Machine> machine = {};  // whose time is told; none: usual_machine()
+    int bits = 8;                         // a channel of them: 8 or 16
+    OwnTemplate gcode_template = {};      // instead of the tool's
+    // Of G-code; the machine is told the first two, and how fast it gains speed only its time.
+    double feed_mm_per_min = 3000, dwell_s = 0.1, acceleration_mm_per_s2 = 10;
 
     bool operator==(const SavingChoice&) const = default;
 };

@@ -41,11 +41,14 @@ int report(std::string_view sentence, int code) {
 int written(int status) {
     std::cout.flush();
     if (std::fflush(stdout) == 0 && std::cout) return status;
-    return report("the standard output cannot be written: " + std::generic_category().message(errno), kFailed);
+    return report("the standard output cannot be written: " + std::generic_category().message(errno),
+                  kFailed);
 }
 
 int run(CLI::App& program, int argc, char** argv, const int& status) {
     if (const auto sentence = dapple::wrong_command(program, std::span(argv, argc).subspan(argc > 0 ? 1 : 0)))
+        return report(*sentence, kUsage);
+    if (const auto sentence = dapple::wrong_option(program, std::span(argv, argc).subspan(argc > 0 ? 1 : 0)))
         return report(*sentence, kUsage);
     try {
         program.parse(argc, argv);

@@ -100,8 +100,9 @@ inline Plotted plotted_gcode(const std::string& text, Lines may = Lines::refused
     return plot;
 }
 
-/// A pen plotter, 40 units to the millimetre. It makes a dot where the pen goes down, and throws
-/// std::runtime_error if that is then moved, before there is a pen, or at an unknown instruction.
+/// A pen plotter, 40 units to the millimetre. It makes a dot where the pen goes down without a place, while a
+/// line of no length is left out, as hp2xx does. Throws std::runtime_error if the pen is then moved, before
+/// there is one, or at an unknown instruction.
 inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused) {
     Plotted plot;
     bool down = false, ready = false, goes_on = false;
@@ -118,7 +119,7 @@ inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused)
             const bool was_down = std::exchange(down, name == "PD");
             if (!down) goes_on = false;
             if (!ready || (down && pen == 0)) throw std::runtime_error("no pen: " + each);
-            if (down && !was_down) plot.dots.push_back(plot.at);
+            if (down && !was_down && rest.empty()) plot.dots.push_back(plot.at);
             std::istringstream numbers(rest);
             int x = 0, y = 0;
             char comma = 0;
@@ -126,10 +127,7 @@ inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused)
                 const glm::dvec2 to(x / 40.0, y / 40.0);
                 if (down && to != plot.at) {
                     if (may == Lines::refused) throw std::runtime_error("a line: " + each);
-                    if (!goes_on) {
-                        plot.lines.push_back({plot.at});
-                        plot.dots.pop_back();
-                    }
+                    if (!goes_on) plot.lines.push_back({plot.at});
                     goes_on = true;
                     plot.lines.back().push_back(to);
                 }

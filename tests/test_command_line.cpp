@@ -44,6 +44,9 @@ TEST_CASE("a misspelt command is told with the nearest one, and a name that may 
     scene.must_fail("rendr x", "there is no command \"rendr\"; did you mean \"render\"?");
     scene.must_fail("analyze x -o y", "there is no command \"analyze\"; did you mean \"analyse\"?");
     scene.must_fail("tile chekc paper16", "there is no command \"chekc\"; did you mean \"check\"?");
+    scene.must_fail("render --dotz 5 -o a.svg", "there is no option --dotz; did you mean --dots?");
+    scene.must_fail("tile search --poinst=5", "there is no option --poinst; did you mean --points?");
+    scene.must_fail("render --frobnicate", "there is no option --frobnicate; dapple render --help lists");
     scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help shows");
     scene.must_fail("missing.png --nonsense", "--nonsense");
 }
@@ -138,7 +141,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --width 100000 --dpi 2400",
                     "9448819 x 6299213 pixels, and 1000000 a side and 4 gigapixels");
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --dpi 100000",
-                    "choose 9800 dots to the inch or fewer");
+                    "choose 9800 dots per inch or less (--dpi)");
 }
 
 TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1, and what is done with 0") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/output/findings.h"
+#include "core/output/hpgl.h"
 
 using namespace dapple;
 
@@ -128,6 +129,11 @@ TEST_CASE("a page that the machine does not reach is told, lying or upright, and
     facts.machine = Machine::grbl_pen;  // which may be of any size
     facts.page = {5000, 5000, 5000};
     CHECK(kinds_of(facts).empty());
+    facts.reach_mm = kHpglReachMm;
+    CHECK(
+        sentences_of(facts) ==
+        "the page, 5000 x 5000 mm, is larger than the 819 mm up to which pen plotters read HPGL's numbers; a "
+        "smaller page or several sheets fit\n");
 }
 
 TEST_CASE("edges and margins are told of a whole page, not of a sheet whose edges are seams") {

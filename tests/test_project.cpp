@@ -92,7 +92,8 @@ ViewerSettings nothing_usual() {
                   .bits = 16,
                   .gcode_template = {"move G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own.txt"},
                   .feed_mm_per_min = 1234,
-                  .dwell_s = 0.5};
+                  .dwell_s = 0.5,
+                  .acceleration_mm_per_s2 = 750};
     return all;
 }
 
@@ -419,7 +420,8 @@ TEST_CASE("a project finds picture and tile when both have moved with it, and wh
 
     CHECK_THROWS_WITH(read_project(folder / "alone/p.dapple", all_of(read)),
                       doctest::Contains("p.dapple: drawing.tile cannot be found, neither "));
-    put_text(folder / "alone/q.dapple", R"({"dapple": 1, "picture": {"file": "a.png", "absolute": "/b.png"}})");
+    put_text(folder / "alone/q.dapple",
+             R"({"dapple": 1, "picture": {"file": "a.png", "absolute": "/b.png"}})");
     const Project alone = read_project(folder / "alone/q.dapple", all_of(read));
     CHECK(alone.why_missing.find("q.dapple: picture cannot be found, neither ") != std::string::npos);
     CHECK_THROWS_WITH(read_project_input(folder / "alone/q.dapple"), alone.why_missing.c_str());

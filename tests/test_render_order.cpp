@@ -108,7 +108,7 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     const Outcome laser =
         run_dapple(from + scene("a.svg") + " --tiles --machine grbl-laser --stats " + scene("s.json"));
     REQUIRE(laser.status == 0);
-    CHECK(laser.err.find(" on a laser with GRBL's own settings: mostly ") != std::string::npos);
+    CHECK(laser.err.find(" on a laser that runs Grbl: mostly ") != std::string::npos);
     CHECK(laser.err.find("the layer \"2 Tiles\" has lines") != std::string::npos);
     const nlohmann::json stats = read_json(scene("s.json"));
     CHECK(stats["plotting"]["dots_s"] == 0);  // it follows the circles
@@ -117,6 +117,9 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     CHECK(read_json(scene("g.json"))["plotting"]["dots_s"] == doctest::Approx(200));
     CHECK(stats["plotting"]["lifting_s"] == 0);
     CHECK(stats["preflight"]["pen_up_before_m"] > stats["preflight"]["pen_up_m"]);
+    const std::string slow = scene("h.gcode") + " --gcode laser --dwell 2 --stats - 2>/dev/null";
+    CHECK(nlohmann::json::parse(run_dapple(from + slow).out)["plotting"]["dots_s"] == doctest::Approx(4000));
+    scene.must_fail(from + "- --stats -", "--stats: the drawing goes to the standard output already");
     const Outcome table = run_dapple(from + scene("a.csv"));
     CHECK(table.err.starts_with("2,000 dots, "));
     CHECK(table.err.find("overlap") == std::string::npos);

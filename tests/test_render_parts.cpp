@@ -309,7 +309,7 @@ TEST_CASE("on a paper with margins exactly so many dots lie, all of each within 
     }
     const std::string begin = "render " + scene("cat.png") + " -o " + scene("new.svg");
     scene.must_fail(begin + " --page a4 --width 100", "--width: cannot be given together with --page");
-    scene.must_fail(begin + " --fit fill", "--fit: has no say in a page of the picture's shape");
+    scene.must_fail(begin + " --fit fill", "--fit: has no effect where the page has the picture's shape");
     scene.must_fail(begin + " --page a9", "--page: a9 is not known");
     scene.must_fail(begin + " --rotate 45", "--rotate: 45 is not known");
     scene.must_fail(begin + " --crop 0,0,97x10",

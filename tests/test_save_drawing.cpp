@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/files/gcode_choice.h"
 #include "app/files/save_drawing.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
@@ -31,6 +33,32 @@ Dots many_dots() {
 constexpr PageSize kPage{.width_mm = 10, .height_mm = 100, .mm_per_page_unit = 100};
 
 }  // namespace
+
+TEST_CASE("the time of G-code is that of its feed, its rests and the machine's acceleration, as by hand") {
+    Dots dots;  // two moves of 100 mm
+    for (const float x : {0.0f, 0.5f, 1.0f}) {
+        dots.x.push_back(x);
+        dots.y.push_back(0);
+    }
+    SavingChoice saving{.feed_mm_per_min = 6000, .dwell_s = 2, .acceleration_mm_per_s2 = 1000};
+    const auto time = [&](DrawingFormat format = DrawingFormat::gcode) {
+        return plotting_time(dots, 200, speeds_for(usual_machine(format, saving.tool), format, saving));
+    };
+    // 100 mm/s after a tenth of a second and before another: 10 mm are lost.
+    const double moves_s = 2 * (100 / 100.0 + 0.1), lift_s = 2 * std::sqrt(2 / 1000.0);
+    saving.tool = GcodeTool::laser;
+    CHECK(time().moving_s == doctest::Approx(moves_s));
+    CHECK(time().dots_s == 3 * 2);
+    CHECK(time().lifting_s == 0);
+    saving.tool = GcodeTool::servo;  // which turns twice
+    CHECK(time().total_s() == doctest::Approx(moves_s + 3 * 2 * 2));
+    saving.tool = GcodeTool::pen;  // up and down by 2 mm
+    CHECK(time().total_s() == doctest::Approx(moves_s + 3 * (2 + 2 * lift_s)));
+    saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\ndot G4 P{dwell}\ndot G4 P{dwell}\n";
+    CHECK(time().dots_s == 3 * 3 * 2);
+    // What is no G-code goes as the machine's own program has it.
+    CHECK(time(DrawingFormat::svg) == plotting_time(dots, 200, speeds_of(Machine::axidraw_v3)));
+}
 
 TEST_CASE("progress rises from nothing to all, in every format") {
     TemporaryFolder folder;

@@ -83,12 +83,14 @@ TEST_CASE(
     CHECK(std::count(seen.begin() + 1, seen.end(), 1) == static_cast<long>(all.size()));
 }
 
-TEST_CASE("a region is read in millimetres, and has to be one and on the page") {
+TEST_CASE("a region is read as lengths, and has to be one and on the page") {
     CHECK(parse_region("120,80,50x40.5") == Rectangle<double>{{120, 80}, {170, 120.5}});
     CHECK(parse_region("0,0.5,1x2") == Rectangle<double>{{0, 0.5}, {1, 2.5}});
-    for (const char* wrong :
-         {"", "1,2", "1,2,3", "1,2,3x", "1,2,3x4mm", "-1,2,3x4", "1,-2,3x4", "1,2,0x4", "1,2,3x0", "1,2,-3x4",
-          "nan,2,3x4", "1,2,infx4", "1,2,3x4x5", "a,2,3x4", " 1,2,3x4", "1,2/3x4"}) {
+    CHECK(parse_region("1,2,3x4in") == Rectangle<double>{{25.4, 50.8}, {4 * 25.4, 6 * 25.4}});
+    CHECK(parse_region("1cm,2,3cmx4mm") == Rectangle<double>{{10, 2}, {40, 6}});
+    for (const char* wrong : {"", "1,2", "1,2,3", "1,2,3x", "1,2,3x4ft", "1,2,x4", ",2,3x4", "1,2,3ftx4",
+                              "-1,2,3x4", "1,-2,3x4", "1,2,0x4", "1,2,3x0", "1,2,-3x4", "nan,2,3x4",
+                              "1,2,infx4", "1,2,3x4x5", "a,2,3x4", " 1,2,3x4", "1,2/3x4"}) {
         CAPTURE(wrong);
         CHECK_THROWS_AS(parse_region(wrong), std::runtime_error);
     }

@@ -125,7 +125,7 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     if (options.input && has_points(*options.input)) {
         refuse(command, tone, "is for pictures, and points have none");
         if (is_drawing(*options.input))
-            refuse(command, {"--width", "--height"}, "is in the drawing itself; leave it away");
+            refuse(command, {"--width", "--height"}, "is in the drawing itself; leave it out");
         refuse(
             command,
             {"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius", "--relax"},
@@ -142,7 +142,7 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     if (options.input) refuse(command, {"--height"}, "follows from the picture");
     if (!options.input) refuse(command, {"--huge"}, "is for pictures, and none is given");
     if (!options.input && options.drawing.dot_size.sizing == DotSizing::fixed)
-        refuse(command, {"--dot-radius"}, "a constant grey has no millimetres; leave it away");
+        refuse(command, {"--dot-radius"}, "a constant grey has no millimetres; leave it out");
     if (!options.input) refuse(command, {"--width", "--height"}, "a constant grey fills a square of side 1");
 }
 

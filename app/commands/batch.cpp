@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "app/commands/render_report.h"
-#include "app/files/atomic_file.h"
 #include "app/progress_line.h"
 #include "app/shown_text.h"
 
@@ -87,7 +86,7 @@ BatchResult render_batch(const RenderOptions& options, const std::vector<fs::pat
     std::vector<std::optional<std::string>> reasons(pictures.size());
     std::vector<NamedFindings> found(pictures.size());
     std::vector<std::string> stats(pictures.size());
-    if (options.stats) check_can_save(*options.stats);
+    check_stats(options);
     BatchProgress progress(pictures.size());
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
@@ -121,8 +120,7 @@ BatchResult render_batch(const RenderOptions& options, const std::vector<fs::pat
     }
     result.findings = findings_among(found);
     std::erase(stats, "");  // of those that failed
-    if (options.stats)
-        save_atomically(*options.stats, [&](std::ostream& out) { out << stats_of_all(stats); });
+    if (options.stats) save_stats(*options.stats, stats_of_all(stats));
     return result;
 }
 

@@ -46,6 +46,12 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
     add_number(command, "--dwell", saving.dwell_s, {.least = 0, .most = kLongestDwellS}, "SECONDS",
                "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds")
         ->group("G-code");
+    add_number(
+        command, "--acceleration", saving.acceleration_mm_per_s2,
+        {.least = kLeastAcceleration, .most = kMostAcceleration}, "MM/S2",
+        "G-code: how fast the machine gains speed, for the plotting time that is told. Grbl comes with 10, "
+        "and machines are mostly set to 500 to 3000 ($120)")
+        ->group("G-code");
 }
 
 const char* gcode_help() {

@@ -1,5 +1,5 @@
 #pragma once
-// The options of G-code: --gcode, --feed, --dwell.
+// The options of G-code: --gcode, --feed, --dwell, --acceleration.
 
 #include "app/drawing_settings.h"
 

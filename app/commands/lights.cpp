@@ -49,7 +49,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
         return;
     }
     if (options.request.placer == PlacerKind::figure8)
-        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
+        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
     if (options.output.empty()) {
         refuse(command, {"--convention", "--ranking"}, "is for a file; name one with --output");
         return;
@@ -147,7 +147,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
     add_choice(*command, "--placer", request.placer, {PlacerKind::exact, PlacerKind::figure8},
-               "exact, or figure8 as the paper prints it");
+               "exact, or figure8 as printed in the article");
     add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
                {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy},

@@ -9,7 +9,6 @@
 
 #include "app/commands/options.h"
 #include "app/commands/render_report.h"
-#include "app/files/atomic_file.h"
 #include "app/files/sheet_files.h"
 #include "app/progress_line.h"
 
@@ -45,7 +44,7 @@ void render_mural(const RenderOptions& options) {
     std::size_t drawn = 0;
     std::vector<NamedFindings> found;
     std::vector<std::string> stats;
-    if (options.stats) check_can_save(*options.stats);
+    check_stats(options);
     {
         ProgressLine line;
         for (const Sheet& sheet : all) {
@@ -68,8 +67,7 @@ void render_mural(const RenderOptions& options) {
     fmt::print(stderr, "{}: {}\n", sheets_in_words(page, sheets),
                sheet_files_in_words(options.output, sheets));
     for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
-    if (options.stats)
-        save_atomically(*options.stats, [&](std::ostream& out) { out << stats_of_all(stats); });
+    if (options.stats) save_stats(*options.stats, stats_of_all(stats));
 }
 
 }  // namespace dapple

@@ -206,7 +206,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
              read_scale);
 
     add_choice(app, "--placer", settings.placer, {PlacerKind::exact, PlacerKind::figure8},
-               "exact: every dot once; figure8: as the paper prints it, which emits about a quarter "
+               "exact: every dot once; figure8: as printed in the article, which emits about a quarter "
                "of the dots twice and makes about as many as --dots says");
     add_tile(app, settings.tile);
 
@@ -220,10 +220,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     };
     add_text(app, "--relax", "auto|N",
              "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. "
-             "From 1 on "
-             "the first n dots are no longer the drawing with n dots. auto: 5, or none for millions of dots "
-             "too fine "
-             "to see",
+             "auto: 5, or none for millions of dots too fine to see",
              read_relax)
         ->default_str("auto");
 
@@ -241,10 +238,11 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_style_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
-    add_choice(
-        app, "--style", settings.style, {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest},
-        "dots: each by itself; line: one line through all dots, by the shortest way that is soon found, "
-        "or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
+    add_choice(app, "--style", settings.style,
+               {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest},
+               "dots: each by itself; line: one line through all dots, by a short route, which takes some "
+               "seconds to find, "
+               "or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
     const auto read_mark = [&settings](const std::string& text) {
         try {
             settings.mark = parse_dot_mark(text);
@@ -289,9 +287,9 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     add_text(
         app, "--tone", "auto|true",
         "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just "
-        "the "
-        "light that the picture lacks. True where one of the options below sets the tone, but for --detail, "
-        "--blur and --invert",
+        "the light that the picture lacks. --black-point, --white-point, --contrast, --brightness and "
+        "--gamma "
+        "switch it to true",
         read_tone)
         ->default_str(settings.automatic_tone ? "auto" : "true");
     add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
@@ -376,11 +374,11 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     const Heading heading(app, "Page");
     add_choice(
         app, "--order", order, {DotOrder::shortest, DotOrder::space, DotOrder::recursion, DotOrder::priority},
-        "Order of the dots in the file, which is the order they are plotted in: shortest, by the "
-        "shortest way for the pen that is soon found; space, each near the one before, found at once; "
-        "recursion, as they are placed, relaxed ones row by row; priority, the first n being the drawing "
-        "with "
-        "n dots, unless they are relaxed. Without it, shortest for SVG, G-code, HPGL and DXF of up to 50,000 "
+        "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
+        "route, which takes some seconds to find; space, each near the one before, found at once; "
+        "recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly the "
+        "drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and DXF of "
+        "up to 50,000 "
         "dots, space of up to 5 million, else recursion. shortest, space, priority and --placer figure8 hold "
         "all dots in memory");
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
@@ -399,8 +397,8 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         read_with("--sheet", parse_sheet, sheet));
     add_text(
         app, "--region", "X,Y,WxH",
-        "Only a part of the page, in millimetres: 20,15,100x80 is 100 wide and 80 high, 20 from the left "
-        "and 15 from the top; the page and --dots are those of the whole",
+        "Only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 from the "
+        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole",
         read_with("--region", parse_region, region));
 }
 
@@ -433,7 +431,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     }
     if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
-                                   "the figure8 placer's dots are shown as they are; leave it away");
+                                   "the figure8 placer's dots are shown as they are; leave it out");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
     }
@@ -450,13 +448,14 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         refuse(command, {"--width", "--height"}, "cannot be given together with --page, which says it");
     } else if (page.paper == Paper::as_picture && command.get_option_no_throw("--fit")) {
         refuse(command, {"--orientation", "--fit"},
-               "has no say in a page of the picture's shape; give --page, or --width and --height, too");
+               "has no effect where the page has the picture's shape; give --page, or --width and --height, "
+               "too");
     }
     if (settings.tone.black_point >= settings.tone.white_point) {
         throw CLI::ValidationError("--black-point", "must be below --white-point");
     }
     if (settings.placer == PlacerKind::figure8) {
-        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it away");
+        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
     }
 }
 

@@ -94,9 +94,9 @@ void check_files(const RenderOptions& options) {
         check_apart(options.output, {picture, tile, project, mask});
         check_can_save(options.output);
     }
-    if (!options.stats) return;
+    if (!options.stats || is_standard_stream(*options.stats)) return;
     check_apart(*options.stats, {picture, tile, project, settings, mask, drawing});
-    check_can_save(*options.stats);
+    check_stats(options);
 }
 
 Picture picture_of(const RenderOptions& options) {
@@ -285,8 +285,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
             "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws "
             "the light parts instead");
     if (!watcher.progress) print_summary(options, rendered);
-    if (options.stats)
-        save_atomically(*options.stats, [&](std::ostream& out) { out << stats_of(options, rendered); });
+    if (options.stats) save_stats(*options.stats, stats_of(options, rendered));
     return rendered;
 }
 

@@ -23,8 +23,8 @@ void check_format(const RenderOptions& options) {
     if (is_output_folder(options.output)) return;
     if (is_standard_stream(options.output)) {
         if (options.format == DrawingFormat::tiff)
-            throw CLI::ValidationError(
-                "--format", "tif is not written from its beginning to its end, so it needs a file; give png");
+            throw CLI::ValidationError("--format",
+                                       "TIFF cannot go to a pipe; name a file, or use --format png");
         return;
     }
     if (!options.format) return;
@@ -36,7 +36,7 @@ void check_format(const RenderOptions& options) {
     }
     if (by_name == options.format) return;
     throw CLI::ValidationError(
-        "--format", fmt::format("{}, but the name {} says {}; leave one of them away",
+        "--format", fmt::format("{}, but the name {} says {}; leave one of them out",
                                 name_of(*options.format), options.output.string(), name_of(*by_name)));
 }
 
@@ -46,7 +46,7 @@ void take_part(const CLI::App& command, RenderOptions& options) {
     Sheet& sheets = options.drawing.sheets;
     const bool one_sheet = command.count("--sheet") > 0;
     if (command.count("--sheets") > 0)
-        refuse(command, {"--sheet", "--region"}, "is a part of what --sheets draws; leave one of them away");
+        refuse(command, {"--sheet", "--region"}, "is a part of what --sheets draws; leave one of them out");
     if (one_sheet) options.sheet.overlap_mm = sheets.overlap_mm;
     if (one_sheet || options.region || !is_several(sheets)) sheets = {};
 }
@@ -64,6 +64,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     const DrawingFormat format = format_of(options);
     if (options.region && command.count("--sheet") > 0)
         throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (options.stats && is_standard_stream(*options.stats) && is_standard_stream(options.output))
+        throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
     if (is_several(options.drawing.sheets)) {
         if (is_standard_stream(options.output))
             throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
@@ -88,13 +90,13 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
     if (is_table(format))
         refuse(command, {"--style", "--dot-shape", "--pen-width"},
-               "a table has the dots alone; leave it away");
+               "a table has the dots alone; leave it out");
     if (drawing.style != DrawingStyle::dots)
         refuse(command, {"--dot-shape"},
-               "shows where each dot stands by itself; leave it away, or give --style dots");
+               "shows where each dot stands by itself; leave it out, or give --style dots");
     if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
         refuse(command, {"--dot-radius"},
-               "a point is as large as the pen makes it; leave it away, or give another --dot-shape");
+               "a point is as large as the pen makes it; leave it out, or give another --dot-shape");
     const bool pen_draws = draws_strokes(drawing) || dots_as(drawing, format) == DotsAs::touches;
     if (!pen_draws)
         refuse(
@@ -112,9 +114,10 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (has_optional_paper(format) && !options.drawing.background && options.drawing.pens.set == PenSet::one)
         refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
     if (options.drawing.pens.set != PenSet::one)
-        refuse(command, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them away");
+        refuse(command, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them out");
     if (format != DrawingFormat::gcode)
-        refuse(command, {"--gcode", "--feed", "--dwell"}, "is of G-code; " + let_it_end_in(".gcode or .nc"));
+        refuse(command, {"--gcode", "--feed", "--dwell", "--acceleration"},
+               "applies to G-code only; " + let_it_end_in(".gcode or .nc"));
     const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
     if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(

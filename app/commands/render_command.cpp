@@ -130,7 +130,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_whole_number(
         *command, "--jobs", jobs_, {.least = 0, .most = 256},
         "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
-    command->add_option("--stats", options_.stats, "Save figures about the drawing, as JSON")
+    command
+        ->add_option("--stats", options_.stats,
+                     "Save figures about the drawing, as JSON; - for the standard output")
         ->type_name("FILE");
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
@@ -216,7 +218,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         check_options(*command, options_.drawing, automatic_tone_);
         take_folder(options_, pictures_.size());
         take_usual_shape(*command, options_);
-        if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it away");
+        if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it out");
         take_part(*command, options_);
         check_that_fit(*command, options_);
         if (pictures_.empty()) {

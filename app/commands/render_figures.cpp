@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/files/drawing_facts.h"
+#include "app/files/gcode_choice.h"
 #include "core/image/ink_use.h"
 #include "core/output/raster.h"
 
@@ -33,13 +34,13 @@ Dots one_after_the_other(const DotPieces& by_pen) {
 
 // The time that the machine takes, and the strokes if dots are drawn with some.
 void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
-                  const DrawingSettings& settings) {
+                  const RenderOptions& options) {
     const PageSize& page = saved.page.part.size;
-    const MachineSpeeds speeds = speeds_of(rendered.machine);
+    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.format, options.saving);
     if (!saved.by_pen) {
         facts.plotting = expected_plotting_time(static_cast<double>(saved.dots.count),
                                                 page.width_mm * page.height_mm, speeds);
-    } else if (const auto strokes = strokes_of(settings, saved.file, saved.format)) {
+    } else if (const auto strokes = strokes_of(options.drawing, saved.file, saved.format)) {
         rendered.strokes = figures_of(*strokes, speeds);
         facts.plotting = rendered.strokes->time;
     } else {
@@ -52,7 +53,7 @@ void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& s
 void add_pens(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
               const RenderOptions& options) {
     const PageSize& page = saved.page.part.size;
-    const MachineSpeeds speeds = speeds_of(rendered.machine);
+    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.format, options.saving);
     rendered.pens = saved.plan.pens;
     rendered.by_pen = pen_figures(*saved.by_pen, page, saved.plan.pens, speeds);
     const auto strokes = strokes_of(options.drawing, saved.file, saved.format);
@@ -104,7 +105,7 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
         rendered.preflight = facts.measured;
     }
     rendered.machine = facts.machine.value_or(rendered.machine);
-    if (facts.machine) add_plotting(rendered, facts, saved, settings);
+    if (facts.machine) add_plotting(rendered, facts, saved, options);
     if (saved.by_pen && !plan.pens.empty()) add_pens(rendered, facts, saved, options);
     facts.for_tone = tone_reached(plan, saved.dots.scale, settings);
     rendered.findings = findings_of(facts);

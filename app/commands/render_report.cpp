@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/commands/options.h"
+#include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
 #include "app/shown_text.h"
 #include "core/tile/tile_file.h"
@@ -231,6 +233,17 @@ std::string stats_of_all(std::span<const std::string> stats) {
         all += i + 1 < stats.size() ? ",\n" : "\n";
     }
     return all + "]\n";
+}
+
+void check_stats(const RenderOptions& options) {
+    if (options.stats && !is_standard_stream(*options.stats)) check_can_save(*options.stats);
+}
+
+void save_stats(const std::filesystem::path& where, const std::string& stats) {
+    if (is_standard_stream(where))
+        std::cout << stats;
+    else
+        save_atomically(where, [&](std::ostream& out) { out << stats; });
 }
 
 }  // namespace dapple

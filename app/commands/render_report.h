@@ -69,4 +69,9 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn);
 /// Several drawings', a JSON array.
 std::string stats_of_all(std::span<const std::string> stats);
 
+/// Into a file, or - for the standard output. The first throws what check_can_save() throws, if there are to
+/// be any.
+void check_stats(const RenderOptions& options);
+void save_stats(const std::filesystem::path& where, const std::string& stats);
+
 }  // namespace dapple

@@ -434,7 +434,7 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
             refuse(option,
                    "belongs to a search with --rule any; the one for identity leaves nothing to chance");
         if (options.by != TileCriterion::radius)
-            refuse("--resume", "goes on with a search by radius; leave --by away");
+            refuse("--resume", "goes on with a search by radius; leave --by out");
         if (options.resume) {
             refuse("--points", "is known from the search that goes on; leave it out");
             refuse("--top", "is known from the search that goes on; leave it out");

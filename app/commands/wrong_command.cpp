@@ -52,4 +52,32 @@ std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* co
     return sentence;
 }
 
+std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words) {
+    const CLI::App* command = &app;
+    std::string usage = "dapple";
+    for (const std::string_view word : words) {
+        if (word == "--") break;
+        if (!word.starts_with("--")) {
+            for (const CLI::App* const below : command->get_subcommands({})) {
+                if (below->get_name() != word) continue;
+                command = below;
+                (usage += ' ') += word;
+                break;
+            }
+            continue;
+        }
+        const std::string_view name = word.substr(2, word.find('=') - 2);
+        std::vector<std::string> names;
+        for (const CLI::Option* option : command->get_options())
+            names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+        if (std::ranges::find(names, name) != names.end()) continue;
+        const std::string nearest = *std::ranges::min_element(
+            names, {}, [&](const auto& known) { return slips_between(name, known); });
+        const bool near = 3 * slips_between(name, nearest) <= nearest.size();
+        return "there is no option --" + std::string(name) +
+               (near ? "; did you mean --" + nearest + "?" : "; " + usage + " --help lists those there are");
+    }
+    return std::nullopt;
+}
+
 }  // namespace dapple

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/output/hpgl.h"
+
 namespace dapple {
 
 DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format) {
@@ -40,6 +42,7 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
                        .has_margins = settings.page.margins != Margins{},
                        .page = drawing.page};
     if (has_pixels(format)) facts.dpi = drawing.dpi;
+    if (format == DrawingFormat::hpgl) facts.reach_mm = kHpglReachMm;
     if (is_plotted(format)) facts.machine = saving.machine.value_or(usual_machine(format, saving.tool));
     if (facts.is_svg && !drawing.tiles.empty())
         facts.tile_layer = static_cast<int>(std::max<std::size_t>(drawing.pens.size(), 1)) + 1;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,6 +32,30 @@ GcodeStyle gcode_style_of(const SavingChoice& saving) {
     return {.lines = parse_gcode_template(text),
             .feed_mm_per_min = saving.feed_mm_per_min,
             .dwell_s = saving.dwell_s};
+}
+
+MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving) {
+    MachineSpeeds speeds = speeds_of(machine);
+    if (format != DrawingFormat::gcode) return speeds;
+    const GcodeTemplate lines = gcode_style_of(saving).lines;
+    speeds.top_speed = speeds.drawing_speed = saving.feed_mm_per_min / 60;
+    speeds.acceleration = speeds.drawing_acceleration = saving.acceleration_mm_per_s2;
+    const auto rests = std::ranges::count(lines.each_dot, GcodePiece::Kind::dwell, &GcodePiece::kind);
+    speeds.dot_s = static_cast<double>(rests) * saving.dwell_s;
+    if (!saving.gcode_template.text.empty()) return speeds;
+    switch (saving.tool) {
+        case GcodeTool::pen:
+            speeds.lower_s = speeds.raise_s = move_time(kGcodeLiftMm, speeds);
+            break;
+        case GcodeTool::servo:  // it rests for each of them
+            speeds.lower_s = speeds.raise_s = saving.dwell_s;
+            speeds.dot_s = 0;
+            break;
+        case GcodeTool::laser:
+            speeds.lower_s = speeds.raise_s = 0;
+            break;
+    }
+    return speeds;
 }
 
 }  // namespace dapple

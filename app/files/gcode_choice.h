@@ -4,18 +4,28 @@
 #include <filesystem>
 
 #include "app/drawing_settings.h"
+#include "app/files/drawing_format.h"
 #include "core/output/gcode.h"
+#include "core/output/plotting_time.h"
 
 namespace dapple {
 
 /// Millimetres a minute.
 inline constexpr double kSlowestFeed = 0.01, kFastestFeed = 1e6;
 inline constexpr double kLongestDwellS = 60;
+/// Millimetres a second each second.
+inline constexpr double kLeastAcceleration = 1, kMostAcceleration = 1e5;
 
 /// Reads a template. Throws std::runtime_error naming the file, and the line that is wrong.
 OwnTemplate read_gcode_template(const std::filesystem::path& file);
 
 /// Throws what parse_gcode_template() throws.
 GcodeStyle gcode_style_of(const SavingChoice& saving);
+
+/// How a machine moves that draws such a file. One that reads G-code goes at the feed and rests as long as
+/// that says: at each dot, or after the servo's turns; our template for a Z axis lifts the pen by 2 mm. What
+/// a template of one's own does between dots is taken as `machine` has it. Others move as their programs do.
+/// Throws what parse_gcode_template() throws.
+MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving);
 
 }  // namespace dapple

@@ -125,8 +125,7 @@ class TiffWriter {
 template <class Channel>
 void write_tiff_of(std::ostream& out, const PngHeader& header, const auto& draw) {
     if (out.tellp() != std::ostream::pos_type(0)) {
-        throw std::runtime_error(
-            "a TIFF is not written from its beginning to its end, which this needs; choose a file or PNG");
+        throw std::runtime_error("a TIFF cannot go to a pipe; name a file, or write a PNG");
     }
     const bool grey = header.colours == PngColours::grey;
     const int channels = grey ? 1 : 3;

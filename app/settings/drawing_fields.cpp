@@ -122,7 +122,8 @@ static void describe(Fields& fields, OwnTemplate& own) {
 }
 
 void describe(Fields& fields, SavingChoice& saving) {
-    auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s] = saving;
+    auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s,
+           acceleration_mm_per_s2] = saving;
     fields.choice("order", order,
                   {DotOrder::recursion, DotOrder::priority, DotOrder::space, DotOrder::shortest});
     fields.number("dpi", dpi, {1, 100'000});
@@ -132,6 +133,7 @@ void describe(Fields& fields, SavingChoice& saving) {
     fields.group("gcode_template", gcode_template);
     fields.number("feed_mm_per_min", feed_mm_per_min, {kSlowestFeed, kFastestFeed});
     fields.number("dwell_s", dwell_s, {0, kLongestDwellS});
+    fields.number("acceleration_mm_per_s2", acceleration_mm_per_s2, {kLeastAcceleration, kMostAcceleration});
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

@@ -114,6 +114,15 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
 }
 
 void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const double longest = std::max(facts.page.width_mm, facts.page.height_mm);
+    if (facts.reach_mm > 0 && longest > facts.reach_mm)
+        found.push_back(
+            {FindingKind::too_large,
+             fmt::format(
+                 "the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen plotters "
+                 "read HPGL's numbers",
+                 facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
+             "a smaller page or several sheets fit"});
     if (!facts.machine) return;
     const auto travel = travel_of(*facts.machine);
     if (!travel) return;
@@ -227,10 +236,9 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
         found.push_back(
             {FindingKind::tile_layer,
              fmt::format("the layer \"{} Tiles\" has lines that a plotter draws too", facts.tile_layer),
-             facts.tile_layer == 2
-                 ? std::string("plot layer 1 only, or leave the tile boundaries away")
-                 : fmt::format("plot layers 1 to {} only, or leave the tile boundaries away",
-                               facts.tile_layer - 1)});
+             facts.tile_layer == 2 ? std::string("plot layer 1 only, or leave the tile boundaries out")
+                                   : fmt::format("plot layers 1 to {} only, or leave the tile boundaries out",
+                                                 facts.tile_layer - 1)});
     return found;
 }
 

@@ -25,6 +25,7 @@ struct DrawingFacts {
     bool has_margins = false;
     PageSize page = {};
     double dpi = 0;                       // of pixels; 0: there are none
+    double reach_mm = 0;                  // of the places that the file can name; 0: far enough
     std::optional<Machine> machine = {};  // none: it is not plotted
     PlottingTime plotting = {};
     struct Gap {  // of a pen, and how many of its dots are nearer to each other
@@ -49,7 +50,7 @@ enum class FindingKind {
     joined,       // programs draw a line between near dots
     over_edge,    // dots reach over the page's edge
     in_margins,   // or into the margins
-    too_large,    // a page that the machine does not reach
+    too_large,    // a page that the machine or the file's numbers do not reach
     too_many,     // for programs that read the file
     not_looked,   // too many to look at each
     fine_pixels,  // dots finer than a pixel

@@ -19,6 +19,7 @@ namespace {
 using PieceKind = GcodePiece::Kind;
 
 constexpr int kGcodeDecimals = 3;
+constexpr int kDwellDecimals = 6;  // of seconds: lasers burn dots in less than a thousandth
 
 // G21: millimetres; G90: places, not steps; G94: the feed in millimetres a minute.
 constexpr std::string_view kPenTemplate =
@@ -182,7 +183,7 @@ void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, co
                 text.fixed(style.feed_mm_per_min, kGcodeDecimals);
                 break;
             case PieceKind::dwell:
-                text.fixed(style.dwell_s, kGcodeDecimals);
+                text.fixed(style.dwell_s, kDwellDecimals);
                 break;
             case PieceKind::pen:
                 text << std::int64_t{dot.pen + 1};

@@ -48,6 +48,9 @@ enum class GcodeTool {
 /// "pen", "servo", "laser".
 std::string_view name_of(GcodeTool tool);
 
+/// How far the template for a Z axis lifts the pen.
+inline constexpr double kGcodeLiftMm = 2;
+
 /// The template of a kind of machine, as text.
 std::string_view gcode_template_of(GcodeTool tool);
 

@@ -52,8 +52,7 @@ void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
     HpglPen pen(text, page, registration);
     for_each_plotted_dot(dots, page, 0, progress, [&](const PlottedDot& dot) {
         pen.take(dot.pen);
-        const std::int64_t x = plotter_units(dot.x_mm), y = plotter_units(dot.y_mm);
-        text << "PU" << x << ',' << y << ";PD" << x << ',' << y << ";\n";
+        text << "PU" << plotter_units(dot.x_mm) << ',' << plotter_units(dot.y_mm) << ";PD;\n";
     });
     text << "PU;SP0;\n";
     text.flush();
@@ -70,7 +69,7 @@ void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& 
         text << "PU";
         place(points[0]);
         text << ";PD";
-        place(points[points.size() > 1 ? 1 : 0]);
+        if (points.size() > 1) place(points[1]);
         for (std::size_t i = 2; i < points.size(); ++i) {
             text << (i % kPointsOfAnInstruction == 0 ? ";\nPD" : ",");
             place(points[i]);

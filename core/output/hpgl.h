@@ -13,9 +13,11 @@ namespace dapple {
 
 /// Plotter units to the millimetre, which the language fixes.
 inline constexpr int kHpglUnitsPerMm = 40;
+/// The farthest place, in millimetres, that plotters of the language's first kind take: 32,767 units.
+inline constexpr double kHpglReachMm = 32'767.0 / kHpglUnitsPerMm;
 
-/// The first pen goes to each dot, down and up again, in the order given: PU4000,2000;PD4000,2000; is a line
-/// of no length, as plotters that ignore a PD without a place need it. Whole plotter units, 0.025 mm; the
+/// The first pen goes to each dot, down and up again, in the order given: PU4000,2000;PD; (a PD to where the
+/// pen is already is a line of no length, which some readers leave out). Whole plotter units, 0.025 mm; the
 /// origin is the page's lower left corner. The dots' size is the pen's. Needs the memory of a piece and a
 /// buffer.
 void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,

@@ -43,9 +43,9 @@ std::string_view words_for(Machine machine) {
         case Machine::idraw:
             return "an iDraw";
         case Machine::grbl_pen:
-            return "a pen plotter with GRBL's own settings";
+            return "a pen plotter that runs Grbl";
         case Machine::grbl_laser:
-            return "a laser with GRBL's own settings";
+            return "a laser that runs Grbl";
     }
     return "";
 }
@@ -122,7 +122,7 @@ std::string time_in_words(double seconds) {
 std::string_view what_takes_longest(const PlottingTime& time) {
     if (time.drawing_s > std::max({time.moving_s, time.dots_s, time.lifting_s})) return "mostly drawing";
     if (time.lifting_s >= std::max(time.moving_s, time.dots_s)) return "mostly pen raising and lowering";
-    return time.moving_s >= time.dots_s ? "mostly moves between the dots" : "mostly burning the dots";
+    return time.moving_s >= time.dots_s ? "mostly moves between the dots" : "mostly resting at the dots";
 }
 
 }  // namespace dapple

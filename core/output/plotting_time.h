@@ -42,9 +42,10 @@ struct MachineSpeeds {
 /// 24,950 steps/s of 1/2032 in as the speed of 110 %, of which 75 % with the pen up and 25 % down, reached in
 /// 0.2 s on moves below an inch; pen positions 60 and 40 % at a rate of 150 % a second.
 ///
-/// GRBL, from its own settings in defaults.h, DEFAULTS_GENERIC: 500 mm/min ($110) and 10 mm/s^2 ($120). Most
-/// machines are tuned to be faster. A pen's servo is taken as the AxiDraw's with full rates (its program has
-/// no figure); a laser has no lift and burns a dot for 0.1 s, which is our assumption.
+/// GRBL as it comes, from its own settings in defaults.h, DEFAULTS_GENERIC: 500 mm/min ($110) and 10 mm/s^2
+/// ($120). Most machines are tuned to be faster; a file of G-code says how fast (see speeds_for()). A pen's
+/// servo is taken as the AxiDraw's with full rates (its program has no figure); a laser has no lift and burns
+/// a dot for 0.1 s, which is our assumption.
 MachineSpeeds speeds_of(Machine machine);
 
 struct PlottingTime {

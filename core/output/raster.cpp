@@ -137,7 +137,7 @@ RasterSize raster_size(const PageSize& page, double dpi) {
     if (!(shrink >= 1)) {
         throw std::runtime_error(fmt::format(
             "the page would be {:.0f} x {:.0f} pixels, and {:.0f} a side and {:.0f} gigapixels in "
-            "all are the most; choose {:.4g} dots to the inch or fewer, a smaller page or a part "
+            "all are the most; choose {:.4g} dots per inch or less (--dpi), a smaller page or a part "
             "of it",
             width, height, kLargestSide, kMostPixels * 1e-9, rounded_down(dpi * shrink)));
     }

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
+#include "core/text/length.h"
 #include "core/text/numbers.h"
 
 namespace dapple {
@@ -110,13 +113,33 @@ std::string name_of(const Sheet& sheet) {
     return letters + std::to_string(sheet.row);
 }
 
-Rectangle<double> parse_region(std::string_view text) {
-    const auto numbers = numbers_of<double, 4>(text, ",,x");
-    if (!numbers) {
-        throw std::runtime_error(fmt::format(
-            "'{}' is not a region; write X,Y,WIDTHxHEIGHT in millimetres, for example 20,15,100x80", text));
+// Four lengths, between them , , and x; the last one's unit is that of all which have none.
+static std::optional<std::array<double, 4>> lengths_of_region(std::string_view text) {
+    const std::string_view unit = text.substr(text.find_last_of("0123456789.") + 1);
+    std::array<double, 4> lengths{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t end = i < 3 ? text.find(",,x"[i]) : text.size();
+        if (end == text.npos || end == 0) return std::nullopt;
+        std::string part(text.substr(0, end));
+        if (i < 3 && std::string_view("0123456789.").find(part.back()) != std::string_view::npos)
+            part += unit;
+        const std::optional<double> length = millimetres_of(part);
+        if (!length) return std::nullopt;
+        lengths[i] = *length;
+        text.remove_prefix(std::min(end + 1, text.size()));
     }
-    const auto [x, y, width, height] = *numbers;
+    return lengths;
+}
+
+Rectangle<double> parse_region(std::string_view text) {
+    const auto lengths = lengths_of_region(text);
+    if (!lengths) {
+        throw std::runtime_error(
+            fmt::format("'{}' is not a region; write X,Y,WIDTHxHEIGHT, for example 20,15,100x80 in "
+                        "millimetres or 1,1,4x3in",
+                        text));
+    }
+    const auto [x, y, width, height] = *lengths;
     // Written so that what is not a number is refused too.
     if (!(x >= 0) || !(y >= 0) || !std::isfinite(x + y)) {
         throw std::runtime_error(

@@ -46,7 +46,8 @@ std::vector<Sheet> all_sheets(const Sheet& sheet);
 std::string name_of(const Sheet& sheet);
 
 /// A part of a page in millimetres from its upper left corner. "120,80,50x40.5": 50 mm wide and 40.5 mm high,
-/// its corner 120 mm from the left and 80 mm from the top. Throws std::runtime_error saying what is wrong.
+/// its corner 120 mm from the left and 80 mm from the top; each may have a unit (see millimetres_of()), and
+/// the last one's is that of all without: "1,1,4x3in". Throws std::runtime_error saying what is wrong.
 Rectangle<double> parse_region(std::string_view text);
 
 /// A part of a page, and its own size.

@@ -209,8 +209,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         drawn.page.height_mm = page.height_mm / sheets.rows + sheets.overlap_mm;
     }
     if (drawn.machine) {
-        const PlottingEstimate plotting =
-            estimated_plotting(settings.drawing, estimated, format, order, speeds_of(*drawn.machine));
+        const PlottingEstimate plotting = estimated_plotting(
+            settings.drawing, estimated, format, order, speeds_for(*drawn.machine, format, settings.saving));
         drawn.plotting = info_.plotting = plotting.time;
         info_.way_m = plotting.way_m;
         if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;

@@ -15,7 +15,7 @@ bool draw_right_side(Comparison& right, const TileList& tiles) {
         tile_row("Right tile", right.tile, tiles, "The tile that the right side's dots come from.");
     int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
     if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"},
-                   "How the right side's dots are placed: exactly, or as the paper prints it.")) {
+                   "How the right side's dots are placed: exactly, or as printed in the article.")) {
         right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
         DrawingSettings drawing;
         drawing.tile = right.tile;

@@ -173,10 +173,10 @@ bool draw_shape(DrawingSettings& settings) {
 
 bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
     int style = static_cast<int>(settings.style);
-    bool changed = segmented_row(
-        "Draw", style, std::array{"dots", "one line", "nearest"},
-        "dots: each by itself. one line: through all dots, by the shortest way that is soon found. nearest: "
-        "lines from each dot to its nearest few.");
+    bool changed = segmented_row("Draw", style, std::array{"dots", "one line", "nearest"},
+                                 "dots: each by itself. one line: through all dots, by a short route, "
+                                 "which takes some seconds to find. nearest: "
+                                 "lines from each dot to its nearest few.");
     if (changed) settings.style = static_cast<DrawingStyle>(style);
     changed |= draw_shape(settings);
     const Greyed greyed(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
@@ -196,15 +196,13 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
 
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     double steps = relax.value_or(drawn.steps);
-    if (!slider_row(
-            "Relax", steps,
-            {.min = 0,
-             .max = 20,
-             .neutral = kUsualSteps,
-             .format = "%.0f",
-             .hard_max = kMostRelaxingSteps,
-             .tip = "Steps that move each dot to the middle of the ink around it: more even. From 1 on the "
-                    "first dots of the drawing are no longer a lighter drawing by themselves."}))
+    if (!slider_row("Relax", steps,
+                    {.min = 0,
+                     .max = 20,
+                     .neutral = kUsualSteps,
+                     .format = "%.0f",
+                     .hard_max = kMostRelaxingSteps,
+                     .tip = "Steps that move each dot to the middle of the ink around it: more even."}))
         return false;
     relax = static_cast<int>(std::lround(steps));
     return true;

@@ -23,8 +23,9 @@ constexpr const char* kOrders =
     "The order of the dots in the file, in which a plotter draws them.\n"
     "as placed: tile by tile.\n"
     "short moves: each near the one before, found at once.\n"
-    "shortest: by the shortest way for the pen that is soon found; a million dots take a minute or so.\n"
-    "by priority: the first n dots are the drawing with n dots if they are not relaxed, so that a plot may "
+    "shortest: a short route, which takes some seconds to find; of a million dots a minute or so.\n"
+    "by priority: the first n dots are nearly the drawing with n dots if they are not relaxed, so that a "
+    "plot may "
     "stop at any time.";
 
 constexpr const char* kTools =
@@ -93,6 +94,17 @@ bool draw_gcode(SavingChoice& saving) {
                            .format = "%.2f",
                            .hard_max = kLongestDwellS,
                            .tip = "How long the tool rests at a dot."});
+    changed |=
+        slider_row("Acceleration, mm/s2", saving.acceleration_mm_per_s2,
+                   {.min = 10,
+                    .max = 3000,
+                    .neutral = 10,
+                    .curve = SliderCurve::logarithmic,
+                    .format = "%.0f",
+                    .hard_min = kLeastAcceleration,
+                    .hard_max = kMostAcceleration,
+                    .tip = "How fast the machine gains speed, for the plotting time that is told. Grbl "
+                           "comes with 10; machines are mostly set to 500 to 3000 ($120)."});
     return changed;
 }
 

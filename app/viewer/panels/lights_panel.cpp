@@ -49,7 +49,7 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
                "it, or drawn at random, which has no bias.");
     changed |=
         choose("Placer", request.placer, usual.placer, std::array{"exact", "Figure 8"},
-               "exact: each sample once, and none is lost. Figure 8: as the paper prints it, with some "
+               "exact: each sample once, and none is lost. Figure 8: as printed in the article, with some "
                "twice.");
     changed |= tile_row("Tile", settings.tile, tiles, "The square of points that all samples come from.");
     bool compensated = request.importance == LightImportance::compensated;

@@ -17,7 +17,7 @@ bool draw_placer(DrawingSettings& settings) {
     int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
     if (!segmented_row(
             "Placer", placer, std::array{"exact", "Figure 8"},
-            "exact: each dot once, and none is lost. Figure 8: as the paper prints it, a quarter of "
+            "exact: each dot once, and none is lost. Figure 8: as printed in the article, a quarter of "
             "its dots lie on others."))
         return false;
     settings.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
