@@ -764,7 +764,7 @@ TEST_CASE("a G-code template of one's own is named by its file, and what it says
     ui.enter("Dwell, s", "0.5");
     CHECK(saving.feed_mm_per_min == 1234);
     CHECK(saving.dwell_s == 0.5);
-    ui.enter("Acceleration, mm/s2", "750");
+    ui.enter("Accel., mm/s2", "750");
     CHECK(saving.acceleration_mm_per_s2 == 750);
     CHECK(gcode_style_of(saving).lines == parse_gcode_template(says));
     ui.click("laser");

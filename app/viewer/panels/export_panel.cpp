@@ -95,7 +95,7 @@ bool draw_gcode(SavingChoice& saving) {
                            .hard_max = kLongestDwellS,
                            .tip = "How long the tool rests at a dot."});
     changed |=
-        slider_row("Acceleration, mm/s2", saving.acceleration_mm_per_s2,
+        slider_row("Accel., mm/s2", saving.acceleration_mm_per_s2,
                    {.min = 10,
                     .max = 3000,
                     .neutral = 10,
