@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,8 +24,10 @@
 #include "app/commands/render_command.h"
 #include "app/commands/reproduce.h"
 #include "app/commands/tile.h"
+#include "app/commands/wrapped_help.h"
 #include "app/commands/wrong_command.h"
 #include "app/shown_text.h"
+#include "app/signals.h"
 #include "app/viewer/viewer.h"
 
 namespace {
@@ -45,7 +49,7 @@ int written(int status) {
                   kFailed);
 }
 
-int run(CLI::App& program, int argc, char** argv, const int& status) {
+int run(CLI::App& program, int argc, char** argv, const int& status, const bool& parsed) {
     if (const auto sentence = dapple::wrong_command(program, std::span(argv, argc).subspan(argc > 0 ? 1 : 0)))
         return report(*sentence, kUsage);
     if (const auto sentence = dapple::wrong_option(program, std::span(argv, argc).subspan(argc > 0 ? 1 : 0)))
@@ -59,7 +63,7 @@ int run(CLI::App& program, int argc, char** argv, const int& status) {
     } catch (const std::bad_alloc&) {
         return report("there is not enough memory for this; try fewer dots or a smaller picture", kFailed);
     } catch (const std::exception& error) {
-        return report(error.what(), kFailed);
+        return report(error.what(), parsed ? kFailed : kUsage);
     }
 }
 
@@ -67,10 +71,12 @@ int run(CLI::App& program, int argc, char** argv, const int& status) {
 
 int main(int argc, char** argv) {
     CLI::App program{"Stippling: pictures drawn with dots, live in a window or into files.", "dapple"};
+    program.formatter(std::make_shared<dapple::WrappedHelp>());
     program.set_version_flag("--version", "dapple " DAPPLE_VERSION, "Show the version");
     program.footer(
         "Without a command, a window opens with the picture (the built-in sample without one).\n"
-        "dapple COMMAND --help says more.\n\n"
+        "dapple COMMAND --help says more.\n"
+        "Exit status: 0 if all was done, 1 if something could not be, 2 if the command line is wrong.\n\n"
         "Examples:\n"
         "  dapple cat.jpg                               look at it, move the sliders\n"
         "  dapple cat.jpg --tile mine.tile              drawn with a tile of your own\n"
@@ -80,6 +86,7 @@ int main(int argc, char** argv) {
     program.require_subcommand(0, 1);
 
     int status = 0;
+    bool parsed = false;  // all that is wrong before is the command line
     dapple::ViewerOptions viewer;
     program.add_option("image", viewer.image, "The picture to look at, or a project (.dapple)")
         ->type_name("IMAGE");
@@ -102,11 +109,14 @@ int main(int argc, char** argv) {
     dapple::add_presets_command(program);
     dapple::add_manual_command(program);
 
+    std::optional<dapple::ToldWhenStopped> told;
     // Before the command runs.
     program.parse_complete_callback([&] {
         if (tile_of_window->count() > 0 && !program.get_subcommands().empty())
             throw CLI::ValidationError("--tile",
                                        "belongs to the window; give the command's own after its name");
+        parsed = true;
+        if (!program.get_subcommands().empty()) told.emplace();
     });
     program.callback([&] {
         if (const dapple::LightsOptions* map = lights.window()) {
@@ -123,5 +133,5 @@ int main(int argc, char** argv) {
         if (tile_of_window->count() > 0) viewer.tile = window_tile;
         status = dapple::run_viewer(viewer);
     });
-    return written(run(program, argc, argv, status));
+    return written(run(program, argc, argv, status, parsed));
 }

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 namespace dapple {
 namespace {
@@ -24,7 +25,7 @@ struct Slot {
     std::array<char, PATH_MAX> path{};
 };
 std::array<Slot, kMostFilesUnderWay> slots;  // the files to be removed
-std::atomic<bool> work_stops{false};
+std::atomic<bool> work_stops{false}, tells{false};
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
               "the handler may not wait");
@@ -66,6 +67,14 @@ void remove_file(Slot& slot) {
 
 void remove_all_and_end(int signal) {
     for (Slot& slot : slots) remove_file(slot);
+    if (signal == SIGINT && tells) {
+        // Over the line that shows progress, if there is one.
+        constexpr std::string_view kSentence =
+            "\r\033[Kdapple: stopped; files that were not finished are as before\n";
+        const std::string_view said =
+            ::isatty(STDERR_FILENO) == 1 ? kSentence : kSentence.substr(kSentence.find('d'));
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, said.data(), said.size());
+    }
     for (std::size_t i = 0; i < endings.signals.size(); ++i) {
         if (endings.signals[i] == signal) ::sigaction(signal, &endings.former[i], nullptr);
     }
@@ -123,6 +132,16 @@ const char* RemovedOnSignal::path() const {
 
 void RemovedOnSignal::keep() {
     slots[slot_].owner = 0;
+}
+
+ToldWhenStopped::ToldWhenStopped() {
+    tells = true;
+    watch_endings();
+}
+
+ToldWhenStopped::~ToldWhenStopped() {
+    unwatch_endings();
+    tells = false;
 }
 
 StopOnInterrupt::StopOnInterrupt(std::optional<std::chrono::duration<double>> limit) {

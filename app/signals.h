@@ -34,6 +34,15 @@ class RemovedOnSignal {
     std::size_t slot_;
 };
 
+/// While it lives, a Ctrl+C that ends the program says on the standard error that files are as before.
+class ToldWhenStopped {
+ public:
+    ToldWhenStopped();
+    ToldWhenStopped(const ToldWhenStopped&) = delete;
+    ToldWhenStopped& operator=(const ToldWhenStopped&) = delete;
+    ~ToldWhenStopped();
+};
+
 /// Long work that is asked to stop rather than ended. While it lives, the first Ctrl+C or SIGTERM requests a
 /// stop, and leaves alone what is being saved; the second ends the program at once. SIGHUP requests a stop
 /// too, and from then on never ends the program, so that it can save what it has. Only one may live at a

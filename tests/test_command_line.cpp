@@ -3,9 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "app/commands/wrapped_help.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/shell.h"
@@ -49,6 +54,39 @@ TEST_CASE("a misspelt command is told with the nearest one, and a name that may 
     scene.must_fail("render --frobnicate", "there is no option --frobnicate; dapple render --help lists");
     scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help shows");
     scene.must_fail("missing.png --nonsense", "--nonsense");
+}
+
+TEST_CASE("help ends its lines at the terminal's edge, between words and below where they began") {
+    CHECK(wrapped("one two three\n\nfour", 7) == "one two\nthree\n\nfour");
+    CHECK(wrapped("  --dots N   one two three four", 28) == "  --dots N   one two three\n             four");
+    CHECK(wrapped("             one two three four", 28) == "             one two three\n             four");
+    CHECK(wrapped("  dapple render cat.jpg -o cat.svg", 20) == "  dapple render cat.jpg -o cat.svg");
+    CHECK(wrapped("a/very/long/name/of/a/file and more", 20) == "a/very/long/name/of/a/file\nand more");
+    const std::string help = run_dapple("render --help").out;
+    const auto words_of = [](const std::string& text) {
+        std::istringstream words(text);
+        return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+    };
+    for (const std::size_t width : {60, 80, 120}) {
+        const std::string narrow = wrapped(help, width);
+        CHECK(words_of(narrow) == words_of(help));
+        std::istringstream lines(narrow);
+        for (std::string line; std::getline(lines, line);) {
+            CAPTURE(line);
+            CHECK((line.size() <= width || line.starts_with("  dapple") || line.starts_with("  convert") ||
+                   line.find("  ", 2) == line.npos));
+        }
+    }
+}
+
+TEST_CASE("what is wrong with the command line ends with 2, what cannot be done with 1") {
+    const Scene scene;
+    CHECK(run_dapple("render --gcode plough -o " + scene("a.nc")).status == 2);
+    CHECK(run_dapple("render --dotz 5 -o " + scene("a.svg")).status == 2);
+    CHECK(run_dapple("render --dots none -o " + scene("a.svg")).status == 2);
+    CHECK(run_dapple("render " + scene("no.png") + " -o " + scene("a.svg")).status == 1);
+    CHECK(run_dapple("--help").out.find("Exit status: ") != std::string::npos);
+    CHECK(run_dapple("manual").out.find(".SH EXIT STATUS\n") != std::string::npos);
 }
 
 TEST_CASE(

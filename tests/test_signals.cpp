@@ -62,6 +62,27 @@ TEST_CASE("Ctrl+C in the middle of a search's saving stops the search, and the s
     }
 }
 
+TEST_CASE("a Ctrl+C that ends a command says that files are as before, and another signal does not") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder;
+        put_text(folder / "a.txt", "old");
+        const int status = status_of([&] {
+            const int errors = ::open((folder / "errors").c_str(), O_CREAT | O_WRONLY, 0600);
+            ::dup2(errors, STDERR_FILENO);
+            const ToldWhenStopped told;
+            save_atomically(folder / "a.txt", [signal](std::ostream& out) {
+                out << "half" << std::flush;
+                raise(signal);
+            });
+        });
+        CHECK(status == 128 + signal);
+        CHECK(text_of(folder / "a.txt") == "old");
+        CHECK(text_of(folder / "errors") ==
+              (signal == SIGINT ? "dapple: stopped; files that were not finished are as before\n" : ""));
+    }
+}
+
 TEST_CASE("the second Ctrl+C ends at once, with no litter, also when the first came amid a saving") {
     const TemporaryFolder folder;
     const int status = status_of([&] {

@@ -83,7 +83,10 @@ Subject subject_of(const AnalyseOptions& options) {
         return dots_of_method(method_of(*options.method), dots_asked_for(options), options.seed,
                               options.topology.value_or(Topology::torus));
     if (!options.input) {
-        return dots_of_grey(options.grey, options.drawing, options.topology.value_or(Topology::torus));
+        // As placed, the tile goes on beyond the edges; relaxed dots have nothing beyond them.
+        return dots_of_grey(options.grey, options.drawing,
+                            options.topology.value_or(
+                                options.drawing.relax.value_or(0) > 0 ? Topology::window : Topology::torus));
     }
     if (is_table(*options.input)) {
         return points_of_table(*options.input, {.width = options.width,
@@ -187,9 +190,10 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
                      "Of a constant grey: the dots of another method, of those that dapple compare measures")
         ->type_name("NAME");
     add_seed(*command, options_.seed, "Of a --method that throws dice");
-    add_choice(*command, "--topology", options_.topology, {Topology::torus, Topology::window},
-               "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
-               "constant grey and window else");
+    add_choice(
+        *command, "--topology", options_.topology, {Topology::torus, Topology::window},
+        "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
+        "constant grey (which is not relaxed without --relax, and is a window with it), and window else");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
     add_number(*command, "--width", options_.width, length, "LENGTH",
                "What the points fill, from (0, 0), in their unit; without it, the page that a table by "

@@ -129,6 +129,10 @@ void write_manual(std::ostream& out, const CLI::App& program) {
     write_options(out, program);
     out << ".SH COMMANDS\n";
     write_commands(out, program);
+    out << ".SH EXIT STATUS\n"
+           ".TP\n0\nAll was done.\n"
+           ".TP\n1\nSomething could not be done, and a sentence on the standard error says what.\n"
+           ".TP\n2\nThe command line is wrong: nothing was begun.\n";
 }
 
 void add_manual_command(CLI::App& program) {

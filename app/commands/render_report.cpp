@@ -71,7 +71,9 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::string saved =
         drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
     const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size;
-    if (const auto& strokes = drawn.strokes)
+    if (drawn.dots == 0)
+        fmt::print(stderr, "{}: all of this is bare paper\n", dots);
+    else if (const auto& strokes = drawn.strokes)
         fmt::print(stderr, "{}; the pen draws {} {} of {:.1f} m, and moves {:.1f} m between them{}\n", dots,
                    grouped(strokes->strokes), strokes->strokes == 1 ? "line" : "lines", strokes->drawn_m,
                    strokes->pen_up_m,
@@ -80,7 +82,7 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
                        : "");
     else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
-    else if (drawn.preflight)
+    else if (drawn.preflight && drawn.dots > 1)
         fmt::print(stderr, "{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
                    dots, drawn.preflight->pen_up_m, saved, drawn.preflight->nearest_mm);
     else
