@@ -95,7 +95,8 @@ TEST_CASE("on a terminal a bar shows how much is written, and then what a plotte
     REQUIRE(outcome.status == 0);
     // Before it, on a slow machine, how long it will take.
     CHECK(outcome.out.find("writing 3,000 dots") != std::string::npos);
-    CHECK(outcome.out.find("\r\033[K3,000 dots, 0.1 MB; the pen moves ") != std::string::npos);
+    CHECK(outcome.out.find("\r\033[K3,000 dots, 0.1 MB, ") != std::string::npos);
+    CHECK(outcome.out.find(" mm wide; the pen moves ") != std::string::npos);
     const nlohmann::json preflight = read_json(scene("cat.json"))["preflight"];
     CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
                            " dots reach over the page's edge; a margin of ") != std::string::npos);
@@ -122,6 +123,11 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     scene.must_fail(from + "- --stats -", "--stats: the drawing goes to the standard output already");
     const Outcome table = run_dapple(from + scene("a.csv"));
     CHECK(table.err.starts_with("2,000 dots, "));
+    CHECK(table.err.find("the pen") == std::string::npos);
+    const Outcome bare =
+        run_dapple("render " + scene("cat.png") + " --dots 2 --region 0,0,1x1 -o " + scene("b.svg"));
+    CHECK(bare.err.starts_with("0 dots"));
+    CHECK(bare.err.find(": all of this is bare paper\n") != std::string::npos);
     CHECK(table.err.find("overlap") == std::string::npos);
     const Outcome pixels = run_dapple(from + scene("a.png") + " --machine grbl-pen");
     CHECK(pixels.status == 2);

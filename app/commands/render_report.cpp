@@ -70,7 +70,11 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
     const std::string saved =
         drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
-    const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size;
+    const bool alike =
+        options.drawing.dot_size.sizing != DotSizing::by_tone && drawn.pens.empty() && !drawn.strokes;
+    const std::string wide =
+        alike && drawn.dots > 0 ? fmt::format(", {:.2g} mm wide", 2 * drawn.radius_mm) : "";
+    const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size + wide;
     if (drawn.dots == 0)
         fmt::print(stderr, "{}: all of this is bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
@@ -82,6 +86,8 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
                        : "");
     else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
+    else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)
+        fmt::print(stderr, "{}; the nearest are {:.2g} mm apart\n", dots, drawn.preflight->nearest_mm);
     else if (drawn.preflight && drawn.dots > 1)
         fmt::print(stderr, "{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
                    dots, drawn.preflight->pen_up_m, saved, drawn.preflight->nearest_mm);
