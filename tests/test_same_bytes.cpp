@@ -20,12 +20,14 @@ namespace dapple {
 namespace {
 
 constexpr double kDpi = 50;
+// Small, as each case reads it twice.
+const std::filesystem::path kPicture = std::filesystem::path(DAPPLE_SOURCE) / "assets/icon_64.png";
 
 /// What the window is about, without it.
 class SavingWindow {
  public:
     explicit SavingWindow(const DrawingSettings& drawing) : session_(drawing, [] {}) {
-        session_.open_sample();
+        session_.open(kPicture);
         REQUIRE(brings([&] { return session_.placed_once(); }));
     }
     void save(const DrawingSettings& drawing, const std::filesystem::path& file,
@@ -52,6 +54,7 @@ class SavingWindow {
 RenderOptions command_for(const DrawingSettings& drawing, const std::filesystem::path& file,
                           const SavingChoice& saving = {.dpi = kDpi}) {
     RenderOptions options;
+    options.image = kPicture;
     options.output = file;
     options.drawing = drawing;
     options.saving = saving;
@@ -76,7 +79,7 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
     };
     const PageSetup margins{.margins = {10, 20, 30, 40}};
     const PageSetup part{
-        .paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{100, 200}, {800, 500}}}};
+        .paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{6, 12}, {50, 31}}}};
     const PageSetup filled{.paper = Paper::a4,
                            .orientation = PageOrientation::landscape,
                            .margins = {15, 15, 15, 15},

@@ -573,7 +573,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
         });
     };
     REQUIRE(brings([&] { return session.pane().page().stippling.dots.size() == 1000; }));
-    session.settings.drawing.placing.count = 30'000'000;
+    session.settings.drawing.placing.count = 10'000'000;
     REQUIRE(brings([&] { return session.pane().worker().placing_since().has_value(); }));
     session.stop_placing();
     CHECK(session.settings.drawing.placing.count == 1000);
