@@ -241,8 +241,8 @@ void add_style_options(CLI::App& app, DrawingSettings& settings) {
     add_choice(app, "--style", settings.style,
                {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest},
                "dots: each by itself; line: one line through all dots, by a short route, which takes some "
-               "seconds to find, "
-               "or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
+               "seconds to find, or in --order; nearest: lines from each dot to its nearest few, of which no "
+               "two cross");
     const auto read_mark = [&settings](const std::string& text) {
         try {
             settings.mark = parse_dot_mark(text);
