@@ -80,6 +80,8 @@ struct SavingChoice {
     OwnTemplate gcode_template = {};      // instead of the tool's
     // Of G-code; the machine is told the first two, and how fast it gains speed only its time.
     double feed_mm_per_min = 3000, dwell_s = 0.1, acceleration_mm_per_s2 = 10;
+    std::optional<double> pen_up = {}, pen_down = {};  // as GcodeHeights; none: usual_heights()
+    double laser_power = 250;                          // the S of G-code for a laser
 
     bool operator==(const SavingChoice&) const = default;
 };

@@ -2,6 +2,7 @@
 // Machines that read what is written for them, and note where a dot comes onto the paper. Written from the
 // languages' definitions, for tests, with nothing of the writers in them.
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <map>
 #include <sstream>
@@ -38,6 +39,7 @@ inline Plotted plotted_gcode(const std::string& text, Lines may = Lines::refused
     const auto is_down = [&] { return z <= 0 || (on && power > 50); };
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
+        line.erase(std::min(line.find(';'), line.size()));  // what follows is a comment
         std::string comment;
         if (const auto open = line.find('('); open != line.npos) {
             const auto close = line.find(')', open);
@@ -112,6 +114,9 @@ inline Plotted plotted_hpgl(const std::string& text, Lines may = Lines::refused)
         const std::string name = each.substr(0, 2), rest = each.substr(2);
         if (name == "IN") {
             ready = true;
+        } else if (name == "CO") {
+            if (ready || !rest.starts_with(" \"") || !rest.ends_with('"'))
+                throw std::runtime_error("no comment before all others: " + each);
         } else if (name == "SP") {
             pen = std::stoi(rest);
             if (pen > 0) plot.changes.push_back({rest, plot.dots.size()});

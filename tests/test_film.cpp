@@ -154,7 +154,7 @@ TEST_CASE(
             page_pixels(settings, {.dots = dots,
                                    .page = page,
                                    .dot_radius_mm = plan.radius(dots.scale) * page.mm_per_page_unit,
-                                   .dpi = dpi_for(page, 300)});
+                                   .saving = {.dpi = dpi_for(page, 300)}});
         const FilmFrame frame = film_frames(pipeline, settings_for(2000), {.kind = kind, .longer_side = 300});
         CHECK(frame(1).values == whole.values);
         CHECK(frame(0.5).values != whole.values);

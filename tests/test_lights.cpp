@@ -97,7 +97,11 @@ TEST_CASE("position, radiance, compensation and seed leave the sum of the weight
         request.importance = LightImportance::compensated;
         check_flux(map, light_samples(map, tile, request));
         request.radiance = SampleRadiance::point;
-        check_flux(map, light_samples(map, tile, request));
+        if (position == random)
+            check_flux(map, light_samples(map, tile, request));
+        else
+            CHECK_THROWS_WITH(light_samples(map, tile, request),
+                              doctest::Contains("needs a random position"));
     }
 }
 
@@ -122,12 +126,41 @@ TEST_CASE("the pdf of an even map is 1 / (4 pi) on average and near it everywher
     }
 }
 
-TEST_CASE("point radiance is the map's where the sample is") {
-    const EnvironmentMap map = small_sky();
+TEST_CASE("point radiance over n times its pdf has the map's light as its mean, whatever is lit by it") {
+    // Coloured light with a sun, and what it lights: the upper half, and a cosine about x.
+    Grid<glm::vec3> grid(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            grid.at(x, y) = glm::vec3(0.2f + 0.01f * float(x), 0.5f, 0.1f + 0.02f * float(y));
+    grid.at(20, 9) = glm::vec3(900, 500, 100);
+    const EnvironmentMap map(grid);
+    const auto lit = [](glm::dvec2 uv) {
+        const glm::dvec3 d = direction_of(uv, SphereConvention::openexr);
+        return glm::dvec2(d.y > 0, std::max(d.x, 0.0));
+    };
+    glm::dvec3 exact[2]{};
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            for (int k = 0; k < 2; ++k)
+                exact[k] +=
+                    lit({(x + 0.5) / 64, (y + 0.5) / 32})[k] * map.solid_angle(y) * glm::dvec3(grid.at(x, y));
     RankedTile tile = paper_tile();
-    const LightSamples lights = light_samples(map, tile, {.count = 100, .radiance = SampleRadiance::point});
-    for (const LightSample& sample : lights.samples)
-        CHECK(glm::distance(sample.radiance, map.at(sample.uv)) == 0);
+    constexpr int kDraws = 400, kSamples = 16;
+    glm::dvec3 mean[2]{};
+    for (int draw = 1; draw <= kDraws; ++draw) {
+        const LightSamples lights = light_samples(map, tile,
+                                                  {.count = kSamples,
+                                                   .position = SamplePosition::random,
+                                                   .radiance = SampleRadiance::point,
+                                                   .seed = std::uint64_t(draw)});
+        for (const LightSample& sample : lights.samples) {
+            CHECK(glm::distance(sample.radiance, map.at(sample.uv)) == 0);
+            for (int k = 0; k < 2; ++k)
+                mean[k] += lit(sample.uv)[k] * sample.radiance / (kSamples * sample.pdf) / double(kDraws);
+        }
+    }
+    for (int k = 0; k < 2; ++k)
+        for (int c = 0; c < 3; ++c) CHECK(mean[k][c] == doctest::Approx(exact[k][c]).epsilon(0.03));
 }
 
 TEST_CASE("a sun of one texel gets its share of the samples and all of its light is kept") {

@@ -60,6 +60,9 @@ TEST_CASE("dapple lights writes exactly so many samples, whose weights sum to th
     const json file = json::parse(text_of(folder / "samples.json"));
     CHECK(file["convention"] == "openexr");
     CHECK(file["source"] == "map.exr");
+    CHECK(file["position"] == "centroid");
+    CHECK(file["radiance"] == "mean");
+    CHECK(file["seed"] == 0);
     REQUIRE(file["samples"].size() == 257);
     const EnvironmentMap map = read_environment(folder / "map.exr");
     for (int c = 0; c < 3; ++c) {
@@ -90,12 +93,18 @@ TEST_CASE("dapple lights writes CSV, pbrt, Mitsuba and a picture, and takes all 
         CHECK_MESSAGE(outcome.status == 0, outcome.err);
         return text_of(folder / output);
     };
-    const std::string csv = run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7");
-    CHECK(std::ranges::count(csv, '\n') == 26);
+    const std::string csv =
+        run("s.csv", "--convention blender --rotate 90 --radiance point --position random --seed 7");
+    CHECK(std::ranges::count(csv, '\n') == 29);
     CHECK(csv.starts_with("# convention: blender\n# rotation_degrees: 90\n"));
     CHECK(csv.find("\nx,y,z,u,v,") != csv.npos);
-    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 7") == csv);
-    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --seed 8") != csv);
+    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --position random --seed 7") ==
+          csv);
+    CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --position random --seed 8") !=
+          csv);
+    check_refused(run_dapple("lights " + quoted(folder / "map.hdr") + " --radiance point -o " +
+                             quoted(folder / "s.csv")),
+                  "--radiance: point is for samples drawn at random; give --position random too");
     const std::string pbrt = run("s.pbrt", "--placer figure8");
     CHECK(pbrt.find("LightSource \"distant\"") != pbrt.npos);
     CHECK(pbrt.find("convention pbrt") != pbrt.npos);

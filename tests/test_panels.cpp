@@ -767,9 +767,14 @@ TEST_CASE("a G-code template of one's own is named by its file, and what it says
     ui.enter("Accel., mm/s2", "750");
     CHECK(saving.acceleration_mm_per_s2 == 750);
     CHECK(gcode_style_of(saving).lines == parse_gcode_template(says));
+    ui.enter("Pen down", "75");
+    CHECK(saving.pen_down == 75);
+    ui.enter("Laser power", "800");
+    CHECK(saving.laser_power == 800);
     ui.click("laser");
     CHECK(saving.gcode_template == OwnTemplate{});
     CHECK(saving.tool == GcodeTool::laser);
+    CHECK_FALSE(saving.pen_down);  // a servo's
 }
 
 TEST_CASE("a dot's own path is typed: what is none is told and changes nothing") {

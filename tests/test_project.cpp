@@ -93,7 +93,10 @@ ViewerSettings nothing_usual() {
                   .gcode_template = {"move G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own.txt"},
                   .feed_mm_per_min = 1234,
                   .dwell_s = 0.5,
-                  .acceleration_mm_per_s2 = 750};
+                  .acceleration_mm_per_s2 = 750,
+                  .pen_up = 25,
+                  .pen_down = 75.5,
+                  .laser_power = 900};
     return all;
 }
 

@@ -99,6 +99,12 @@ TEST_CASE(
         CHECK(text.find(" F1234.5\n") != text.npos);
         CHECK(text.find("G4 P0.25\n") != text.npos);
     }
+    draw_to(scene, "a.gcode", "--gcode servo --pen-up 12.5 --pen-down 70");
+    CHECK(text_of(scene("a.gcode")).find("\nM3 S70\nG4 P0.1\nM3 S12.5\n") != std::string::npos);
+    draw_to(scene, "a.gcode", "--gcode laser --laser-power 800");
+    CHECK(text_of(scene("a.gcode")).find("\nM3 S800\n") != std::string::npos);
+    draw_to(scene, "a.gcode", "--pen-up 5 --pen-down -0.5");
+    CHECK(text_of(scene("a.gcode")).find("\nG1 Z-0.5 F3000\nG4 P0.1\nG0 Z5\n") != std::string::npos);
     draw_to(scene, "a.gcode", "--gcode laser --dwell 0.00025");
     CHECK(text_of(scene("a.gcode")).find("G4 P0.00025\n") != std::string::npos);
     draw_to(scene, "a.nc");
@@ -108,6 +114,79 @@ TEST_CASE(
     draw_to(scene, "a.plt");
     CHECK(farthest_off(table, plotted_hpgl(text_of(scene("a.hpgl"))).dots) < 0.018);
     CHECK(text_of(scene("a.hpgl")) == text_of(scene("a.plt")));
+}
+
+TEST_CASE("a file for a machine says at its head what is in it and how long it takes, as the command does") {
+    const Scene scene;
+    for (const std::string name : {"a.gcode --gcode laser", "a.hpgl", "a.gcode --style line"}) {
+        CAPTURE(name);
+        const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + scene("") + name);
+        REQUIRE(outcome.status == 0);
+        const std::string text = text_of(scene(name.substr(0, name.find(' '))));
+        const std::string head =
+            text.substr(0, text.find("IN;") == text.npos ? text.find("G21") : text.find("IN;"));
+        CHECK(head.find("3,000 dots on a page of 96 x 64 mm") != head.npos);
+        CHECK(head.find("0 0 is the lower left corner") != head.npos);
+        const std::size_t about = head.find("about ");
+        REQUIRE(about != head.npos);
+        const std::string time = head.substr(about, head.find_first_of("\n\"", about) - about);
+        CHECK(outcome.err.find(time) != std::string::npos);
+    }
+}
+
+TEST_CASE("dots of several sizes are filled by the pen in G-code and HPGL, but where a template has radii") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --width 96 --dot-radius 0.2..0.9 ";
+    REQUIRE(run_dapple(from + "-o " + scene("a.csv")).status == 0);
+    std::istringstream table(text_of(scene("a.csv")));
+    std::string line;
+    double area = 0;
+    for (std::getline(table, line); std::getline(table, line);) {
+        std::istringstream numbers(line);
+        double x = 0, y = 0, radius = 0;
+        char comma = 0;
+        numbers >> x >> comma >> y >> comma >> radius;
+        area += std::acos(-1) * radius * radius;
+    }
+    for (const std::string name : {"a.gcode", "a.hpgl"}) {
+        CAPTURE(name);
+        REQUIRE(run_dapple(from + "--pen-width 0.3 -o " + scene(name)).status == 0);
+        const std::string text = text_of(scene(name));
+        const Plotted plot =
+            name == "a.hpgl" ? plotted_hpgl(text, Lines::drawn) : plotted_gcode(text, Lines::drawn);
+        // A line of 0.3 mm covers the discs once.
+        double length = 0;
+        for (const auto& points : plot.lines)
+            for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
+        const double touches =
+            std::acos(-1) * 0.15 * 0.15 * static_cast<double>(plot.lines.size() + plot.dots.size());
+        CHECK(length * 0.3 + touches == doctest::Approx(area).epsilon(0.15));
+    }
+    put_text(scene("radii.txt"), "start G21\nmove G1 X{x} Y{y}\ndot R{radius}\n");
+    REQUIRE(run_dapple(from + "--gcode " + scene("radii.txt") + " -o " + scene("a.gcode")).status == 0);
+    const std::string text = text_of(scene("a.gcode"));
+    CHECK(text.find("R0.2") != text.npos);
+    CHECK(text.find("R0.8") != text.npos);
+}
+
+TEST_CASE("a pen's width alone makes each dot of a plot a touch of it, and the tone is that of its touches") {
+    const Scene scene;
+    const auto finding = [&](const std::string& options) {
+        const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + options);
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return outcome.err.find("the drawing is paler than the picture; ") != std::string::npos;
+    };
+    CHECK(finding(scene("a.svg") + " --pen-width 0.1"));
+    CHECK(read_svg(scene("a.svg")).circles().empty());
+    CHECK(finding(scene("a.svg") + " --dot-shape point --pen-width 0.1"));
+    CHECK(finding(scene("a.hpgl")));  // a pen is 0.3 mm wide unless one says so, and these dots 1.2
+    CHECK_FALSE(finding(scene("b.hpgl") + " --dot-radius 0.6 --pen-width 0.3"));
+    CHECK(plotted_hpgl(text_of(scene("b.hpgl")), Lines::drawn).lines.size() == 3000);
+    scene.must_fail("render -o " + scene("c.svg") + " --dot-radius 0.1 --pen-width 0.3",
+                    "--dot-radius: no dot finer than 0.15 mm comes of a pen 0.3 mm wide");
+    scene.must_fail("render -o " + scene("c.pdf") + " --pen-width 0.3",
+                    "--pen-width: is of the pen of a plotter");
 }
 
 TEST_CASE("a template of one's own is followed to the letter, and one that is wrong is told with its line") {

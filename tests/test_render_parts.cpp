@@ -186,14 +186,25 @@ TEST_CASE("a region is what the page shows there, at its place and in its size")
     CHECK(outlines > 0);
 }
 
-TEST_CASE("the sheets of a PNG, laid together, are the page: dots reach over the seams") {
+TEST_CASE("the sheets of a PNG or an SVG, laid together, are the page: dots reach over the seams") {
     const Scene scene;
     // Dots 16 pixels wide, at a pixel a millimetre; some lie across every seam.
-    const std::string from = "render " + scene("cat.png") + " --width 192 --dpi 25.4 --dot-radius 8 -o ";
-    for (const std::string dots : {"--dots 80 --relax 0", "--dots 80 --relax 2"}) {
+    const std::string from = "render " + scene("cat.png") + " --width 192 --dot-radius 8 -o ";
+    const auto drawn = [&](const std::string& name, const std::string& options, const std::string& ending) {
+        const std::string pixels = ending == ".png" ? " --dpi 25.4" : "";
+        REQUIRE(run_dapple(from + scene(name + ending) + options + pixels).status == 0);
+        if (ending == ".svg")
+            REQUIRE(run_in_shell("rsvg-convert --dpi-x 25.4 --dpi-y 25.4 -b white " + scene(name + ending) +
+                                 " -o " + scene(name + ".png"))
+                        .status == 0);
+        return read_picture(scene(name + ".png"));
+    };
+    for (const auto& [dots, ending] :
+         {std::pair(" --dots 80 --relax 0", ".png"), std::pair(" --dots 80 --relax 2", ".png"),
+          std::pair(" --dots 80 --relax 2", ".svg")}) {
         CAPTURE(dots);
-        REQUIRE(run_dapple(from + scene("page.png") + " " + dots).status == 0);
-        const Picture page = read_picture(scene("page.png"));
+        CAPTURE(ending);
+        const Picture page = drawn("page", dots, ending);
         REQUIRE(page.light.width == 192);
         REQUIRE(page.light.height == 128);
         int black_at_seams = 0;
@@ -205,8 +216,7 @@ TEST_CASE("the sheets of a PNG, laid together, are the page: dots reach over the
         for (int row = 0; row < 2; ++row) {
             for (int column = 0; column < 2; ++column) {
                 const std::string sheet = std::to_string(column + 1) + "," + std::to_string(row + 1) + "/2x2";
-                REQUIRE(run_dapple(from + scene("s.png") + " " + dots + " --sheet " + sheet).status == 0);
-                const Picture part = read_picture(scene("s.png"));
+                const Picture part = drawn("s", dots + (" --sheet " + sheet), ending);
                 REQUIRE(part.light.width == 96);
                 REQUIRE(part.light.height == 64);
                 float farthest = 0;
@@ -265,8 +275,8 @@ TEST_CASE("within a margin no dot reaches over the edge, in any format, and shee
 
     std::size_t on_sheets = 0;
     for (const std::string sheet : {"1,1/2x2", "2,1/2x2", "1,2/2x2", "2,2/2x2"}) {
-        REQUIRE(run_dapple(from + " -o " + scene("s.svg") + " --sheet " + sheet).status == 0);
-        on_sheets += read_svg(scene("s.svg")).circles().size();
+        REQUIRE(run_dapple(from + " -o " + scene("s.dxf") + " --sheet " + sheet).status == 0);
+        on_sheets += read_json(scene("m.json"))["dots"].get<std::size_t>();
     }
     CHECK(on_sheets == 4000);
     REQUIRE(run_dapple(from + " -o " + scene("r.svg") + " --region 0,0,75x55").status == 0);
@@ -302,8 +312,10 @@ TEST_CASE("on a paper with margins exactly so many dots lie, all of each within 
         CHECK(read_json(scene("p.json"))["preflight"]["outside_the_margins"] == 0);
         std::size_t on_sheets = 0;
         for (const std::string sheet : {"1,1/2x1", "2,1/2x1"}) {
-            REQUIRE(run_dapple(from + how + " -o " + scene("s.svg") + " --sheet " + sheet).status == 0);
-            on_sheets += read_svg(scene("s.svg")).circles().size();
+            REQUIRE(run_dapple(from + how + " -o " + scene("s.dxf") + " --stats " + scene("s.json") +
+                               " --sheet " + sheet)
+                        .status == 0);
+            on_sheets += read_json(scene("s.json"))["dots"].get<std::size_t>();
         }
         CHECK(on_sheets == 900);
     }

@@ -158,7 +158,7 @@ TEST_CASE("window and command save the same sheets of a mural, and the same plan
     tiles.show_tiles = true;
     for (const auto& [wanted, name] :
          {std::pair(tiles, "m.svg"), std::pair(drawing, "m.png"), std::pair(drawing, "m.csv"),
-          std::pair(lines, "m.pdf"), std::pair(lines, "m.gcode")}) {
+          std::pair(drawing, "d.pdf"), std::pair(lines, "m.pdf"), std::pair(lines, "m.gcode")}) {
         const std::filesystem::path by_window = folder / name, by_command = folder / "command" / name;
         std::filesystem::create_directory(folder / "command");
         window.save(wanted, by_window);

@@ -54,6 +54,9 @@ TEST_CASE("the time of G-code is that of its feed, its rests and the machine's a
     CHECK(time().total_s() == doctest::Approx(moves_s + 3 * 2 * 2));
     saving.tool = GcodeTool::pen;  // up and down by 2 mm
     CHECK(time().total_s() == doctest::Approx(moves_s + 3 * (2 + 2 * lift_s)));
+    saving.pen_up = 7;
+    saving.pen_down = -1;
+    CHECK(time().lifting_s == doctest::Approx(3 * 2 * 2 * std::sqrt(8 / 1000.0)));
     saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\ndot G4 P{dwell}\ndot G4 P{dwell}\n";
     CHECK(time().dots_s == 3 * 3 * 2);
     // What is no G-code goes as the machine's own program has it.
@@ -105,7 +108,7 @@ TEST_CASE("a few dots are saved for plotters in an order of short moves, unless 
     TemporaryFolder folder;
     const auto saved = [&](std::optional<DotOrder> order) {
         CHECK(save_drawing(folder / "a.svg", {},
-                           {.dots = stream_of(dots, 100), .page = kPage, .order = order}));
+                           {.dots = stream_of(dots, 100), .page = kPage, .saving = {.order = order}}));
         return text_of(folder / "a.svg");
     };
     CHECK(saved({}) == saved(DotOrder::space));

@@ -383,8 +383,8 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
     DrawingToSave all{.dots = stream_of(drawing.stippling.dots, 1000),
                       .page = drawing.layout.page,
                       .dot_radius_mm = 0.1,
-                      .dpi = 300};
-    const DotPieces some = dots_on_patches(drawing, all.dpi);
+                      .saving = {.dpi = 300}};
+    const DotPieces some = dots_on_patches(drawing, all.saving.dpi);
     CHECK(some.size() < dots.size() / 2);
     CHECK(some.size() > 0);
     DrawingToSave near = all;

@@ -52,6 +52,18 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
         "G-code: how fast the machine gains speed, for the plotting time that is told. Grbl comes with 10, "
         "and machines are mostly set to 500 to 3000 ($120)")
         ->group("G-code");
+    const NumberRange height{.least = -kMostHeight, .most = kMostHeight};
+    add_number(
+        command, "--pen-up", saving.pen_up, height, "Z|S",
+        "G-code: where the pen is off the paper, Z in millimetres or the S of a servo; without it 2 or "
+        "20")
+        ->group("G-code");
+    add_number(command, "--pen-down", saving.pen_down, height, "Z|S",
+               "G-code: where the pen is on the paper; without it 0 or 90")
+        ->group("G-code");
+    add_number(command, "--laser-power", saving.laser_power, {.least = 0, .most = kMostLaserPower}, "S",
+               "G-code: the S of a laser's M3; Grbl comes with 1000 for full power ($30)")
+        ->group("G-code");
 }
 
 const char* gcode_help() {
@@ -59,9 +71,9 @@ const char* gcode_help() {
            "once "
            "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand "
            "for the "
-           "dot's place in mm from the lower left corner, {radius} for its radius, {feed} and {dwell} for "
-           "the two "
-           "options. For lines to draw, lines that begin with down, line and up say what begins one, leads "
+           "dot's place in mm from the lower left corner, {radius} for its radius, {feed}, {dwell}, {up}, "
+           "{down} and {power} for the options. For lines to draw, lines that begin with down, line and up "
+           "say what begins one, leads "
            "to each "
            "next point, and ends it. A pen that a servo turns:\n"
            "  start G21\n"

@@ -50,6 +50,10 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
     }
     if (options.request.placer == PlacerKind::figure8)
         refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
+    if (options.request.radiance == SampleRadiance::point &&
+        options.request.position != SamplePosition::random)
+        throw CLI::ValidationError("--radiance",
+                                   "point is for samples drawn at random; give --position random too");
     if (options.output.empty()) {
         refuse(command, {"--convention", "--ranking"}, "is for a file; name one with --output");
         return;
@@ -137,8 +141,9 @@ LightsCommand::LightsCommand(CLI::App& program) {
         "pbrt for .pbrt, mitsuba for .xml, else openexr");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Turn the map about the up axis, by the right-hand rule");
-    add_choice(*command, "--radiance", request.radiance, {SampleRadiance::mean, SampleRadiance::point},
-               "A sample's radiance: mean over its region, or the map's at its point");
+    add_choice(
+        *command, "--radiance", request.radiance, {SampleRadiance::mean, SampleRadiance::point},
+        "A sample's radiance: mean over its region; or point, the map's where it is, with --position random");
     add_choice(*command, "--position", request.position,
                {SamplePosition::centroid, SamplePosition::dot, SamplePosition::random},
                "Where in its region a sample is: centroid, the least error; dot, where the placer put it; "

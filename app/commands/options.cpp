@@ -257,8 +257,11 @@ void add_style_options(CLI::App& app, DrawingSettings& settings) {
         "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z",
         read_mark)
         ->default_str(text_of(settings.mark));
-    add_length(app, "--pen-width", settings.pen_width_mm, {.least = kFinestPenMm, .most = kWidestPenMm},
-               "How wide the pen draws that makes lines, and dots of another shape than circle");
+    add_length(
+        app, "--pen-width", settings.pen_width_mm, {.least = kFinestPenMm, .most = kWidestPenMm},
+        "How wide the pen's line is, of lines and of dots of another shape than circle. With a plotter's "
+        "file "
+        "and no --dot-shape each dot is a touch of that pen, or a spiral that fills it to --dot-radius");
 }
 
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {

@@ -16,7 +16,6 @@
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_size.h"
-#include "app/files/gcode_choice.h"
 #include "app/files/pdf_file.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
@@ -227,17 +226,14 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    const DotStream dots = pipeline.stream(plan, placed_on(page, settings, format).part);
+    const double radius = plan.radius(pipeline.find_scale(plan)), unit_mm = page.part.size.mm_per_page_unit;
+    const DotStream dots = pipeline.stream(plan, reached(page, settings, format, radius));
     check_not_empty(plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
-    const double radius = plan.radius(dots.scale), unit_mm = page.part.size.mm_per_page_unit;
     const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count, settings.style));
     const bool shows_order = has_order(format, settings.style);
     const auto held = held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages);
-    DotStream drawn = held ? stream_of(held->by_pen, dots.scale) : dots;
-    // Pixels show the part of a dot that reaches over from the next sheet.
-    if (has_pixels(format) && !draws_lines(settings, format) && page.part.part != PagePart{})
-        drawn = pipeline.stream(plan, widened(page.part.part, radius));
+    const DotStream drawn = held ? stream_of(held->by_pen, dots.scale) : dots;
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
     move_to(page.part.part, tiles);
@@ -252,13 +248,11 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                        .cut_marks = marks,
                        .picture = picture_on(page.part, plan.pixels),
                        .tile_size = pipeline.tile().tile().size(),
-                       .dpi = options.saving.dpi,
-                       .bits = options.saving.bits,
-                       .order = DotOrder::recursion,
+                       .saving = options.saving,
                        .format = format,
                        .settings = embedded_settings(options.output, settings, options.saving),
                        .part_corner_mm = part_corner_mm(page, options, format)};
-    if (format == DrawingFormat::gcode) file.gcode = gcode_style_of(options.saving);
+    file.saving.order = DotOrder::recursion;
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes =
         measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);

@@ -53,10 +53,14 @@ void take_part(const CLI::App& command, RenderOptions& options) {
 
 void take_usual_shape(const CLI::App& command, RenderOptions& options) {
     DrawingSettings& drawing = options.drawing;
-    const bool chosen = command.count("--pens") > 0 && have_widths(drawing.pens);
-    const bool sized = drawing.dot_size.sizing != DotSizing::automatic || command.count("--dot-shape") > 0;
-    if (chosen && !sized && !draws_strokes(drawing) && is_plotted(format_of(options)))
-        drawing.mark.shape = DotShape::point;
+    if (draws_strokes(drawing) || command.count("--dot-shape") > 0 || !is_plotted(format_of(options))) return;
+    const bool pen = command.count("--pen-width") > 0;
+    const bool pens = command.count("--pens") > 0 && have_widths(drawing.pens);
+    if (drawing.dot_size.sizing == DotSizing::automatic) {
+        if (pen || pens) drawing.mark.shape = DotShape::point;
+    } else if (pen) {
+        drawing.mark.shape = DotShape::spiral;
+    }
 }
 
 void check_that_fit(const CLI::App& command, const RenderOptions& options) {
@@ -97,12 +101,20 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
         refuse(command, {"--dot-radius"},
                "a point is as large as the pen makes it; leave it out, or give another --dot-shape");
-    const bool pen_draws = draws_strokes(drawing) || dots_as(drawing, format) == DotsAs::touches;
+    const DotSize& size = drawing.dot_size;
+    const double finest = size.sizing == DotSizing::by_tone ? size.smallest_mm : size.radius_mm;
+    if (command.count("--pen-width") > 0 && drawing.mark.shape == DotShape::spiral &&
+        finest < drawing.pen_width_mm / 2 - kSmallestRadiusMm)
+        refuse(command, {"--dot-radius"},
+               fmt::format("no dot finer than {:g} mm comes of a pen {:g} mm wide; give that or more",
+                           drawing.pen_width_mm / 2, drawing.pen_width_mm));
+    const bool pen_draws =
+        draws_strokes(drawing) || dots_as(drawing, options.saving, format) == DotsAs::touches;
     if (!pen_draws)
-        refuse(
-            command, {"--pen-width"},
-            "is of the pen that draws --style line or nearest, or another --dot-shape than circle; give one "
-            "of those too");
+        refuse(command, {"--pen-width"},
+               "is of the pen of a plotter, or one that draws --style line or nearest, or another "
+               "--dot-shape than circle; give one "
+               "of those too");
     if (!is_plotted(format))
         refuse(command, {"--machine"},
                "is for what is plotted; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
@@ -116,7 +128,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (options.drawing.pens.set != PenSet::one)
         refuse(command, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them out");
     if (format != DrawingFormat::gcode)
-        refuse(command, {"--gcode", "--feed", "--dwell", "--acceleration"},
+        refuse(command,
+               {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
                "applies to G-code only; " + let_it_end_in(".gcode or .nc"));
     const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
     if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {

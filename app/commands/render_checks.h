@@ -11,9 +11,9 @@ namespace dapple {
 /// were asked for.
 void take_part(const CLI::App& command, RenderOptions& options);
 
-/// A pen whose width is known touches the paper once for each dot, rather than that a plotter follows a
-/// circle around which the pen's line is as wide again. What is printed or has pixels looks the same either
-/// way.
+/// A pen whose width was given touches the paper once for each dot, or fills one of a given radius by a
+/// spiral, rather than that a plotter follows a circle around which the pen's line is as wide again. What is
+/// printed or has pixels looks the same either way.
 void take_usual_shape(const CLI::App& command, RenderOptions& options);
 
 /// Throws CLI::ValidationError, "--option why", for options that contradict each other or that would have no

@@ -12,8 +12,8 @@ namespace {
 
 std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double scale,
                                                const DrawingSettings& settings) {
-    const bool round = !draws_strokes(settings) || draws_touches(settings);
-    if (plan.size.sizing != DotSizing::fixed || !round) return std::nullopt;
+    const bool discs = settings.style == DrawingStyle::dots && is_disc(settings.mark.shape);
+    if (plan.size.sizing != DotSizing::fixed || !discs) return std::nullopt;
     return DrawingFacts::Tone{plan.dots_for_tone(),
                               plan.radius_for_its_tone(scale) * plan.page.mm_per_page_unit};
 }
@@ -100,14 +100,17 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
         const InkedDot& ink = facts.ink;
         const Dots inked = inked_dots(stream_of(*saved.by_pen), ink, part.size);
         const Excerpt& excerpt = placed_on(saved.page, settings, saved.format);
+        const PageLayout& layout = saved.page.layout;
+        const Rectangle<double> paper{{0, 0}, {layout.page.width_mm, layout.page.height_mm}};
         facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm, 0),
-                                   margins_on(excerpt, saved.page.layout));
+                                   seen_from(excerpt, layout, layout.within_margins), glm::dvec2(0),
+                                   seen_from(excerpt, layout, paper));
         rendered.preflight = facts.measured;
     }
     rendered.machine = facts.machine.value_or(rendered.machine);
     if (facts.machine) add_plotting(rendered, facts, saved, options);
     if (saved.by_pen && !plan.pens.empty()) add_pens(rendered, facts, saved, options);
-    facts.for_tone = tone_reached(plan, saved.dots.scale, settings);
+    if (const auto tone = tone_reached(plan, saved.dots.scale, settings)) facts.for_tone = tone;
     rendered.findings = findings_of(facts);
     return rendered;
 }

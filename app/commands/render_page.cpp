@@ -76,10 +76,19 @@ const Excerpt& placed_on(const DrawnPage& page, const DrawingSettings& settings,
     return draws_lines(settings, format) ? page.whole : page.part;
 }
 
-Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout) {
+PagePart reached(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format,
+                 double radius) {
+    const PagePart& part = placed_on(page, settings, format).part;
+    return has_colours(format) && page.part.part != PagePart{} && !draws_lines(settings, format)
+               ? widened(part, radius)
+               : part;
+}
+
+Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,
+                            const Rectangle<double>& on_page) {
     const glm::dvec2 offset(excerpt.part.across.offset, excerpt.part.down.offset);
     const glm::dvec2 corner = layout.picture.low + offset * layout.page.mm_per_page_unit;
-    return {layout.within_margins.low - corner, layout.within_margins.high - corner};
+    return {on_page.low - corner, on_page.high - corner};
 }
 
 }  // namespace dapple

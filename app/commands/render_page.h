@@ -32,7 +32,12 @@ bool draws_lines(const DrawingSettings& settings, DrawingFormat format);
 /// at the part's edges.
 const Excerpt& placed_on(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format);
 
-/// What the margins leave, seen from the excerpt's corner, in millimetres.
-Rectangle<double> margins_on(const Excerpt& excerpt, const PageLayout& layout);
+/// The part for which dots are placed: that, and in what is seen rather than plotted what lies so near that
+/// its dots, of that radius in page units, reach over its edges.
+PagePart reached(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format, double radius);
+
+/// A rectangle on the page, in millimetres, seen from the excerpt's corner.
+Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,
+                            const Rectangle<double>& on_page);
 
 }  // namespace dapple

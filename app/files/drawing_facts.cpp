@@ -6,18 +6,18 @@
 
 namespace dapple {
 
-DotsAs dots_as(const DrawingSettings& settings, DrawingFormat format) {
+DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format) {
     if (is_table(format)) return DotsAs::listed;
     if (!is_plotted(format)) return DotsAs::printed;
     if (settings.style != DrawingStyle::dots) return DotsAs::lines;
-    if (settings.mark.shape == DotShape::point) return DotsAs::touches;
-    if (settings.mark.shape != DotShape::circle) return DotsAs::shapes;
-    const bool touched = format == DrawingFormat::gcode || format == DrawingFormat::hpgl;
-    return touched ? DotsAs::touches : DotsAs::rings;
+    const DotShape shape = mark_in(settings, saving, format).shape;
+    if (shape == DotShape::point) return DotsAs::touches;
+    if (shape != DotShape::circle) return DotsAs::shapes;
+    return is_touched(format) ? DotsAs::touches : DotsAs::rings;
 }
 
 InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing) {
-    InkedDot ink{.as = dots_as(settings, format),
+    InkedDot ink{.as = dots_as(settings, drawing.saving, format),
                  .radius_mm = drawing.dot_radius_mm,
                  .stroke_width_mm = settings.pen_width_mm,
                  .widths_mm = stroke_widths(settings.pens, settings.pen_width_mm, drawing.pens)};
@@ -41,9 +41,15 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
                        .is_svg = format == DrawingFormat::svg,
                        .has_margins = settings.page.margins != Margins{},
                        .page = drawing.page};
-    if (has_pixels(format)) facts.dpi = drawing.dpi;
+    if (has_pixels(format)) facts.dpi = drawing.saving.dpi;
     if (format == DrawingFormat::hpgl) facts.reach_mm = kHpglReachMm;
     if (is_plotted(format)) facts.machine = saving.machine.value_or(usual_machine(format, saving.tool));
+    // Dots of a size for the picture's tone, touched by a pen of another.
+    const bool automatic = settings.dot_size.sizing == DotSizing::automatic && !draws_strokes(settings);
+    if (automatic && facts.ink.as == DotsAs::touches && facts.ink.widths_mm.empty()) {
+        const double times = 2 * drawing.dot_radius_mm / facts.ink.stroke_width_mm;
+        facts.for_tone = {static_cast<double>(facts.dots) * times * times, drawing.dot_radius_mm};
+    }
     if (facts.is_svg && !drawing.tiles.empty())
         facts.tile_layer = static_cast<int>(std::max<std::size_t>(drawing.pens.size(), 1)) + 1;
     return facts;

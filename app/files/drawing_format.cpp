@@ -37,8 +37,11 @@ bool has_pixels(DrawingFormat format) {
 }
 
 bool is_plotted(DrawingFormat format) {
-    return format == DrawingFormat::svg || format == DrawingFormat::gcode || format == DrawingFormat::hpgl ||
-           format == DrawingFormat::dxf;
+    return format == DrawingFormat::svg || format == DrawingFormat::dxf || is_touched(format);
+}
+
+bool is_touched(DrawingFormat format) {
+    return format == DrawingFormat::gcode || format == DrawingFormat::hpgl;
 }
 
 bool is_table(DrawingFormat format) {

@@ -44,6 +44,8 @@ DrawingFormat drawing_format(const std::filesystem::path& path);
 bool has_pixels(DrawingFormat format);
 /// SVG, G-code, HPGL, DXF: machines go from dot to dot in the file's order.
 bool is_plotted(DrawingFormat format);
+/// G-code, HPGL: machines touch the paper once for each dot.
+bool is_touched(DrawingFormat format);
 /// CSV, JSON: it says when each dot appears, which the dots have to know.
 bool is_table(DrawingFormat format);
 /// SVG, PDF: paper is painted under the dots if someone asks for it. Pixels always have it.

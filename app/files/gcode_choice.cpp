@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -29,23 +30,27 @@ OwnTemplate read_gcode_template(const std::filesystem::path& file) {
 GcodeStyle gcode_style_of(const SavingChoice& saving) {
     const std::string_view text =
         saving.gcode_template.text.empty() ? gcode_template_of(saving.tool) : saving.gcode_template.text;
+    const GcodeHeights usual = usual_heights(saving.tool);
     return {.lines = parse_gcode_template(text),
             .feed_mm_per_min = saving.feed_mm_per_min,
-            .dwell_s = saving.dwell_s};
+            .dwell_s = saving.dwell_s,
+            .heights = {saving.pen_up.value_or(usual.up), saving.pen_down.value_or(usual.down)},
+            .laser_power = saving.laser_power};
 }
 
 MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving) {
     MachineSpeeds speeds = speeds_of(machine);
     if (format != DrawingFormat::gcode) return speeds;
-    const GcodeTemplate lines = gcode_style_of(saving).lines;
+    const GcodeStyle style = gcode_style_of(saving);
     speeds.top_speed = speeds.drawing_speed = saving.feed_mm_per_min / 60;
     speeds.acceleration = speeds.drawing_acceleration = saving.acceleration_mm_per_s2;
-    const auto rests = std::ranges::count(lines.each_dot, GcodePiece::Kind::dwell, &GcodePiece::kind);
+    const auto rests = std::ranges::count(style.lines.each_dot, GcodePiece::Kind::dwell, &GcodePiece::kind);
     speeds.dot_s = static_cast<double>(rests) * saving.dwell_s;
     if (!saving.gcode_template.text.empty()) return speeds;
     switch (saving.tool) {
         case GcodeTool::pen:
-            speeds.lower_s = speeds.raise_s = move_time(kGcodeLiftMm, speeds);
+            speeds.lower_s = speeds.raise_s =
+                move_time(std::abs(style.heights.up - style.heights.down), speeds);
             break;
         case GcodeTool::servo:  // it rests for each of them
             speeds.lower_s = speeds.raise_s = saving.dwell_s;

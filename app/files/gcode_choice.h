@@ -15,6 +15,8 @@ inline constexpr double kSlowestFeed = 0.01, kFastestFeed = 1e6;
 inline constexpr double kLongestDwellS = 60;
 /// Millimetres a second each second.
 inline constexpr double kLeastAcceleration = 1, kMostAcceleration = 1e5;
+/// Of a pen's height in millimetres or a servo's S, above and below 0; and of a laser's S.
+inline constexpr double kMostHeight = 10'000, kMostLaserPower = 1e6;
 
 /// Reads a template. Throws std::runtime_error naming the file, and the line that is wrong.
 OwnTemplate read_gcode_template(const std::filesystem::path& file);
@@ -23,9 +25,9 @@ OwnTemplate read_gcode_template(const std::filesystem::path& file);
 GcodeStyle gcode_style_of(const SavingChoice& saving);
 
 /// How a machine moves that draws such a file. One that reads G-code goes at the feed and rests as long as
-/// that says: at each dot, or after the servo's turns; our template for a Z axis lifts the pen by 2 mm. What
-/// a template of one's own does between dots is taken as `machine` has it. Others move as their programs do.
-/// Throws what parse_gcode_template() throws.
+/// that says: at each dot, or after the servo's turns; a Z axis goes from one of the pen's heights to the
+/// other. What a template of one's own does between dots is taken as `machine` has it. Others move as their
+/// programs do. Throws what parse_gcode_template() throws.
 MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving);
 
 }  // namespace dapple

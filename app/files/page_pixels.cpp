@@ -32,9 +32,9 @@ Grid<glm::u8vec3> pixels_of(const DrawingSettings& settings, const Ink& ink, std
 
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing) {
     if (const auto strokes = strokes_of(settings, drawing, DrawingFormat::png))
-        return page_pixels(settings, *strokes, drawing.pens, drawing.page, drawing.dpi);
+        return page_pixels(settings, *strokes, drawing.pens, drawing.page, drawing.saving.dpi);
     return pixels_of(settings, drawing.dots, drawing.pens, drawing.page,
-                     {.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi});
+                     {.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.saving.dpi});
 }
 
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,

@@ -1,11 +1,15 @@
 #include "app/files/save_drawing.h"
 
+#include <fmt/ranges.h>
+
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 
 #include "app/files/atomic_file.h"
+#include "app/files/gcode_choice.h"
+#include "app/files/machine_comments.h"
 #include "app/files/pdf_file.h"
 #include "app/files/png_file.h"
 #include "app/files/tiff_file.h"
@@ -32,12 +36,13 @@ struct Stopped {};
 void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
                   const std::optional<StrokeStream>& strokes, const WritingProgress& progress,
                   const auto& write_image, const auto& colours) {
-    const RasterSize size = raster_size(drawing.page, drawing.dpi);
-    const RasterRequest request{
-        .dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.dpi, .threads = settings.placing.threads};
+    const RasterSize size = raster_size(drawing.page, drawing.saving.dpi);
+    const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm,
+                                .dpi = drawing.saving.dpi,
+                                .threads = settings.placing.threads};
     const bool grey = drawing.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
-    const PngHeader header{size.width, size.height, drawing.dpi, grey ? PngColours::grey : PngColours::rgb,
-                           drawing.settings};
+    const PngHeader header{size.width, size.height, drawing.saving.dpi,
+                           grey ? PngColours::grey : PngColours::rgb, drawing.settings};
     write_image(header, [&](const auto& pixels) {
         if (!drawing.pens.empty()) {
             std::vector<glm::vec3> inks;
@@ -73,13 +78,23 @@ bool has_order(DrawingFormat format, DrawingStyle style) {
     return !has_pixels(format) || style == DrawingStyle::line;
 }
 
+DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format) {
+    const bool circles = settings.mark.shape == DotShape::circle;
+    if (!circles || !is_touched(format) || settings.dot_size.sizing != DotSizing::by_tone)
+        return settings.mark;
+    const bool by_radius =
+        format == DrawingFormat::gcode && saving.gcode_template.text.find("{radius}") != std::string::npos;
+    return by_radius ? settings.mark : DotMark{DotShape::spiral};
+}
+
 std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
                                        DrawingFormat format) {
-    if (is_table(format) || !draws_strokes(settings)) return std::nullopt;
+    const DotMark mark = mark_in(settings, drawing.saving, format);
+    const bool dots = settings.style == DrawingStyle::dots;
+    if (is_table(format) || (dots && mark.shape == DotShape::circle)) return std::nullopt;
     const double width = settings.pen_width_mm;
     const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens);
-    if (settings.style == DrawingStyle::dots)
-        return marks_of(drawing.dots, drawing.page, settings.mark, drawing.dot_radius_mm, width, widths);
+    if (dots) return marks_of(drawing.dots, drawing.page, mark, drawing.dot_radius_mm, width, widths);
     auto lines = std::make_shared<Strokes>();
     for (const Dots& own : sorted_by_pen(drawing.dots, DotOrder::recursion).pieces)
         append(*lines, settings.style == DrawingStyle::line ? line_through(own, drawing.page)
@@ -179,22 +194,28 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
             return with_ink([&](const auto& ink) { write_pdf(out, ink, page, style, progress); });
         }
         case DrawingFormat::png:
-            if (drawing.bits == 16)
+            if (drawing.saving.bits == 16)
                 return pixels([&](const auto&... image) { write_png_16(out, image...); }, in_16_bits);
             return pixels([&](const auto&... image) { write_png(out, image...); }, in_8_bits);
         case DrawingFormat::tiff:
-            if (drawing.bits == 16)
+            if (drawing.saving.bits == 16)
                 return pixels([&](const auto&... image) { write_tiff_16(out, image...); }, in_16_bits);
             return pixels([&](const auto&... image) { write_tiff(out, image...); }, in_8_bits);
         case DrawingFormat::gcode: {
-            GcodeStyle style = drawing.gcode;
+            GcodeStyle style = gcode_style_of(drawing.saving);
+            const std::vector<std::string> comments = machine_comments(drawing, strokes, format);
+            // Other machines' comments begin otherwise.
+            if (drawing.saving.gcode_template.text.empty()) style.comments = comments;
             style.dot_radius_mm = radius;
             style.pens = drawing.pens;
             style.registration = marks;
             return with_ink([&](const auto& ink) { write_gcode(out, ink, page, style, progress); });
         }
         case DrawingFormat::hpgl:
-            return with_ink([&](const auto& ink) { write_hpgl(out, ink, page, progress, marks); });
+            return with_ink([&](const auto& ink) {
+                write_hpgl(out, ink, page, progress, marks,
+                           fmt::format("{}", fmt::join(machine_comments(drawing, strokes, format), ", ")));
+            });
         case DrawingFormat::dxf:
             if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);
             return write_dxf(out, drawing.dots, page, radius, drawing.pens, progress, marks);
@@ -209,7 +230,8 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
                   const DrawingToSave& drawing, const SavingWatch& watch) {
     const bool to_standard_output = path == kStandardStream;
     const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
-    const DotOrder order = drawing.order.value_or(usual_order(format, drawing.dots.count, settings.style));
+    const DotOrder order =
+        drawing.saving.order.value_or(usual_order(format, drawing.dots.count, settings.style));
     DotPieces sorted;
     DrawingToSave ordered = drawing;
     // Of the bar, half is the pen's way.

@@ -13,13 +13,13 @@
 #include "app/drawing_settings.h"
 #include "app/files/drawing_format.h"
 #include "core/image/rectangle.h"
-#include "core/output/gcode.h"
 #include "core/output/progress.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/stipple.h"
 #include "core/routing/short_way.h"
+#include "core/strokes/dot_shape.h"
 
 namespace dapple {
 
@@ -56,16 +56,17 @@ struct DrawingToSave {
     std::span<const CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
-    double dpi = 300;                               // of pixels
-    int bits = 8;                                   // a channel of them: 8 or 16
-    std::optional<DotOrder> order = {};  // none: the usual one; `recursion` writes the dots as they come
-    GcodeStyle gcode = {};               // its radius is the one above
-    std::optional<DrawingFormat> format = {};  // none: what the name's ending says
-    std::string settings = {};                 // see embedded_settings(); empty: none go into the file
+    SavingChoice saving = {};                       // its order `recursion` writes the dots as they come
+    std::optional<DrawingFormat> format = {};       // none: what the name's ending says
+    std::string settings = {};                      // see embedded_settings(); empty: none go into the file
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
 };
+
+/// Each dot's shape in such a file. Where a machine would only touch the paper, a spiral fills dots of
+/// several sizes, unless a template of one's own asks for their {radius}.
+DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format);
 
 /// What a pen draws of the dots in the order given; none where they are filled circles, and of tables, which
 /// have dots alone. Lines from dot to dot are held in memory; the dots have to outlive the stream.

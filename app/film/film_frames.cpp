@@ -27,8 +27,7 @@ struct Stage {
         return {.dots = dots,
                 .page = page.size,
                 .dot_radius_mm = radius * page.size.mm_per_page_unit,
-                .dpi = dpi,
-                .order = DotOrder::recursion};
+                .saving = {.order = DotOrder::recursion, .dpi = dpi}};
     }
 };
 

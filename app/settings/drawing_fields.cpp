@@ -122,8 +122,8 @@ static void describe(Fields& fields, OwnTemplate& own) {
 }
 
 void describe(Fields& fields, SavingChoice& saving) {
-    auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s,
-           acceleration_mm_per_s2] = saving;
+    auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s, acceleration_mm_per_s2,
+           pen_up, pen_down, laser_power] = saving;
     fields.choice("order", order,
                   {DotOrder::recursion, DotOrder::priority, DotOrder::space, DotOrder::shortest});
     fields.number("dpi", dpi, {1, 100'000});
@@ -134,6 +134,9 @@ void describe(Fields& fields, SavingChoice& saving) {
     fields.number("feed_mm_per_min", feed_mm_per_min, {kSlowestFeed, kFastestFeed});
     fields.number("dwell_s", dwell_s, {0, kLongestDwellS});
     fields.number("acceleration_mm_per_s2", acceleration_mm_per_s2, {kLeastAcceleration, kMostAcceleration});
+    fields.number("gcode_pen_up", pen_up, {-kMostHeight, kMostHeight});
+    fields.number("gcode_pen_down", pen_down, {-kMostHeight, kMostHeight});
+    fields.number("laser_power", laser_power, {0, kMostLaserPower});
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

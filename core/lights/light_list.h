@@ -21,15 +21,16 @@ struct LightListStyle {
 /// The unit vector towards a sample's light.
 glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style);
 
-/// {"convention": ..., "rotation_degrees": ..., "source": ..., "count": n, "total_flux": [r, g, b],
+/// {"convention": ..., "rotation_degrees": ..., "source": ..., "position": ..., "radiance": ..., "seed": ...,
+///  "count": n, "total_flux": [r, g, b],
 ///  "samples": [{"direction": [x, y, z], "u": ..., "v": ..., "radiance": [r, g, b], "pdf": ...,
 ///               "weight": [r, g, b]}, ...]}
 /// Bytes of the source that are not ASCII become '?', since JSON must be UTF-8 and file names need not.
 void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
-/// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# count: n" and
-/// "# total_flux: r g b", then x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b and
-/// a line a sample.
+/// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# position: centroid",
+/// "# radiance: mean", "# seed: 0", "# count: n" and "# total_flux: r g b", then
+/// x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b and a line a sample.
 void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
 /// Distant lights for a pbrt-v4 scene, to be included after WorldBegin. pbrt's "L" is the irradiance, and the

@@ -110,8 +110,13 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
 
 LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
                            const LightWatch& watch) {
-    LightSamples result;
-    result.total_flux = map.total_flux();
+    if (request.radiance == SampleRadiance::point && request.position != SamplePosition::random)
+        throw std::runtime_error(
+            "the radiance at a sample's point needs a random position: other points have no density");
+    LightSamples result{.position = request.position,
+                        .radiance = request.radiance,
+                        .seed = request.seed,
+                        .total_flux = map.total_flux()};
     const Stopwatch placing;
     const std::vector<glm::dvec2> dots = light_dots(map, tile, request, watch.stop);
     if (!watch.goes_on(kPlacingShare)) return result;
@@ -133,9 +138,13 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
             sample.uv = uv_of(region.moment, SphereConvention::openexr);
         if (request.position == SamplePosition::random && region.luminance > 0) sample.uv = region.drawn;
         sample.weight = region.flux;
-        sample.radiance =
-            request.radiance == SampleRadiance::point ? map.at(sample.uv) : region.flux / region.solid_angle;
-        sample.pdf = 1 / (static_cast<double>(dots.size()) * region.solid_angle);
+        sample.radiance = region.flux / region.solid_angle;
+        double density = 1 / region.solid_angle;
+        if (request.radiance == SampleRadiance::point && region.luminance > 0) {
+            sample.radiance = map.at(sample.uv);
+            density = luminance(sample.radiance) / region.luminance;
+        }
+        sample.pdf = density / static_cast<double>(dots.size());
     }
     result.share_ms = sharing.ms();
     return result;

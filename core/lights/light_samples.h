@@ -32,10 +32,11 @@ enum class SamplePosition {
 /// "centroid", "dot", "random".
 std::string_view name_of(SamplePosition position);
 
-/// What a sample's radiance says. Its weight is the same either way.
+/// What a sample's radiance and pdf say. Its weight is the same either way, and the sum of f * radiance / (n
+/// pdf) estimates the integral of f times the map's light.
 enum class SampleRadiance {
-    mean,   // over its region: weight = radiance / (n pdf) holds exactly
-    point,  // the map's at (u, v), bilinear
+    mean,   // over its region, whose solid angle is 1 / (n pdf): weight = radiance / (n pdf) holds exactly
+    point,  // the map's at (u, v), and the density with which it was drawn: of random positions only
 };
 /// "mean", "point".
 std::string_view name_of(SampleRadiance radiance);
@@ -59,19 +60,22 @@ struct LightSample {
     glm::dvec2 uv{};        // on the map; core/lights/direction.h says which way that is
     glm::dvec3 weight{};    // flux of its region: irradiance on a surface that faces it, linear RGB
     glm::dvec3 radiance{};  // linear RGB
-    double pdf = 0;         // samples per steradian there, over n: 1 / (n * solid angle of its region)
+    double pdf = 0;         // samples per steradian there, over n
 };
 
 struct LightSamples {
-    std::vector<LightSample> samples;  // in the placer's order
-    glm::dvec3 total_flux{};           // the map's
-    double place_ms = 0;               // wall time of placing the dots
-    double share_ms = 0;               // and of sharing out the light
+    std::vector<LightSample> samples = {};  // in the placer's order
+    SamplePosition position{};              // as asked for, like the next two
+    SampleRadiance radiance{};
+    std::uint64_t seed = 0;
+    glm::dvec3 total_flux{};  // the map's
+    double place_ms = 0;      // wall time of placing the dots
+    double share_ms = 0;      // and of sharing out the light
 };
 
-/// Throws std::runtime_error if the count is out of range, if the tile cannot be used by the placer asked
-/// for, or if Figure 8 does not find so many places, as on a map whose light it loses. If stopped there are
-/// no samples.
+/// Throws std::runtime_error if the count is out of range, if point radiance is asked for at places that are
+/// not random, if the tile cannot be used by the placer asked for, or if Figure 8 does not find so many
+/// places, as on a map whose light it loses. If stopped there are no samples.
 LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
                            const LightWatch& watch = {});
 

@@ -100,7 +100,7 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
 }
 
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
-    if (!facts.whole_page || facts.ink.as == DotsAs::listed) return;
+    if (facts.ink.as == DotsAs::listed) return;
     const Preflight& measured = *facts.measured;
     const double reach = std::ceil(facts.ink.reach_mm(facts.ink.radius_mm, 0) * 10) / 10;
     if (measured.over_edge > 0)

@@ -21,7 +21,7 @@ struct DrawingFacts {
     std::optional<Preflight> measured = {};  // none: there are too many dots to look at each
     bool is_svg = false;                     // which programs read path by path, and join near ones
     int tile_layer = 0;                      // the layer with the tiles' outlines, from 1; 0: there is none
-    bool whole_page = true;                  // rather than a sheet or a region: its edges are the paper's
+    bool whole_page = true;                  // rather than a sheet or a region
     bool has_margins = false;
     PageSize page = {};
     double dpi = 0;                       // of pixels; 0: there are none

@@ -26,36 +26,36 @@ constexpr std::string_view kPenTemplate =
     "start G21\n"
     "start G90\n"
     "start G94\n"
-    "start G0 Z2\n"
+    "start G0 Z{up}\n"
     "move G1 X{x} Y{y} F{feed}\n"
-    "dot G1 Z0 F{feed}\n"
+    "dot G1 Z{down} F{feed}\n"
     "dot G4 P{dwell}\n"
-    "dot G0 Z2\n"
-    "down G1 Z0 F{feed}\n"
+    "dot G0 Z{up}\n"
+    "down G1 Z{down} F{feed}\n"
     "line G1 X{x} Y{y} F{feed}\n"
-    "up G0 Z2\n"
+    "up G0 Z{up}\n"
     "pen G0 X0 Y0\n"
     "pen M0 ({pen} {name})\n"
     "end G0 X0 Y0\n"
     "end M2\n";
 
-// Grbl turns a servo by the spindle's speed: S20 is up and S90 is down on many.
+// Grbl turns a servo by the spindle's speed.
 constexpr std::string_view kServoTemplate =
     "start G21\n"
     "start G90\n"
     "start G94\n"
-    "start M3 S20\n"
+    "start M3 S{up}\n"
     "start G4 P{dwell}\n"
     "start G1 F{feed}\n"
     "move G1 X{x} Y{y}\n"
-    "dot M3 S90\n"
+    "dot M3 S{down}\n"
     "dot G4 P{dwell}\n"
-    "dot M3 S20\n"
+    "dot M3 S{up}\n"
     "dot G4 P{dwell}\n"
-    "down M3 S90\n"
+    "down M3 S{down}\n"
     "down G4 P{dwell}\n"
     "line G1 X{x} Y{y}\n"
-    "up M3 S20\n"
+    "up M3 S{up}\n"
     "up G4 P{dwell}\n"
     "pen G0 X0 Y0\n"
     "pen M0 ({pen} {name})\n"
@@ -63,7 +63,7 @@ constexpr std::string_view kServoTemplate =
     "end M5\n"
     "end M2\n";
 
-// G1 and no G0 before a burst: Grbl's laser mode burns at G1 only. S250 is a quarter of Grbl's usual 1000.
+// G1 and no G0 before a burst: Grbl's laser mode burns at G1 only.
 constexpr std::string_view kLaserTemplate =
     "start G21\n"
     "start G90\n"
@@ -71,10 +71,10 @@ constexpr std::string_view kLaserTemplate =
     "start M5\n"
     "start G1 F{feed}\n"
     "move G1 X{x} Y{y}\n"
-    "dot M3 S250\n"
+    "dot M3 S{power}\n"
     "dot G4 P{dwell}\n"
     "dot M5\n"
-    "down M3 S250\n"
+    "down M3 S{power}\n"
     "line G1 X{x} Y{y}\n"
     "up M5\n"
     "pen G0 X0 Y0\n"
@@ -89,8 +89,9 @@ struct Placeholder {
 constexpr std::array kPlaceholders{
     Placeholder{"{x}", PieceKind::x},           Placeholder{"{y}", PieceKind::y},
     Placeholder{"{radius}", PieceKind::radius}, Placeholder{"{feed}", PieceKind::feed},
-    Placeholder{"{dwell}", PieceKind::dwell},   Placeholder{"{pen}", PieceKind::pen},
-    Placeholder{"{name}", PieceKind::name}};
+    Placeholder{"{dwell}", PieceKind::dwell},   Placeholder{"{up}", PieceKind::up},
+    Placeholder{"{down}", PieceKind::down},     Placeholder{"{power}", PieceKind::power},
+    Placeholder{"{pen}", PieceKind::pen},       Placeholder{"{name}", PieceKind::name}};
 
 bool is_of_a_pen(PieceKind kind) {
     return kind == PieceKind::pen || kind == PieceKind::name;
@@ -117,7 +118,7 @@ void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, cons
         if (found == kPlaceholders.end()) {
             at.fail(
                 fmt::format("\"{}\" is not known; there are {{x}}, {{y}}, {{radius}}, {{feed}}, {{dwell}}, "
-                            "{{pen}} and {{name}}",
+                            "{{up}}, {{down}}, {{power}}, {{pen}} and {{name}}",
                             name.empty() ? line : name));
         }
         pieces.push_back({found->kind});
@@ -163,36 +164,54 @@ std::string comment_of(std::string name) {
     return name;
 }
 
+double number_for(PieceKind kind, const GcodeStyle& style, const PlottedDot& dot) {
+    switch (kind) {
+        case PieceKind::x:
+            return dot.x_mm;
+        case PieceKind::y:
+            return dot.y_mm;
+        case PieceKind::radius:
+            return dot.radius_mm;
+        case PieceKind::feed:
+            return style.feed_mm_per_min;
+        case PieceKind::dwell:
+            return style.dwell_s;
+        case PieceKind::up:
+            return style.heights.up;
+        case PieceKind::down:
+            return style.heights.down;
+        case PieceKind::power:
+            return style.laser_power;
+        case PieceKind::text:
+        case PieceKind::pen:
+        case PieceKind::name:
+            break;
+    }
+    return 0;
+}
+
 void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
                         const PlottedDot& dot) {
     for (const GcodePiece& piece : pieces) {
-        switch (piece.kind) {
-            case PieceKind::text:
-                text << std::string_view(piece.text);
-                break;
-            case PieceKind::x:
-                text.fixed(dot.x_mm, kGcodeDecimals);
-                break;
-            case PieceKind::y:
-                text.fixed(dot.y_mm, kGcodeDecimals);
-                break;
-            case PieceKind::radius:
-                text.fixed(dot.radius_mm, kGcodeDecimals);
-                break;
-            case PieceKind::feed:
-                text.fixed(style.feed_mm_per_min, kGcodeDecimals);
-                break;
-            case PieceKind::dwell:
-                text.fixed(style.dwell_s, kDwellDecimals);
-                break;
-            case PieceKind::pen:
-                text << std::int64_t{dot.pen + 1};
-                break;
-            case PieceKind::name:
-                text << std::string_view(comment_of(style.pens[static_cast<std::size_t>(dot.pen)].name));
-                break;
-        }
+        if (piece.kind == PieceKind::text)
+            text << std::string_view(piece.text);
+        else if (piece.kind == PieceKind::pen)
+            text << std::int64_t{dot.pen + 1};
+        else if (piece.kind == PieceKind::name)
+            text << std::string_view(comment_of(style.pens[static_cast<std::size_t>(dot.pen)].name));
+        else
+            text.fixed(number_for(piece.kind, style, dot),
+                       piece.kind == PieceKind::dwell ? kDwellDecimals : kGcodeDecimals);
     }
+}
+
+void write_gcode_start(TextBuffer& text, const GcodeStyle& style) {
+    if (!style.pens.empty() && style.lines.pen.empty())
+        throw std::runtime_error(
+            "the template for G-code does not say how pens are changed; add a line that begins with pen, "
+            "such as pen M0");
+    for (const std::string& line : style.comments) text << "; " << line << '\n';
+    write_gcode_pieces(text, style.lines.start, style, {});
 }
 
 }  // namespace
@@ -207,6 +226,10 @@ std::string_view name_of(GcodeTool tool) {
             return "laser";
     }
     return "";
+}
+
+GcodeHeights usual_heights(GcodeTool tool) {
+    return tool == GcodeTool::servo ? GcodeHeights{20, 90} : GcodeHeights{};
 }
 
 std::string_view gcode_template_of(GcodeTool tool) {
@@ -224,30 +247,21 @@ std::string_view gcode_template_of(GcodeTool tool) {
 GcodeTemplate parse_gcode_template(std::string_view text) {
     GcodeTemplate result;
     std::vector<GcodePiece> moves, dots;
+    using Section = std::pair<std::string_view, std::vector<GcodePiece>*>;
+    const std::array sections{Section{"start", &result.start}, Section{"move", &moves},
+                              Section{"dot", &dots},           Section{"down", &result.down},
+                              Section{"line", &result.line},   Section{"up", &result.up},
+                              Section{"pen", &result.pen},     Section{"end", &result.end}};
     TextLines lines(text);
     while (!lines.at_end()) {
         const std::string_view line = without_blanks_before(lines.next_content());
         const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
         const std::string_view kind = line.substr(0, end), code = without_blanks_before(line.substr(end));
-        if (kind == "start")
-            add_gcode_line(result.start, code, lines);
-        else if (kind == "move")
-            add_gcode_line(moves, code, lines);
-        else if (kind == "dot")
-            add_gcode_line(dots, code, lines);
-        else if (kind == "down")
-            add_gcode_line(result.down, code, lines);
-        else if (kind == "line")
-            add_gcode_line(result.line, code, lines);
-        else if (kind == "up")
-            add_gcode_line(result.up, code, lines);
-        else if (kind == "pen")
-            add_gcode_line(result.pen, code, lines);
-        else if (kind == "end")
-            add_gcode_line(result.end, code, lines);
-        else
+        const auto found = std::ranges::find(sections, kind, &Section::first);
+        if (found == sections.end())
             lines.fail(fmt::format(
                 "\"{}\" is not known; lines begin with start, move, dot, down, line, up, pen or end", kind));
+        add_gcode_line(*found->second, code, lines);
     }
     result.each_dot = result.move = std::move(moves);
     for (GcodePiece& piece : dots) {
@@ -261,13 +275,6 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
 }
 
 namespace {
-
-void check_pens_in(const GcodeStyle& style) {
-    if (!style.pens.empty() && style.lines.pen.empty())
-        throw std::runtime_error(
-            "the template for G-code does not say how pens are changed; add a line that begins with pen, "
-            "such as pen M0");
-}
 
 void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, double width_mm,
                         const GcodeStyle& style) {
@@ -312,9 +319,8 @@ class GcodePen {
 
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress) {
-    check_pens_in(style);
     TextBuffer text(out);
-    write_gcode_pieces(text, style.lines.start, style, {});
+    write_gcode_start(text, style);
     GcodePen pen(text, page, style);
     for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
         pen.take(dot.pen);
@@ -326,9 +332,8 @@ void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page,
 
 void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                  const GcodeStyle& style, const WritingProgress& progress) {
-    check_pens_in(style);
     TextBuffer text(out);
-    write_gcode_pieces(text, style.lines.start, style, {});
+    write_gcode_start(text, style);
     GcodePen pen(text, page, style);
     for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
         pen.take(its_pen);

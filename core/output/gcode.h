@@ -22,7 +22,7 @@
 //
 // {pen} is the pen's number from 1 and {name} its name, with [ and ] for ( and ), which end a comment. {x}
 // and {y} are the dot's or point's place in millimetres from the page's lower left corner, {radius} its
-// radius, {feed} and {dwell} the two numbers of GcodeStyle.
+// radius; {feed}, {dwell}, {up}, {down} and {power} are numbers of GcodeStyle.
 
 #include <ostream>
 #include <span>
@@ -48,15 +48,21 @@ enum class GcodeTool {
 /// "pen", "servo", "laser".
 std::string_view name_of(GcodeTool tool);
 
-/// How far the template for a Z axis lifts the pen.
-inline constexpr double kGcodeLiftMm = 2;
+/// Where the pen is off the paper and on it: of a Z axis in millimetres, of a servo the S that M3 turns it
+/// to.
+struct GcodeHeights {
+    double up = 2, down = 0;
+};
+
+/// Those of a Z axis, or of a servo: 20 is up and 90 down on many. A laser has none.
+GcodeHeights usual_heights(GcodeTool tool);
 
 /// The template of a kind of machine, as text.
 std::string_view gcode_template_of(GcodeTool tool);
 
 /// What stands in a line for something else, or text as it is.
 struct GcodePiece {
-    enum class Kind { text, x, y, radius, feed, dwell, pen, name } kind = Kind::text;
+    enum class Kind { text, x, y, radius, feed, dwell, up, down, power, pen, name } kind = Kind::text;
     std::string text = {};
 
     bool operator==(const GcodePiece&) const = default;
@@ -79,6 +85,9 @@ struct GcodeStyle {
     GcodeTemplate lines = parse_gcode_template(gcode_template_of(GcodeTool::pen));
     double feed_mm_per_min = 3000;
     double dwell_s = 0.1;
+    GcodeHeights heights = {};
+    double laser_power = 250;                    // the S of its M3: of Grbl's usual 1000 ($30), a quarter
+    std::span<const std::string> comments = {};  // a line each, before all others
     double dot_radius_mm = 0;                    // where dots have none of their own
     std::span<const Pen> pens = {};              // several; none: one, which is in the machine
     std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws

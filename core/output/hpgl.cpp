@@ -17,8 +17,10 @@ std::int64_t plotter_units(double mm) {
 // The plotter begins with its first pen.
 class HpglPen {
  public:
-    HpglPen(TextBuffer& text, const PageSize& page, std::span<const CutMark> registration)
+    HpglPen(TextBuffer& text, const PageSize& page, std::span<const CutMark> registration,
+            std::string_view comment)
         : text_(text), page_(page), registration_(registration) {
+        if (!comment.empty()) text_ << "CO \"" << comment << "\";";
         text_ << "IN;SP1;\n";
     }
 
@@ -47,9 +49,10 @@ class HpglPen {
 }  // namespace
 
 void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
-                const WritingProgress& progress, std::span<const CutMark> registration) {
+                const WritingProgress& progress, std::span<const CutMark> registration,
+                std::string_view comment) {
     TextBuffer text(out);
-    HpglPen pen(text, page, registration);
+    HpglPen pen(text, page, registration, comment);
     for_each_plotted_dot(dots, page, 0, progress, [&](const PlottedDot& dot) {
         pen.take(dot.pen);
         text << "PU" << plotter_units(dot.x_mm) << ',' << plotter_units(dot.y_mm) << ";PD;\n";
@@ -59,10 +62,11 @@ void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
 }
 
 void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                const WritingProgress& progress, std::span<const CutMark> registration) {
+                const WritingProgress& progress, std::span<const CutMark> registration,
+                std::string_view comment) {
     constexpr std::size_t kPointsOfAnInstruction = 50;  // plotters' memory for one is small
     TextBuffer text(out);
-    HpglPen pen(text, page, registration);
+    HpglPen pen(text, page, registration, comment);
     for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
         pen.take(its_pen);
         const auto place = [&](glm::dvec2 p) { text << plotter_units(p.x) << ',' << plotter_units(p.y); };

@@ -2,6 +2,7 @@
 // Dots for pen plotters that read HPGL.
 
 #include <ostream>
+#include <string_view>
 
 #include "core/output/progress.h"
 #include "core/output/sheet.h"
@@ -20,11 +21,16 @@ inline constexpr double kHpglReachMm = 32'767.0 / kHpglUnitsPerMm;
 /// pen is already is a line of no length, which some readers leave out). Whole plotter units, 0.025 mm; the
 /// origin is the page's lower left corner. The dots' size is the pen's. Needs the memory of a piece and a
 /// buffer.
+///
+/// What `comment` says, if anything, stands at the beginning as CO "...";, without quotes or semicolons in
+/// it. Plotters of the language's first kind do not know CO; the IN that follows clears such an error.
 void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
-                const WritingProgress& progress = {}, std::span<const CutMark> registration = {});
+                const WritingProgress& progress = {}, std::span<const CutMark> registration = {},
+                std::string_view comment = {});
 
 /// The same of strokes; coordinates are rounded to the plotter's units, 0.025 mm.
 void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                const WritingProgress& progress = {}, std::span<const CutMark> registration = {});
+                const WritingProgress& progress = {}, std::span<const CutMark> registration = {},
+                std::string_view comment = {});
 
 }  // namespace dapple

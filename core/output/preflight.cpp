@@ -36,18 +36,21 @@ double least_inside(const Rectangle<double>& area, glm::dvec2 p) {
 }  // namespace
 
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,
-                    const std::optional<Rectangle<double>>& within_margins, glm::dvec2 corner_mm) {
-    const glm::dvec2 size(page.width_mm, page.height_mm);
+                    const std::optional<Rectangle<double>>& within_margins, glm::dvec2 corner_mm,
+                    const std::optional<Rectangle<double>>& paper) {
     std::vector<glm::dvec2> places(dots.size());
+    glm::dvec2 low(0), high(page.width_mm, page.height_mm);
     for (std::size_t i = 0; i < dots.size(); ++i) {
-        // Rounded to float, one can lie a hair beyond the page.
-        const glm::dvec2 place = glm::dvec2(dots.x[i], dots.y[i]) * page.mm_per_page_unit;
-        places[i] = glm::clamp(place + corner_mm, glm::dvec2(0), size);
+        places[i] = glm::dvec2(dots.x[i], dots.y[i]) * page.mm_per_page_unit + corner_mm;
+        low = glm::min(low, places[i]);
+        high = glm::max(high, places[i]);
     }
     Preflight result{.nearest_mm = std::numeric_limits<double>::infinity()};
     for (std::size_t i = 1; i < places.size(); ++i)
         result.pen_up_m += glm::distance(places[i - 1], places[i]) / 1000;
-    const Rectangle<double> whole{{0, 0}, size}, within = within_margins.value_or(whole);
+    const Rectangle<double> whole =
+                                paper.value_or(Rectangle<double>{{0, 0}, {page.width_mm, page.height_mm}}),
+                            within = within_margins.value_or(whole);
     double radii_mm = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double radius = dots.radius.empty() ? dot_radius_mm : dots.radius[i] * page.mm_per_page_unit;
@@ -55,7 +58,9 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
         result.outside_margins += least_inside(within, places[i]) < radius - kRounding;
         radii_mm += radius;
     }
-    const Domain domain{size.x, size.y, Topology::window};
+    // Dots reach in from beyond a part, and one can lie a hair beyond a page.
+    for (glm::dvec2& place : places) place -= low;
+    const Domain domain{high.x - low.x, high.y - low.y, Topology::window};
     for (const double distance : nearest_distances(places, domain)) {
         result.nearest_mm = std::min(result.nearest_mm, distance);
         if (dots.radius.empty()) result.overlapping += distance < 2 * dot_radius_mm;

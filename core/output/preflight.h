@@ -32,12 +32,12 @@ struct Preflight {
 };
 
 /// Dots, of that radius or of their own, in the order of plotting, as seen from `corner_mm` on the page, in
-/// millimetres. The margins leave that rectangle of the page; none: all of it. What reaches over it by less
-/// than a thousandth of a millimetre, which is as much as files round to, is within. A million take a
-/// fraction of a second.
+/// millimetres. The margins leave that rectangle of the page; none: all of it. Of a part of a page, `paper`
+/// is the whole, as seen from the part's corner. What reaches over it by less than a thousandth of a
+/// millimetre, which is as much as files round to, is within. A million take a fraction of a second.
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,
                     const std::optional<Rectangle<double>>& within_margins = {},
-                    glm::dvec2 corner_mm = glm::dvec2(0));
+                    glm::dvec2 corner_mm = glm::dvec2(0), const std::optional<Rectangle<double>>& paper = {});
 
 /// How a drawing's dots come onto the paper.
 enum class DotsAs {

@@ -313,6 +313,11 @@ DotMark parse_dot_mark(std::string_view text) {
     return {DotShape::path, std::string(text)};
 }
 
+bool is_disc(DotShape shape) {
+    return shape == DotShape::circle || shape == DotShape::point || shape == DotShape::spiral ||
+           shape == DotShape::hatch;
+}
+
 std::string text_of(const DotMark& mark) {
     return mark.shape == DotShape::path ? mark.path : std::string(name_of(mark.shape));
 }

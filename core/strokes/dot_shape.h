@@ -27,6 +27,9 @@ enum class DotShape {
 /// "circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "path".
 std::string_view name_of(DotShape shape);
 
+/// Whether the ink is a disc of the dot's radius: circle, point, spiral and hatch.
+bool is_disc(DotShape shape);
+
 struct DotMark {
     DotShape shape = DotShape::circle;
     std::string path = {};  // for DotShape::path: see parse_dot_path()

@@ -1,6 +1,5 @@
 #include "app/viewer/model/drawing_file.h"
 
-#include "app/files/gcode_choice.h"
 #include "app/files/sheet_files.h"
 #include "app/settings/embedded_settings.h"
 #include "app/viewer/model/drawn_sheet.h"
@@ -13,8 +12,8 @@ namespace {
 
 SheetDots dots_for(DrawingFormat format, DrawingStyle style) {
     if (style != DrawingStyle::dots && !is_table(format)) return SheetDots::of_the_page;
-    // Pixels show the part of a dot that reaches over from the next sheet.
-    return has_pixels(format) ? SheetDots::reaching : SheetDots::own;
+    // What is seen shows the part of a dot that reaches over from the next sheet.
+    return has_colours(format) ? SheetDots::reaching : SheetDots::own;
 }
 
 bool save_sheet(const DrawingFile& file, const fs::path& path, const Sheet& sheet, PlacedDrawing& drawing,
@@ -24,20 +23,17 @@ bool save_sheet(const DrawingFile& file, const fs::path& path, const Sheet& shee
     const std::vector<CutMark> marks = cut_marks(drawing.layout.page, sheet);
     const SheetDots dots = dots_for(format, style);
     const DrawnSheet seen = see_sheet(drawing, sheet, dots);
-    DrawingToSave to_save{
-        .dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
-        .page = seen.page,
-        .pens = drawing.pens,
-        .dot_radius_mm = drawing.dot_radius * seen.page.mm_per_page_unit,
-        .tiles = drawing.outlines,
-        .cut_marks = marks,
-        .picture = seen.picture,
-        .tile_size = file.tile_size,
-        .dpi = file.saving.dpi,
-        .bits = file.saving.bits,
-        .order = has_order(format, style) ? file.saving.order : std::optional(DotOrder::recursion),
-        .settings = embedded_settings(path, file.settings, file.saving)};
-    if (format == DrawingFormat::gcode) to_save.gcode = gcode_style_of(file.saving);
+    DrawingToSave to_save{.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+                          .page = seen.page,
+                          .pens = drawing.pens,
+                          .dot_radius_mm = drawing.dot_radius * seen.page.mm_per_page_unit,
+                          .tiles = drawing.outlines,
+                          .cut_marks = marks,
+                          .picture = seen.picture,
+                          .tile_size = file.tile_size,
+                          .saving = file.saving,
+                          .settings = embedded_settings(path, file.settings, file.saving)};
+    if (!has_order(format, style)) to_save.saving.order = DotOrder::recursion;
     if (dots == SheetDots::of_the_page && sheet != Sheet{}) to_save.part_corner_mm = seen.corner_mm;
     return save_drawing(path, file.settings, to_save, watch);
 }

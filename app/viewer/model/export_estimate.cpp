@@ -197,8 +197,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
                             .pens = drawing.pens,
                             .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
                             .tile_size = pane.tile_size(),
-                            .dpi = settings.saving.dpi,
-                            .bits = settings.saving.bits};
+                            .saving = settings.saving};
     if (format == DrawingFormat::svg) estimated.tiles = drawing.outlines;
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, stippling.dots.size(), settings.drawing.style));
@@ -226,7 +225,6 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
             some = dots_on_patches(drawing, settings.saving.dpi);
             estimated.dots = stream_of(some, stippling.scale);
         }
-        if (format == DrawingFormat::gcode) estimated.gcode = gcode_style_of(settings.saving);
         info_.bytes = estimated_bytes(format, settings.drawing, estimated);
     } catch (const std::exception& error) {
         info_.trouble = error.what();

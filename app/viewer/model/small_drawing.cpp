@@ -43,7 +43,7 @@ SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings
                                .page = page,
                                .pens = drawing.pens,
                                .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
-                               .dpi = dpi_for(page, longer_side)});
+                               .saving = {.dpi = dpi_for(page, longer_side)}});
     SmallPicture shown(pixels.width, pixels.height);
     std::ranges::transform(pixels.values, shown.values.begin(),
                            [](glm::u8vec3 pixel) { return glm::u8vec4(pixel, 255); });

@@ -152,9 +152,8 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
         const StrokeChoice& strokes = request.strokes;
-        const bool touches = strokes.style == DrawingStyle::dots && strokes.mark.shape == DotShape::point;
-        const bool round = !strokes.draws() || touches;
-        placed.dots_for_tone = made.size.sizing == DotSizing::fixed && round ? made.dots_for_tone() : 0;
+        const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
+        placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
         placed.radius_for_tone_mm =
             made.radius_for_its_tone(placed.stippling.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(

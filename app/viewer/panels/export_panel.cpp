@@ -66,6 +66,7 @@ bool draw_gcode(SavingChoice& saving) {
     } else if (changed) {
         own = {};
         saving.tool = static_cast<GcodeTool>(chosen);
+        saving.pen_up = saving.pen_down = {};  // a servo's are no millimetres
     }
     {
         const Greyed greyed(own.text.empty() ? "Choose a template of your own above." : nullptr);
@@ -105,6 +106,39 @@ bool draw_gcode(SavingChoice& saving) {
                     .hard_max = kMostAcceleration,
                     .tip = "How fast the machine gains speed, for the plotting time that is told. Grbl "
                            "comes with 10; machines are mostly set to 500 to 3000 ($120)."});
+    const bool burns = own.text.empty() && saving.tool == GcodeTool::laser;
+    const bool servo = saving.tool == GcodeTool::servo;
+    const GcodeHeights usual = usual_heights(saving.tool);
+    const auto height_row = [&](const char* name, std::optional<double>& value, double usual_one,
+                                const char* tip) {
+        double height = value.value_or(usual_one);
+        if (!slider_row(name, height,
+                        {.min = servo ? 0.0 : -10.0,
+                         .max = servo ? 180.0 : 20.0,
+                         .neutral = usual_one,
+                         .format = servo ? "%.0f" : "%.1f",
+                         .hard_min = -kMostHeight,
+                         .hard_max = kMostHeight,
+                         .tip = tip}))
+            return false;
+        value = height;
+        return true;
+    };
+    {
+        const Greyed greyed(burns ? "A laser has no pen to lift." : nullptr);
+        changed |= height_row("Pen up", saving.pen_up, usual.up,
+                              "Where the pen is off the paper: Z in millimetres, or the S of a servo.");
+        changed |= height_row("Pen down", saving.pen_down, usual.down, "Where the pen is on the paper.");
+    }
+    const bool fires = burns || !own.text.empty();
+    const Greyed greyed(fires ? nullptr : "Of a laser: choose that above.");
+    changed |= slider_row("Laser power", saving.laser_power,
+                          {.min = 0,
+                           .max = 1000,
+                           .neutral = 250,
+                           .format = "%.0f",
+                           .hard_max = kMostLaserPower,
+                           .tip = "The S that M3 gets. Grbl comes with 1000 for full power ($30)."});
     return changed;
 }
 

@@ -1,0 +1,38 @@
+#include "app/files/machine_comments.h"
+
+#include <fmt/format.h>
+
+#include "app/files/gcode_choice.h"
+#include "core/output/plotting_time.h"
+#include "core/output/stroke_figures.h"
+#include "core/text/number_words.h"
+
+namespace dapple {
+namespace {
+
+PlottingTime time_for(const DrawingToSave& drawing, const std::optional<StrokeStream>& strokes,
+                      const MachineSpeeds& speeds) {
+    if (strokes) return figures_of(*strokes, speeds).time;
+    const PageSize& page = drawing.page;
+    const DotStream& dots = drawing.dots;
+    // More are not held in memory.
+    if (dots.count > kMostSortedDots)
+        return expected_plotting_time(static_cast<double>(dots.count), page.width_mm * page.height_mm,
+                                      speeds);
+    return plotting_time(sorted_dots(dots, DotOrder::recursion), page.mm_per_page_unit, speeds);
+}
+
+}  // namespace
+
+std::vector<std::string> machine_comments(const DrawingToSave& drawing,
+                                          const std::optional<StrokeStream>& strokes, DrawingFormat format) {
+    const SavingChoice& saving = drawing.saving;
+    const Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
+    const PlottingTime time = time_for(drawing, strokes, speeds_for(machine, format, saving));
+    return {fmt::format("{} dots on a page of {:.4g} x {:.4g} mm", grouped(drawing.dots.count),
+                        drawing.page.width_mm, drawing.page.height_mm),
+            "0 0 is the lower left corner of the page",
+            fmt::format("{} on {}", time_in_words(time.total_s()), words_for(machine))};
+}
+
+}  // namespace dapple
