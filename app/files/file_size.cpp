@@ -117,10 +117,10 @@ struct Mosaic {
 };
 
 Mosaic mosaic_of(const DrawingToSave& drawing, const RasterSize& size) {
-    const PixelPatches patches(drawing.page, drawing.dpi);
+    const PixelPatches patches(drawing.page, drawing.saving.dpi);
     const glm::dvec2 pixels = glm::dvec2(patches.patch * patches.count), patch(patches.patch);
     const double longer = std::max(pixels.x, pixels.y);
-    const double mm_per_pixel = kMmPerInch / drawing.dpi;
+    const double mm_per_pixel = kMmPerInch / drawing.saving.dpi;
     Mosaic mosaic;
     mosaic.page = {pixels.x * mm_per_pixel, pixels.y * mm_per_pixel, longer * mm_per_pixel};
     mosaic.share = pixels.x * pixels.y / (static_cast<double>(size.width) * size.height);
@@ -143,7 +143,7 @@ Mosaic mosaic_of(const DrawingToSave& drawing, const RasterSize& size) {
 }
 
 double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
-    const Mosaic mosaic = mosaic_of(drawing, raster_size(drawing.page, drawing.dpi));
+    const Mosaic mosaic = mosaic_of(drawing, raster_size(drawing.page, drawing.saving.dpi));
     DrawingToSave patches = drawing;
     patches.dots = stream_of(mosaic.dots, drawing.dots.scale);
     patches.page = mosaic.page;
