@@ -136,7 +136,7 @@ TEST_CASE("a page that the machine does not reach is told, lying or upright, and
         "smaller page or several sheets fit\n");
 }
 
-TEST_CASE("edges and margins are told of a whole page, not of a sheet whose edges are seams") {
+TEST_CASE("dots over the page's edge and in its margins are told, of a sheet too") {
     DrawingFacts facts = good_facts();
     facts.ink = {.as = DotsAs::printed, .radius_mm = 0.44};
     facts.measured->over_edge = 1;
@@ -146,7 +146,7 @@ TEST_CASE("edges and margins are told of a whole page, not of a sheet whose edge
     facts.has_margins = true;
     CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge, FindingKind::in_margins});
     facts.whole_page = false;
-    CHECK(kinds_of(facts).empty());
+    CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge, FindingKind::in_margins});
 }
 
 TEST_CASE("near dots are told where programs join them, and a pen's where its gap says so") {

@@ -105,7 +105,8 @@ TEST_CASE("machines change the pen once for each, draw its registration marks an
         CHECK(most < rounding);
     };
     for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
-        GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(tool))};
+        GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(tool)),
+                         .heights = usual_heights(tool)};
         style.pens = kTwoPens;
         style.registration = marks;
         std::ostringstream gcode;

@@ -124,8 +124,8 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     const Outcome table = run_dapple(from + scene("a.csv"));
     CHECK(table.err.starts_with("2,000 dots, "));
     CHECK(table.err.find("the pen") == std::string::npos);
-    const Outcome bare =
-        run_dapple("render " + scene("cat.png") + " --dots 2 --region 0,0,1x1 -o " + scene("b.svg"));
+    const Outcome bare = run_dapple("render " + scene("cat.png") +
+                                    " --dots 2 --dot-radius 0.1 --region 0,0,1x1 -o " + scene("b.svg"));
     CHECK(bare.err.starts_with("0 dots"));
     CHECK(bare.err.find(": all of this is bare paper\n") != std::string::npos);
     CHECK(table.err.find("overlap") == std::string::npos);
@@ -309,7 +309,7 @@ TEST_CASE("of sheets and of many pictures the findings are told once for each ki
     CHECK(sheets.err.find(" (and 1 more like it)\n") != std::string::npos);
     nlohmann::json all = read_json(scene("s.json"));
     REQUIRE(all.size() == 2);
-    CHECK(all[0]["emitted"].get<int>() + all[1]["emitted"].get<int>() == 2000);
+    CHECK(all[0]["emitted"].get<int>() + all[1]["emitted"].get<int>() > 2000);  // with those across the cut
     CHECK(kinds_in(all[1]).contains("rings"));
 
     run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));

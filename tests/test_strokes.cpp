@@ -255,7 +255,7 @@ TEST_CASE("machines that read strokes draw them, and touch the paper where a str
         CAPTURE(name_of(tool));
         std::ostringstream out;
         write_gcode(out, stream_of(strokes, 0.4), kStrokePage,
-                    {.lines = parse_gcode_template(gcode_template_of(tool))});
+                    {.lines = parse_gcode_template(gcode_template_of(tool)), .heights = usual_heights(tool)});
         check(plotted_gcode(out.str(), Lines::drawn), 0.00075);
     }
     std::ostringstream hpgl;
