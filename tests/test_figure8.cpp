@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <set>
-#include <utility>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/placing/figure8.h"
@@ -33,6 +33,18 @@ TEST_CASE("Figure 8 emits 54,608 dots for a constant density at scale 2500, of w
     CHECK(result.dots.size() == 54608);
     CHECK(distinct(result.dots).size() == 40960);
     CHECK(result.duplicates == 54608 - 40960);
+}
+
+TEST_CASE("a dot of Figure 8's says its level, and its rank in the tile that emitted it") {
+    const Tile tile = make_tile(14217, 2895, 16);
+    const std::vector<int> ranks = farthest_point_ranks(tile);
+    const Dots dots = place_figure8(Density(Grid<float>(4, 4, 1.0f)), tile, ranks, 2500).dots;
+    // The root, and its first child, and so on down: each tile has all of its points.
+    for (std::size_t i = 0; i < 4 * 16; ++i) {
+        const TileRank at = figure8_rank_of(dots.threshold[i], 16);
+        CHECK(at.level == static_cast<int>(i / 16));
+        CHECK(at.rank == ranks[i % 16]);
+    }
 }
 
 TEST_CASE("Figure 8 draws a dot, and divides a tile, above its threshold and not at it") {

@@ -284,6 +284,17 @@ TEST_CASE("pens whose width is named touch the paper in files for plotters, unle
     CHECK(text_of(scene("e.svg")).find("<circle") != std::string::npos);
 }
 
+TEST_CASE(
+    "it is said that so many dots were put along a curve only, and that a pen touches rather than draws") {
+    const Scene scene;
+    const std::string from = "render " + scene("cat.png") + " --relax 0 -o " + scene("a.hpgl");
+    const std::string curve = " (so many dots follow a curve; --order shortest finds a shorter way)";
+    CHECK(run_dapple(from + " --dots 50,001").err.find(curve) != std::string::npos);
+    CHECK(run_dapple(from + " --dots 50,001 --order space").err.find(curve) == std::string::npos);
+    CHECK(run_dapple(from + " --dots 900 --dot-shape point")
+              .err.find("; the pen touches the paper 900 times, and moves ") != std::string::npos);
+}
+
 TEST_CASE("a large file's size is said before it is written") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " --relax 0 --order recursion -o ";

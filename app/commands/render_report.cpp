@@ -63,13 +63,22 @@ nlohmann::ordered_json pens_json(const Rendered& drawn) {
     return all;
 }
 
+std::string strokes_in_words(const StrokeFigures& strokes) {
+    if (strokes.drawn_m == 0) return fmt::format("touches the paper {} times", grouped(strokes.strokes));
+    return fmt::format("draws {} {} of {:.1f} m", grouped(strokes.strokes),
+                       strokes.strokes == 1 ? "line" : "lines", strokes.drawn_m);
+}
+
 }  // namespace
 
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::optional<std::uint64_t> bytes = bytes_in(options.output);
     const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
     const std::string saved =
-        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m) : "";
+        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m)
+        : drawn.plotting && drawn.order == DotOrder::space && !options.saving.order
+            ? " (so many dots follow a curve; --order shortest finds a shorter way)"
+            : "";
     const bool alike =
         options.drawing.dot_size.sizing != DotSizing::by_tone && drawn.pens.empty() && !drawn.strokes;
     const std::string wide =
@@ -78,12 +87,11 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     if (drawn.dots == 0)
         fmt::print(stderr, "{}: all of this is bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
-        fmt::print(stderr, "{}; the pen draws {} {} of {:.1f} m, and moves {:.1f} m between them{}\n", dots,
-                   grouped(strokes->strokes), strokes->strokes == 1 ? "line" : "lines", strokes->drawn_m,
-                   strokes->pen_up_m,
-                   drawn.curve_way_m && drawn.preflight
-                       ? fmt::format("; from dot to dot {:.1f} m{}", drawn.preflight->pen_up_m, saved)
-                       : "");
+        fmt::print(stderr, "{}; the pen {}, and moves {:.1f} m between them{}\n", dots,
+                   strokes_in_words(*strokes), strokes->pen_up_m,
+                   strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
+                       ? saved
+                       : fmt::format("; from dot to dot {:.1f} m{}", drawn.preflight->pen_up_m, saved));
     else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
     else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)

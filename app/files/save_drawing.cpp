@@ -147,7 +147,10 @@ DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWa
 void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
                    const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
     const double radius = drawing.dot_radius_mm;
-    const CsvColumns columns{.dot_radius_mm = radius, .tile_size = drawing.tile_size, .pens = drawing.pens};
+    const CsvColumns columns{.dot_radius_mm = radius,
+                             .tile_size = drawing.tile_size,
+                             .pens = drawing.pens,
+                             .figure8 = settings.placer == PlacerKind::figure8};
     std::optional<glm::vec3> background;
     if (settings.background) background = settings.paper;
     const PageSize& page = drawing.page;

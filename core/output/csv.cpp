@@ -10,7 +10,8 @@ TableRow table_row(const Dots& piece, std::size_t i, const PageSize& page, const
     const double mm = page.mm_per_page_unit;
     return {piece.x[i] * mm, piece.y[i] * mm,
             piece.radius.empty() ? columns.dot_radius_mm : piece.radius[i] * mm,
-            tile_rank_of(piece.threshold[i], columns.tile_size), piece.critical[i]};
+            (columns.figure8 ? figure8_rank_of : tile_rank_of)(piece.threshold[i], columns.tile_size),
+            piece.critical[i]};
 }
 
 void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, const CsvColumns& columns,

@@ -15,6 +15,7 @@ struct CsvColumns {
     double dot_radius_mm = 0;        // where dots have none of their own
     std::size_t tile_size = 0;       // N, which a threshold needs to say level and rank
     std::span<const Pen> pens = {};  // several, for Dots::pen; none: one
+    bool figure8 = false;            // that emitted the dots: see figure8_rank_of()
 };
 
 /// A dot as a line of the table.

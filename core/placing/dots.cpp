@@ -1,5 +1,8 @@
 #include "core/placing/dots.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/image/density.h"
 
 namespace dapple {
@@ -47,6 +50,12 @@ TileRank tile_rank_of(float threshold, std::size_t tile_size) {
         if (level > 0) rank /= 4;
     }
     return {level, static_cast<int>(rank)};
+}
+
+TileRank figure8_rank_of(float threshold, std::size_t tile_size) {
+    const int level = tile_rank_of(threshold, tile_size).level, n = static_cast<int>(tile_size);
+    const double rank = (std::ldexp(threshold * kDotsPerScale, 2 * (1 - level)) - n) / 3;
+    return {level, std::clamp(static_cast<int>(rank), 0, n - 1)};
 }
 
 }  // namespace dapple

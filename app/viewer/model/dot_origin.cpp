@@ -34,13 +34,6 @@ FoundDot nearest_dot(const PlacedDrawing& drawing, glm::dvec2 at, double reach) 
     return nearest;
 }
 
-// Figure 8 spreads each tile's N thresholds over those of ranks N..4N, at the root tile too.
-int figure8_rank(float threshold, int level, std::size_t tile_size) {
-    const auto n = static_cast<double>(tile_size);
-    const double rank = (std::ldexp(threshold * kDotsPerScale, 2 * (1 - level)) - n) / 3;
-    return std::clamp(static_cast<int>(rank), 0, static_cast<int>(tile_size) - 1);
-}
-
 // In 2^-62 page units from the page's corner; walks down to the square, turning as the rule says.
 PlacedTile tile_around(PagePoint at, int level, const Rule& rule, const PageWindow& window) {
     constexpr int kDigits = 62;
@@ -139,7 +132,7 @@ std::optional<DotOrigin> dot_under(const PlacedDrawing& drawing, const PlacedWit
                   .density = threshold / critical,
                   .relaxed = drawing.steps > 0};
     if (with.placer == PlacerKind::figure8) {
-        dot.rank = figure8_rank(threshold, rank.level, with.tile_size);
+        dot.rank = figure8_rank_of(threshold, with.tile_size).rank;
         dot.born = n;
     }
     dot.tile = dot.relaxed
