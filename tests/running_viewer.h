@@ -81,7 +81,7 @@ class RunningViewer {
     RunningViewer& operator=(const RunningViewer&) = delete;
     ~RunningViewer() {
         const json last = status();
-        if (!last.is_null()) CHECK(last["gl_errors"] == 0);
+        if (!last.is_null()) CHECK_MESSAGE(last["gl_errors"] == 0, end_of_log());
     }
 
     /// Waits until what it says is as looked for.
