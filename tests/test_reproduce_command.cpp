@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -144,14 +145,16 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
             CHECK(number["origin"] == "ours");
         CHECK(number["equal"] == (number["expected"] == number["ours"]));
     }
-    CHECK(in_file == printed.size() + 1);  // and the first point of Appendix A
+    CHECK(in_file == printed.size() + 16);  // and the points of Appendix A
 
+    CHECK(page.select_nodes("//th[.='Printed']").size() == 2);
     const PageSection& table1 = section("Table 1: Appendix A");
     const auto expected = appendix_a();
     REQUIRE(table1.rows.size() == 16);
     for (std::size_t rank = 0; rank < 16; ++rank) {
+        const auto [x, y] = expected[rank];
         const std::string point =
-            std::to_string(expected[rank][0]) + ", " + std::to_string(expected[rank][1]);
+            fmt::format("{}, {} = {:.8f}, {:.8f}", x, y, double(x) / 65535, double(y) / 65535);
         CHECK(table1.rows[rank].at(0) == std::to_string(rank));
         CHECK(table1.rows[rank].at(2) == point);
         CHECK(table1.rows[rank].at(3) == point);

@@ -104,11 +104,11 @@ void reproduce(const ReproduceOptions& options) {
         "points in each quadrant. The relative radius is half the smallest distance between two points, over "
         "that of the densest packing; the paper gives it to four digits.");
     page.heading("Table 1: Appendix A, the tile's points in the order of their ranks");
-    add_table(page, table1, "Rank", "x, y of 65535");
+    add_table(page, table1, "Rank", "Printed");
     page.paragraph(
-        "The first point is printed so. The printed list itself was not at hand for the other fifteen: they "
-        "stand as they follow from the first, which doubled modulo 65535 gives them all, and from the ranks, "
-        "which take the point farthest from all before it. No two are equally far, so there is no choice.");
+        "Each point is x, y in units of 1/65535, then to eight digits. Ours are worked out from the first "
+        "one alone: doubled modulo 65535 it gives all the others, and each rank goes to the point farthest "
+        "from all before it. No two are equally far, so there is no choice.");
 
     add_tile_figures(page);
     add_function_figures(page);
