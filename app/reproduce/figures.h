@@ -14,10 +14,10 @@ namespace dapple {
 /// 16 points.
 void add_tile_figures(HtmlPage& page);
 
-/// Figure 3: a plot of f. Figure 4: a plot of f^(3).
+/// Figure 3: a plot of f. Figure 4: a plot of f^(3) with its fixed points.
 void add_function_figures(HtmlPage& page);
 
-/// Figures 5 and 6: stippled pictures, with the fewest and the most dots that the paper's have.
+/// Figures 5 and 6: stippled pictures, with as many dots as the paper's eight have.
 void add_stippling_figures(HtmlPage& page);
 
 /// Figure 7: environment maps with as many samples as the paper's four have. A sky of our own if none are

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/analysis/distances.h"
 #include "core/placing/figure8.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/ranking.h"
+#include "core/tile/symmetry.h"
 #include "core/tile/tile.h"
 
 namespace dapple {
@@ -41,6 +43,9 @@ constexpr std::array<std::string_view, 4> kBestOf20{"0.8324", "0.7141", "0.6713"
 constexpr std::array<std::string_view, 4> kOwnBestOf16{"0.696594", "0.652788", "0.640257", "0.638781"};
 constexpr std::array<std::string_view, 5> kOwnBestOf20{"0.832358", "0.714068", "0.671330", "0.658781",
                                                        "0.649963"};
+// Of so many points as the turn or mirror that does best takes to others, counted by another program.
+constexpr std::array<std::string_view, 2> kSymmetricOf16{"16", "6"};
+constexpr std::array<std::string_view, 4> kSymmetricOf20{"20", "20", "14", "8"};
 constexpr std::string_view kBestTileOf16 = "11730,8925/16";
 constexpr std::string_view kBestOf24 = "0.782220";
 constexpr std::string_view kBestOf28 = "0.914419";
@@ -116,6 +121,12 @@ int coinciding_points(const Tile& tile) {
     return found;
 }
 
+int symmetric_points(const std::string& word) {
+    std::array<double, 8> shares = symmetry_shares(make_tile(Rule{}, {word}));
+    shares[0] = 0;  // a move alone
+    return static_cast<int>(std::lround(std::ranges::max(shares) * static_cast<double>(word.size())));
+}
+
 }  // namespace
 
 std::string_view name_of(Origin origin) {
@@ -163,7 +174,7 @@ std::vector<ComparedNumber> compare_table1() {
 std::vector<ComparedNumber> compare_own_numbers() {
     std::vector<ComparedNumber> rows;
     const std::vector<FoundTile> best = add_radii(rows, 16, kOwnBestOf16, kOwnSearch, Origin::ours);
-    add_radii(rows, 20, kOwnBestOf20, kOwnSearch, Origin::ours);
+    const std::vector<FoundTile> best20 = add_radii(rows, 20, kOwnBestOf20, kOwnSearch, Origin::ours);
     const auto add = [&](std::string what, std::string_view expected, std::string ours, const char* source) {
         rows.push_back({std::move(what), std::string(expected), std::move(ours), source, Origin::ours});
     };
@@ -183,6 +194,16 @@ std::vector<ComparedNumber> compare_own_numbers() {
         "its place, from the points themselves");
     add(name + ": points that its half-size copies cover", "16", fmt::format("{}", coinciding_points(tile)),
         "all, by the definition of a self-similar tile");
+    const auto add_symmetry = [&](const std::vector<FoundTile>& tiles,
+                                  std::span<const std::string_view> expected) {
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            add(fmt::format("best tile number {} of {} points: points that a turn or mirror takes to points",
+                            i + 1, tiles[i].word.size()),
+                expected[i], fmt::format("{}", symmetric_points(tiles[i].word)),
+                "counted by another program");
+    };
+    add_symmetry(best, kSymmetricOf16);
+    add_symmetry(best20, kSymmetricOf20);
     return rows;
 }
 
