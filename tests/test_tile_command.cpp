@@ -52,10 +52,10 @@ TEST_CASE("the list names every built-in tile with its number of points") {
 }
 
 TEST_CASE("the built-in tiles are the paper's, the lattices and those that do not repeat") {
-    const std::set<std::pair<std::string, std::string>> integers{{"paper16", "14217,2895/16"},
-                                                                 {"paper20", "205786,15079/20"},
-                                                                 {"lattice24", "2422572,1554785/24"},
-                                                                 {"lattice28", "46281975,18512790/28"}};
+    const std::set<std::pair<std::string, std::string>> integers{
+        {"paper16", "14217,2895/16"},         {"paper20", "205786,15079/20"},
+        {"lattice24", "2422572,1554785/24"},  {"lattice28", "46281975,18512790/28"},
+        {"best32", "794048332,154885773/32"}, {"lattice36", "11143698930,1857283155/36"}};
     for (const auto& [name, pair] : integers) {
         // The same points, though perhaps counted from another one.
         const Tile expected = parse_tile_integers(pair);

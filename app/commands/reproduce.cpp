@@ -129,7 +129,8 @@ void reproduce(const ReproduceOptions& options) {
     add_table(page, beyond, "What", "Recorded");
     page.paragraph(
         "The tile of Appendix A is the second best of its size. The paper's search took 8 minutes for 16 "
-        "points and three and a half days for 20. With branch and bound, 24 and 28 points take seconds. "
+        "points and three and a half days for 20. With branch and bound, 24, 28 and 36 points take a second; "
+        "32 take half a minute, so here that tile is measured only. "
         "Section 5 calls the best tiles of 20 points \"very symmetric\" and the fourth \"not symmetric\". "
         "The table says how many of a tile's points fall on points, within a tenth of a mean spacing, when "
         "the repeated tile is turned or mirrored, and moved, as suits it best; of 20 points at random about "
