@@ -136,6 +136,8 @@ void reproduce(const ReproduceOptions& options) {
         "the repeated tile is turned or mirrored, and moved, as suits it best; of 20 points at random about "
         "7 do.");
 
+    add_tile_of_cycles(page);
+
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     std::vector<ComparedNumber> all;
     const auto note = [&](const std::vector<ComparedNumber>& rows, const char* table) {

@@ -24,6 +24,9 @@ void add_stippling_figures(HtmlPage& page);
 /// given. Throws std::runtime_error if a file is no environment map.
 void add_light_figures(HtmlPage& page, const std::vector<std::filesystem::path>& maps);
 
+/// Named in the paper, but not shown: 16 points from four tiles of 4.
+void add_tile_of_cycles(HtmlPage& page);
+
 /// Not in the paper: what Figure 8, the algorithm, does on a ramp.
 void add_recursion_pictures(HtmlPage& page);
 

@@ -9,6 +9,7 @@
 
 #include "core/analysis/distances.h"
 #include "core/placing/figure8.h"
+#include "core/tile/cycle_search.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/ranking.h"
@@ -51,6 +52,8 @@ constexpr std::string_view kBestOf24 = "0.782220";
 constexpr std::string_view kBestOf28 = "0.914419";
 constexpr std::string_view kBestTileOf32 = "794048332,154885773/32", kBestOf32 = "0.715878";
 constexpr std::string_view kBestOf36 = "0.917943";
+// Of four, five and six cycles of 4 points.
+constexpr std::array<std::string_view, 3> kBestOfCycles{"0.744484", "0.832358", "0.679618"};
 
 // Appendix A in the order of the ranks: x and y as whole numbers of 1/65535, and as the eight digits beside.
 constexpr std::array<std::string_view, 16> kTable1{
@@ -237,6 +240,16 @@ std::vector<ComparedNumber> compare_larger_tiles() {
                     .source = "dapple tile search --points 32 --top 1",
                     .origin = Origin::ours});
     add_radii(rows, 36, std::array{kBestOf36}, source, Origin::ours);
+    for (std::size_t i = 0; i < kBestOfCycles.size(); ++i) {
+        const std::size_t cycles = 4 + i;
+        const std::vector<FoundCycles> best = search_cycles(std::vector<int>(cycles, 4), 1).best;
+        rows.push_back({.what = fmt::format("relative radius, best tile of {} points in {} cycles of 4",
+                                            4 * cycles, cycles),
+                        .expected = std::string(kBestOfCycles[i]),
+                        .ours = best.empty() ? "none" : six_digits(best[0].relative_radius),
+                        .source = "another program, all sets of cycles",
+                        .origin = Origin::ours});
+    }
     return rows;
 }
 
