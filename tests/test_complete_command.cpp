@@ -38,7 +38,7 @@ TEST_CASE("options are offered where they belong, and values where they have nam
     CHECK(offered("--log").empty());  // not in the help
     CHECK(offered("render --placer ''") == std::set<std::string>{"exact", "figure8"});
     CHECK(offered("render --invert --tile paper") == std::set<std::string>{"paper16", "paper20"});
-    CHECK(offered("tile show latt") == std::set<std::string>{"lattice24", "lattice28"});
+    CHECK(offered("tile show latt") == std::set<std::string>{"lattice24", "lattice28", "lattice36"});
     CHECK(offered("render --width ''").empty());
     CHECK(offered("render -o ''").empty());
 }

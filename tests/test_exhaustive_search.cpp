@@ -355,3 +355,24 @@ TEST_CASE("the best tile of 24 points has the published radius") {
 TEST_CASE("the best tile of 28 points has the published radius") {
     CHECK(distinct_millionths(search(28, 1)) == std::vector<long>{914419});
 }
+
+TEST_CASE("the best tile of 36 points has the radius that another program found") {
+    CHECK(distinct_millionths(search(36, 1)) == std::vector<long>{917943});
+}
+
+TEST_CASE("the best tile of 32 points is found where it ends, and no other as good beside it") {
+    // The search through all endings takes minutes here.
+    const std::string best = "00103113012321220213233121003302";
+    CHECK(std::lround(relative_radius(best) * 1e6) == 715878);
+    std::set<std::string> endings, found;
+    for (std::string word : symmetric_words(best))
+        for (std::size_t i = 0; i < best.size(); ++i) {
+            std::rotate(word.begin(), word.begin() + 1, word.end());
+            endings.insert(word.substr(25));
+        }
+    for (const std::string& ending : endings)
+        WordTree(32).complete(ending, RadiusBound(32, 0.715878), {}, [&](const std::string& word) {
+            if (relative_radius(word) >= 0.715878) found.insert(smallest_symmetric_word(word));
+        });
+    CHECK(found == std::set{best});
+}

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ std::vector<PageSection> sections_of(const pugi::xml_document& page) {
     return sections;
 }
 
-// The straight pieces of a plot's only curve, as x and y from 0 to 1 from the lower left.
+// The straight pieces of a plot's first curve, as x and y from 0 to 1 from the lower left.
 std::vector<std::array<double, 4>> pieces_of(const pugi::xml_node& plot) {
     const pugi::xml_node inner = plot.child("svg");
     const double width = inner.attribute("width").as_double(), height = inner.attribute("height").as_double();
@@ -112,7 +113,7 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
     CAPTURE(outcome.err);
     REQUIRE(outcome.status == 0);
     CHECK(page_says(outcome.out, "the paper prints 14.00 %, but it is 13.99499 %"));
-    CHECK(page_says(outcome.out, "42 of 43 numbers are equal"));
+    CHECK(page_says(outcome.out, "53 of 54 numbers are equal"));
 
     pugi::xml_document page;
     REQUIRE(page.load_file((folder / "paper/index.html").c_str(), pugi::parse_full));
@@ -144,14 +145,16 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
             CHECK(number["origin"] == "ours");
         CHECK(number["equal"] == (number["expected"] == number["ours"]));
     }
-    CHECK(in_file == printed.size() + 1);  // and the first point of Appendix A
+    CHECK(in_file == printed.size() + 16);  // and the points of Appendix A
 
+    CHECK(page.select_nodes("//th[.='Printed']").size() == 2);
     const PageSection& table1 = section("Table 1: Appendix A");
     const auto expected = appendix_a();
     REQUIRE(table1.rows.size() == 16);
     for (std::size_t rank = 0; rank < 16; ++rank) {
+        const auto [x, y] = expected[rank];
         const std::string point =
-            std::to_string(expected[rank][0]) + ", " + std::to_string(expected[rank][1]);
+            fmt::format("{}, {} = {:.8f}, {:.8f}", x, y, double(x) / 65535, double(y) / 65535);
         CHECK(table1.rows[rank].at(0) == std::to_string(rank));
         CHECK(table1.rows[rank].at(2) == point);
         CHECK(table1.rows[rank].at(3) == point);
@@ -159,22 +162,34 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
 
     CHECK(section("Figures 1 and 2: a tile and its half-size copies; a hierarchical tile").images.size() ==
           1);
-    const std::vector<std::pair<std::string, int>> plots{{"Figure 3: a plot of f", 2},
-                                                         {"Figure 4: a plot of f^(3)", 8}};
-    for (const auto& plot : plots) {
-        const std::string& heading = plot.first;
-        const int pieces = plot.second;
-        CAPTURE(heading);
-        const PageSection& figure = section(heading);
-        CHECK(figure.images.empty());
-        REQUIRE(figure.plots.size() == 1);
-        const auto curve = pieces_of(figure.plots[0]);
+    const PageSection& functions = section("Figures 3 and 4: plots of f and f^(3)");
+    CHECK(functions.images.empty());
+    REQUIRE(functions.plots.size() == 2);
+    for (const int pieces : {2, 8}) {
+        CAPTURE(pieces);
+        const pugi::xml_node& plot = functions.plots[pieces == 2 ? 0 : 1];
+        const auto curve = pieces_of(plot);
         REQUIRE(curve.size() == static_cast<std::size_t>(pieces));
         for (int i = 0; i < pieces; ++i) {
             const std::array ends{double(i) / pieces, 0.0, double(i + 1) / pieces, 1.0};
             for (std::size_t k = 0; k < 4; ++k)
                 CHECK(std::abs(curve[static_cast<std::size_t>(i)][k] - ends[k]) < 1e-4);
         }
+        // Ticks where pieces end; dots where they meet the diagonal.
+        const pugi::xml_node inner = plot.child("svg");
+        const double width = inner.attribute("width").as_double(),
+                     height = inner.attribute("height").as_double();
+        const std::string diagonal = inner.select_nodes("path")[1].node().attribute("d").value();
+        CHECK(diagonal == fmt::format("M0.00 {:.2f}L{:.2f} 0.00", height, width));
+        const pugi::xpath_node_set dots = inner.select_nodes(".//circle");
+        REQUIRE(dots.size() == static_cast<std::size_t>(pieces - 1));
+        for (int k = 0; k < pieces - 1; ++k) {
+            const pugi::xml_node dot = dots[static_cast<std::size_t>(k)].node();
+            CHECK(std::abs(dot.attribute("cx").as_double() / width - double(k) / (pieces - 1)) < 1e-4);
+            CHECK(std::abs(1 - dot.attribute("cy").as_double() / height - double(k) / (pieces - 1)) < 1e-4);
+        }
+        for (int k = 1; k < pieces; ++k)
+            CHECK(plot.select_nodes(fmt::format("g/text[.='{}/{}']", k, pieces).c_str()).size() == 2);
     }
 
     const auto each_says = [](const PageSection& figure, const std::vector<std::string>& words) {
@@ -185,10 +200,23 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
         }
     };
     const PageSection& stippled = section("Figures 5 and 6: stippled pictures");
-    each_says(stippled, {"still life: 28,29", "still life: 44,77", "ramp: 28,29", "ramp: 44,77"});
+    // As printed, and ours: equal, or one more.
+    each_says(stippled, {"Printed: 44,202 dots; ours: 44,20", "Printed: 44,775 dots; ours: 44,77",
+                         "Printed: 41,709 dots; ours: 41,7", "Printed: 37,997 dots; ours: 37,99",
+                         "Printed: 38,714 dots; ours: 38,71", "Printed: 30,583 dots; ours: 30,58",
+                         "Printed: 28,291 dots; ours: 28,29", "Printed: 36,809 dots; ours: 36,8"});
+    CHECK(page_says(stippled.sentences.at(0), "approximately 80 ms"));
     CHECK(page_says(stippled.sentences.at(0), "The pictures are our choice"));
-    each_says(section("Figure 7: environment maps with samples"),
-              {": 8,234 dots", ": 12,636 dots", ": 10,606 dots", ": 34,299 dots"});
+    const PageSection& lights = section("Figure 7: environment maps with samples");
+    each_says(lights, {"Grace Cathedral, printed: 8,234 samples; a sky made by this program, ours: 8,23",
+                       "St. Peter's, printed: 12,636 samples; a sky made by this program, ours: 12,63",
+                       "Uffizi, printed: 10,606 samples; a sky made by this program, ours: 10,60",
+                       "Galileo's Tomb, printed: 34,299 samples; a sky made by this program, ours: 34,"});
+    CHECK(page_says(lights.sentences.at(0), "approximately 30 ms"));
+    CHECK(page_says(lights.sentences.at(0), "the sine is our choice"));
+    // No picture shares its row with another, so that all are as wide.
+    CHECK(page.select_nodes("//div[@class='side one']//img[@alt='an environment map with its samples']")
+              .size() == 4);
 
     CHECK(section("Figure 8: the algorithm").rows.at(0).at(3) == "54608");
     const PageSection& spectra = section("Not in the paper: power spectra");
@@ -197,12 +225,24 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
     CHECK(page_says(spectra.sentences.at(0), "The first three are of the tile of Appendix A"));
     // A peak of the repeated tile: about half of all dots move as one.
     CHECK(page_says(spectra.captions.at(2), "39936 dots, highest bin 21744"));
+    std::smatch highest;
+    REQUIRE(std::regex_search(spectra.captions.at(3), highest, std::regex("highest bin ([0-9]+)")));
+    CHECK(page_says(spectra.sentences.at(0), "few orange dots, the highest of power " + highest[1].str()));
 
     const PageSection& ours = section("Not in the paper: more about its tiles");
-    for (const char* value : {"0.640257", "0.638781", "0.649963", "11730,8925/16", "0.782220", "0.914419"}) {
+    for (const char* value : {"0.640257", "0.638781", "0.649963", "11730,8925/16", "0.782220", "0.914419",
+                              "0.715878", "0.917943", "0.744484", "0.832358", "0.679618"}) {
         CAPTURE(value);
         CHECK(std::ranges::any_of(ours.rows, [&](const auto& row) { return row.at(3) == value; }));
     }
+    // Of 20 points, the paper's "very symmetric" ones and the fourth, "not symmetric".
+    CHECK(page_says(section("Not in the paper: 16 points from four tiles of 4").sentences.at(0),
+                    "0013 0211 0233 1322; 0033 0132 0231 1122; 0103 0212 0323 1213, reach 0.744484"));
+    std::vector<std::string> symmetric;
+    for (const auto& row : ours.rows)
+        if (page_says(row.at(0), "of 20 points: points that a turn or mirror takes to points"))
+            symmetric.push_back(row.at(3));
+    CHECK(symmetric == std::vector<std::string>{"20", "20", "14", "8"});
 }
 
 TEST_CASE("a number that differs is an error that says where to look") {

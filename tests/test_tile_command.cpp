@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -52,10 +53,10 @@ TEST_CASE("the list names every built-in tile with its number of points") {
 }
 
 TEST_CASE("the built-in tiles are the paper's, the lattices and those that do not repeat") {
-    const std::set<std::pair<std::string, std::string>> integers{{"paper16", "14217,2895/16"},
-                                                                 {"paper20", "205786,15079/20"},
-                                                                 {"lattice24", "2422572,1554785/24"},
-                                                                 {"lattice28", "46281975,18512790/28"}};
+    const std::set<std::pair<std::string, std::string>> integers{
+        {"paper16", "14217,2895/16"},         {"paper20", "205786,15079/20"},
+        {"lattice24", "2422572,1554785/24"},  {"lattice28", "46281975,18512790/28"},
+        {"best32", "794048332,154885773/32"}, {"lattice36", "11143698930,1857283155/36"}};
     for (const auto& [name, pair] : integers) {
         // The same points, though perhaps counted from another one.
         const Tile expected = parse_tile_integers(pair);
@@ -193,6 +194,28 @@ TEST_CASE("the rules are listed from the one that repeats least, with those that
     CHECK(first.find(" 0.1452 ") != std::string::npos);
     CHECK(first.find(" 7241") != std::string::npos);
     CHECK(second.find(" 0.1554 ") != std::string::npos);
+}
+
+TEST_CASE("several cycles together are searched for, printed and saved") {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "best.tile").string();
+    const Outcome outcome = run_dapple("tile search --cycles 4,4,4,4 --top 4 -o " + file);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    CHECK(std::regex_search(outcome.out, std::regex("   1  0\\.744484 .* 0013 0211 0233 1322\n")));
+    CHECK(std::regex_search(outcome.out, std::regex("   3  0\\.744484 .* 0103 0212 0323 1213\n")));
+    CHECK(std::regex_search(outcome.out, std::regex("   4  0\\.554906 ")));
+    CHECK(load_tile(file).tile.words == std::vector<std::string>{"0013", "0211", "0233", "1322"});
+
+    check_refused("tile search --cycles 4,4,5", "have 13 points together");
+    check_refused("tile search --cycles 4,4,8",
+                  "--cycles: 8 is not possible; give a whole number from 1 to 6");
+    check_refused("tile search --cycles 4,,4", "--cycles");
+    check_refused("tile search --cycles 4,4 --points 8", "is the sum of --cycles");
+    check_refused("tile search --cycles 4,4 --by symmetry", "does not go with --cycles");
+    check_refused("tile search --cycles 4,4 --rule any -o " + file,
+                  "belongs to a search with --rule identity");
+    CHECK(run_dapple("tile search --cycles 1,1,1,1").out == "no such tile has its points apart\n");
 }
 
 TEST_CASE("tile search finds the tile of lowest discrepancy, or of most symmetry, and saves it") {

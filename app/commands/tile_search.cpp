@@ -1,6 +1,7 @@
 #include "app/commands/tile_search.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/task_arena.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,8 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -23,6 +26,7 @@
 #include "app/signals.h"
 #include "core/analysis/discrepancy.h"
 #include "core/tile/criterion_search.h"
+#include "core/tile/cycle_search.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/relink_search.h"
@@ -135,6 +139,34 @@ void print_found(const std::vector<std::string>& words, int points, std::ostream
 void save_first(const std::vector<std::string>& words, const std::optional<fs::path>& output) {
     if (!output || words.empty()) return;
     save_tile(*output, ranked(make_tile(Rule{}, {words.front()}), RankingMethod::energy));
+}
+
+// Several cycles together. There are few enough to be done before anyone waits.
+void search_sets(const TileSearchOptions& options, std::ostream& out) {
+    if (options.output) check_can_save(*options.output);
+    std::optional<std::chrono::duration<double>> limit;
+    if (options.seconds) limit = std::chrono::duration<double>(*options.seconds);
+    CycleSearchResult result;
+    {
+        const StopOnInterrupt stop(limit);
+        result = search_cycles(options.cycles, static_cast<std::size_t>(options.top), stop.token());
+    }
+    if (options.output && !result.best.empty())
+        save_tile(*options.output, ranked(make_tile(Rule{}, result.best[0].words), RankingMethod::energy));
+    if (result.best.empty()) {
+        out << (result.finished ? "no such tile has its points apart\n" : "no tile found yet\n");
+    } else {
+        out << fmt::format("{:>4}  {:<15}  {:<11}  {:<8}  {}\n", "", "relative radius", "discrepancy",
+                           "symmetry", "words");
+    }
+    int place = 0;
+    for (const FoundCycles& found : result.best) {
+        const Tile tile = make_tile(Rule{}, found.words);
+        out << fmt::format("{:>4}  {:<15.6f}  {:<11.6f}  {:<8.3f}  {}\n", ++place, found.relative_radius,
+                           star_discrepancy(places_of(tile), Domain{}).upper, symmetry(tile),
+                           fmt::join(found.words, " "));
+    }
+    if (!result.finished) out << "stopped: there may be better ones\n";
 }
 
 // By a measure that lets no tile be left out.
@@ -368,6 +400,20 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
             "such as 3760, for that alone")
         ->type_name("identity|any|RULE")
         ->default_str("identity");
+    command
+        .add_option_function<std::string>(
+            "--cycles",
+            [&options](const std::string& text) {
+                options.cycles.clear();
+                std::istringstream parts(text);
+                for (std::string part; std::getline(parts, part, ',');)
+                    options.cycles.push_back(static_cast<int>(count_in("--cycles", part, kMostCycleLength)));
+            },
+            fmt::format("identity: instead of --points, look at tiles of several cycles, of so many points "
+                        "each, {} at "
+                        "most; 4,4,4,4 is the paper's 16 points from four tiles of 4",
+                        kMostCycleLength))
+        ->type_name("N,N,...");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
     add_choice(command, "--by", options.by,
@@ -418,6 +464,7 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         "  dapple tile search --points 20                      the paper took three and a half days for it\n"
         "  dapple tile search --points 32 --top 1 -o best32.tile\n"
         "  dapple tile search --points 12 --by discrepancy\n"
+        "  dapple tile search --cycles 4,4,4,4                 farther apart than 16 points in one cycle\n"
         "  dapple tile search --resume dapple-search-32.txt    after Ctrl+C\n"
         "  dapple tile search --points 64 --rule any --seconds 60 -o mine.tile\n"
         "  dapple tile search --points 1024 --rule 3760 --seconds 60 -o mine.tile\n"
@@ -439,10 +486,13 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
             refuse("--points", "is known from the search that goes on; leave it out");
             refuse("--top", "is known from the search that goes on; leave it out");
         }
+        if (!options.cycles.empty()) {
+            refuse("--points", "is the sum of --cycles; leave it out");
+            for (const char* option : {"--by", "--resume"}) refuse(option, "does not go with --cycles");
+        }
     } else {
-        refuse("--top", "belongs to a search with --rule identity");
-        refuse("--by", "belongs to a search with --rule identity");
-        refuse("--resume", "belongs to a search with --rule identity");
+        for (const char* option : {"--top", "--by", "--resume", "--cycles"})
+            refuse(option, "belongs to a search with --rule identity");
         if (options.seconds) refuse("--moves", "and --seconds exclude each other");
         if (options.tone == 0 && options.pairs == 0) {
             throw CLI::ValidationError(
@@ -451,6 +501,13 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
         if (!options.output) throw CLI::ValidationError("--output", "is needed: name the file for the tile");
     }
     if (options.resume) return;
+    if (!options.cycles.empty()) {
+        const int points = std::accumulate(options.cycles.begin(), options.cycles.end(), 0);
+        if (points % 4 == 0) return;
+        throw CLI::ValidationError(
+            "--cycles",
+            fmt::format("have {} points together; give lengths whose sum is a multiple of 4", points));
+    }
     if (options.points == 0)
         throw CLI::ValidationError("--points", "is needed: how many points the tile has");
     const bool identity = options.kind == SearchKind::identity;
@@ -468,7 +525,9 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
 }
 
 void search_tiles(const TileSearchOptions& options, std::ostream& out) {
-    if (options.kind == SearchKind::identity && options.by != TileCriterion::radius) {
+    if (!options.cycles.empty()) {
+        search_sets(options, out);
+    } else if (options.kind == SearchKind::identity && options.by != TileCriterion::radius) {
         search_by(options, out);
     } else if (options.kind == SearchKind::identity) {
         search_identity(options, out);

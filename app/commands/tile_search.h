@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/tile/tile.h"
 
@@ -32,8 +33,9 @@ std::string_view name_of(TileCriterion criterion);
 struct TileSearchOptions {
     int points = 0;
     SearchKind kind = SearchKind::identity;
-    std::optional<Rule> rule;                  // of SearchKind::any; none: the one that suits the points
-    int top = 5;                               // identity: so many tiles, the best ones
+    std::optional<Rule> rule;  // of SearchKind::any; none: the one that suits the points
+    std::vector<int> cycles;   // identity: the lengths of a tile's cycles; none: one cycle of all points
+    int top = 5;               // identity: so many tiles, the best ones
     TileCriterion by = TileCriterion::radius;  // identity: what they are the best in
     int runs = 0;                              // any: with the seeds seed, seed + 1, ...; 0: as many as cores
     std::optional<double> seconds;             // identity: stops then; any: ends then

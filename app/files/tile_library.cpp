@@ -25,9 +25,12 @@ struct Entry {
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> all{
         {{"paper16", "the paper's tile, Appendix A"}, tile_assets::paper16_tile},
-        {{"paper20", "the paper's 20-point tile"}, tile_assets::paper20_tile},
+        {{"paper20", "the fourth radius of 20 points: the paper prints it, but not the tile"},
+         tile_assets::paper20_tile},
         {{"lattice24", "the best radius of 24 points, nearly a lattice"}, tile_assets::lattice24_tile},
         {{"lattice28", "the best radius of 28 points, nearly a lattice"}, tile_assets::lattice28_tile},
+        {{"best32", "the best radius of 32 points, no lattice"}, tile_assets::best32_tile},
+        {{"lattice36", "the best radius of 36 points, nearly a lattice"}, tile_assets::lattice36_tile},
         {{"aperiodic16", "turned copies: no period, small"}, tile_assets::aperiodic16_tile},
         {{"aperiodic64", "turned copies, 64 points"}, tile_assets::aperiodic64_tile},
         {{"aperiodic256", "turned copies, 256 points"}, tile_assets::aperiodic256_tile},

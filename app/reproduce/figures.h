@@ -14,15 +14,18 @@ namespace dapple {
 /// 16 points.
 void add_tile_figures(HtmlPage& page);
 
-/// Figure 3: a plot of f. Figure 4: a plot of f^(3).
+/// Figure 3: a plot of f. Figure 4: a plot of f^(3) with its fixed points.
 void add_function_figures(HtmlPage& page);
 
-/// Figures 5 and 6: stippled pictures, with the fewest and the most dots that the paper's have.
+/// Figures 5 and 6: stippled pictures, with as many dots as the paper's eight have.
 void add_stippling_figures(HtmlPage& page);
 
 /// Figure 7: environment maps with as many samples as the paper's four have. A sky of our own if none are
 /// given. Throws std::runtime_error if a file is no environment map.
 void add_light_figures(HtmlPage& page, const std::vector<std::filesystem::path>& maps);
+
+/// Named in the paper, but not shown: 16 points from four tiles of 4.
+void add_tile_of_cycles(HtmlPage& page);
 
 /// Not in the paper: what Figure 8, the algorithm, does on a ramp.
 void add_recursion_pictures(HtmlPage& page);

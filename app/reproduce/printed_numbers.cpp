@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/analysis/distances.h"
 #include "core/placing/figure8.h"
+#include "core/tile/cycle_search.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
 #include "core/tile/ranking.h"
+#include "core/tile/symmetry.h"
 #include "core/tile/tile.h"
 
 namespace dapple {
@@ -41,29 +44,27 @@ constexpr std::array<std::string_view, 4> kBestOf20{"0.8324", "0.7141", "0.6713"
 constexpr std::array<std::string_view, 4> kOwnBestOf16{"0.696594", "0.652788", "0.640257", "0.638781"};
 constexpr std::array<std::string_view, 5> kOwnBestOf20{"0.832358", "0.714068", "0.671330", "0.658781",
                                                        "0.649963"};
+// Of so many points as the turn or mirror that does best takes to others, counted by another program.
+constexpr std::array<std::string_view, 2> kSymmetricOf16{"16", "6"};
+constexpr std::array<std::string_view, 4> kSymmetricOf20{"20", "20", "14", "8"};
 constexpr std::string_view kBestTileOf16 = "11730,8925/16";
 constexpr std::string_view kBestOf24 = "0.782220";
 constexpr std::string_view kBestOf28 = "0.914419";
+constexpr std::string_view kBestTileOf32 = "794048332,154885773/32", kBestOf32 = "0.715878";
+constexpr std::string_view kBestOf36 = "0.917943";
+// Of four, five and six cycles of 4 points.
+constexpr std::array<std::string_view, 3> kBestOfCycles{"0.744484", "0.832358", "0.679618"};
 
-// Appendix A in the order of the ranks. The first is printed so; the others are its multiples by powers of 2
-// modulo 65535, each the one farthest from all before it (no two are equally far), worked out apart from this
-// program in whole numbers.
-constexpr std::array<std::array<int, 2>, 16> kTable1{{{14217, 2895},
-                                                      {39876, 34215},
-                                                      {4719, 40470},
-                                                      {37752, 61620},
-                                                      {56868, 11580},
-                                                      {57933, 54210},
-                                                      {19938, 49875},
-                                                      {18876, 30810},
-                                                      {61734, 27105},
-                                                      {35127, 20235},
-                                                      {50331, 42885},
-                                                      {28434, 5790},
-                                                      {48201, 23160},
-                                                      {9438, 15405},
-                                                      {9969, 57705},
-                                                      {30867, 46320}}};
+// Appendix A in the order of the ranks: x and y as whole numbers of 1/65535, and as the eight digits beside.
+constexpr std::array<std::string_view, 16> kTable1{
+    "14217, 2895 = 0.21693751, 0.04417487",  "39876, 34215 = 0.60846876, 0.52208743",
+    "4719, 40470 = 0.07200732, 0.61753262",  "37752, 61620 = 0.57605859, 0.94026093",
+    "56868, 11580 = 0.86775006, 0.17669947", "57933, 54210 = 0.88400092, 0.82719158",
+    "19938, 49875 = 0.30423438, 0.76104372", "18876, 30810 = 0.28802930, 0.47013046",
+    "61734, 27105 = 0.94200046, 0.41359579", "35127, 20235 = 0.53600366, 0.30876631",
+    "50331, 42885 = 0.76800183, 0.65438315", "28434, 5790 = 0.43387503, 0.08834974",
+    "48201, 23160 = 0.73550011, 0.35339895", "9438, 15405 = 0.14401465, 0.23506523",
+    "9969, 57705 = 0.15211719, 0.88052186",  "30867, 46320 = 0.47100023, 0.70679789"};
 
 // Constant density 1 at scale 2500: complete levels 0..5 and half of level 6, see compare_figure8_counts().
 constexpr double kFigure8Scale = 2500;
@@ -125,14 +126,18 @@ int coinciding_points(const Tile& tile) {
     return found;
 }
 
+int symmetric_points(const std::string& word) {
+    std::array<double, 8> shares = symmetry_shares(make_tile(Rule{}, {word}));
+    shares[0] = 0;  // a move alone
+    return static_cast<int>(std::lround(std::ranges::max(shares) * static_cast<double>(word.size())));
+}
+
 }  // namespace
 
 std::string_view name_of(Origin origin) {
     switch (origin) {
         case Origin::printed:
             return "printed";
-        case Origin::follows:
-            return "follows";
         case Origin::ours:
             return "ours";
     }
@@ -158,23 +163,23 @@ std::vector<ComparedNumber> compare_table1() {
     const std::vector<int> ranks = farthest_point_ranks(tile);
     std::vector<std::string> ours(tile.size());
     for (std::size_t i = 0; i < tile.size(); ++i) {
-        const glm::dvec2 p = to_unit_square(tile.points[i]) * 65535.0;
-        ours[static_cast<std::size_t>(ranks[i])] = fmt::format("{:.0f}, {:.0f}", p.x, p.y);
+        const glm::dvec2 p = to_unit_square(tile.points[i]), whole = p * 65535.0;
+        ours[static_cast<std::size_t>(ranks[i])] =
+            fmt::format("{:.0f}, {:.0f} = {:.8f}, {:.8f}", whole.x, whole.y, p.x, p.y);
     }
     std::vector<ComparedNumber> rows;
     for (std::size_t rank = 0; rank < kTable1.size(); ++rank)
         rows.push_back({.what = fmt::format("{}", rank),
-                        .expected = fmt::format("{}, {}", kTable1[rank][0], kTable1[rank][1]),
+                        .expected = std::string(kTable1[rank]),
                         .ours = ours[rank],
-                        .source = rank == 0 ? "Appendix A" : "Appendix A's first point and section 6",
-                        .origin = rank == 0 ? Origin::printed : Origin::follows});
+                        .source = "Appendix A"});
     return rows;
 }
 
 std::vector<ComparedNumber> compare_own_numbers() {
     std::vector<ComparedNumber> rows;
     const std::vector<FoundTile> best = add_radii(rows, 16, kOwnBestOf16, kOwnSearch, Origin::ours);
-    add_radii(rows, 20, kOwnBestOf20, kOwnSearch, Origin::ours);
+    const std::vector<FoundTile> best20 = add_radii(rows, 20, kOwnBestOf20, kOwnSearch, Origin::ours);
     const auto add = [&](std::string what, std::string_view expected, std::string ours, const char* source) {
         rows.push_back({std::move(what), std::string(expected), std::move(ours), source, Origin::ours});
     };
@@ -194,6 +199,16 @@ std::vector<ComparedNumber> compare_own_numbers() {
         "its place, from the points themselves");
     add(name + ": points that its half-size copies cover", "16", fmt::format("{}", coinciding_points(tile)),
         "all, by the definition of a self-similar tile");
+    const auto add_symmetry = [&](const std::vector<FoundTile>& tiles,
+                                  std::span<const std::string_view> expected) {
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            add(fmt::format("best tile number {} of {} points: points that a turn or mirror takes to points",
+                            i + 1, tiles[i].word.size()),
+                expected[i], fmt::format("{}", symmetric_points(tiles[i].word)),
+                "counted by another program");
+    };
+    add_symmetry(best, kSymmetricOf16);
+    add_symmetry(best20, kSymmetricOf20);
     return rows;
 }
 
@@ -218,6 +233,23 @@ std::vector<ComparedNumber> compare_larger_tiles() {
     const char* source = "this program's first search: the paper stops at 20 points";
     add_radii(rows, 24, std::array{kBestOf24}, source, Origin::ours);
     add_radii(rows, 28, std::array{kBestOf28}, source, Origin::ours);
+    // Searched for, it takes longer than all else together.
+    rows.push_back({.what = fmt::format("relative radius, best tile of 32 points, {}", kBestTileOf32),
+                    .expected = std::string(kBestOf32),
+                    .ours = six_digits(relative_radius(parse_tile_integers(kBestTileOf32).words.at(0))),
+                    .source = "dapple tile search --points 32 --top 1",
+                    .origin = Origin::ours});
+    add_radii(rows, 36, std::array{kBestOf36}, source, Origin::ours);
+    for (std::size_t i = 0; i < kBestOfCycles.size(); ++i) {
+        const std::size_t cycles = 4 + i;
+        const std::vector<FoundCycles> best = search_cycles(std::vector<int>(cycles, 4), 1).best;
+        rows.push_back({.what = fmt::format("relative radius, best tile of {} points in {} cycles of 4",
+                                            4 * cycles, cycles),
+                        .expected = std::string(kBestOfCycles[i]),
+                        .ours = best.empty() ? "none" : six_digits(best[0].relative_radius),
+                        .source = "another program, all sets of cycles",
+                        .origin = Origin::ours});
+    }
     return rows;
 }
 

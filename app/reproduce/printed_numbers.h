@@ -11,10 +11,9 @@ namespace dapple {
 /// Where the number that should come out is from.
 enum class Origin {
     printed,  // the paper prints it, to the digits given
-    follows,  // from what the paper prints, worked out without this program
     ours,     // recorded from this program, or counted by hand: the paper does not print it
 };
-/// "printed", "follows", "ours".
+/// "printed", "ours".
 std::string_view name_of(Origin origin);
 
 /// One number that should come out, and the one that did, to the same digits.
@@ -33,7 +32,8 @@ struct ComparedNumber {
 /// paper gives, by an exhaustive search. Under a second on one core.
 std::vector<ComparedNumber> compare_printed_numbers();
 
-/// Table 1, Appendix A: the tile's 16 points as whole numbers of 1/65535, in the order of their ranks.
+/// Table 1, Appendix A: the tile's 16 points in the order of their ranks, as whole numbers of 1/65535 and to
+/// eight digits.
 std::vector<ComparedNumber> compare_table1();
 
 /// What the paper's tile is, beside what the paper says of it: its place among all, self-similarity.
@@ -42,7 +42,8 @@ std::vector<ComparedNumber> compare_own_numbers();
 /// How many dots Figure 8 as printed places twice. Counted by hand, and run.
 std::vector<ComparedNumber> compare_figure8_counts();
 
-/// What the paper's own search could not reach, 24 and 28 points: recorded when this program first did.
+/// What the paper's own search could not reach, 24 to 36 points: recorded when this program first did. The
+/// best of 32 points is not searched for again, but measured. And 16 to 24 points in cycles of 4.
 std::vector<ComparedNumber> compare_larger_tiles();
 
 }  // namespace dapple

@@ -106,11 +106,15 @@ void add_spectra(HtmlPage& page) {
     page.heading("Not in the paper: power spectra");
     page.pictures(
         std::array{spectra[0].picture, spectra[1].picture, spectra[2].picture, spectra[3].picture},
-        "Constant density. The first three are of the tile of Appendix A. Every orange dot is a wave that "
-        "runs through the whole set: the same tile comes "
-        "again and again, and moved by a tile all dots meet others (periodicity 1). This is the periodicity "
-        "that the paper names as its open problem. The fourth is of this program's own tile, whose copies "
-        "are turned.");
+        fmt::format(
+            "Constant density. Orange is a wave of more than {} times white noise's power. The first three "
+            "are of the tile of Appendix A: the same tile comes again and again, and moved by a tile all "
+            "dots meet others (periodicity 1), so that at every orange dot much of the set, or all of it, "
+            "moves as one. This is the periodicity that the paper names as its open problem. The fourth is "
+            "of this program's own tile, whose copies are turned. Its few orange dots, the highest of power "
+            "{:.0f}, are what is left of it: the tiles still lie on a square grid, and what their turned "
+            "copies have in common repeats with it.",
+            kPeakPower, spectra[3].report.peaks.highest_bin));
     page.drawings(
         std::array{svg_plot(
             {.title = "Radially averaged power",

@@ -12,7 +12,7 @@ namespace dapple {
 namespace {
 
 constexpr int kWidth = 2048;
-constexpr double kDiscRadius = 2.0, kRim = 1.1;  // pixels
+constexpr double kRim = 1.1;  // pixels
 
 glm::u8vec3 mixed(glm::u8vec3 under, double over, double share) {
     const glm::dvec3 colour = glm::mix(glm::dvec3(under), glm::dvec3(over), std::clamp(share, 0.0, 1.0));
@@ -58,7 +58,7 @@ glm::u8vec3 tone_mapped(const glm::dvec3& radiance, double exposure) {
 }
 
 Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::dvec2> places,
-                                double exposure) {
+                                double exposure, double disc_radius) {
     const int times = std::max(1, (kWidth + map.width() - 1) / map.width());
     Grid<glm::u8vec3> picture(map.width() * times, map.height() * times);
     for (int y = 0; y < picture.height; ++y) {
@@ -67,8 +67,8 @@ Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::
     }
     // All rims first, so that dense discs don't hide each other.
     const glm::dvec2 size(picture.width, picture.height);
-    for (const glm::dvec2 p : places) draw_disc(picture, p * size, kDiscRadius + kRim, 20);
-    for (const glm::dvec2 p : places) draw_disc(picture, p * size, kDiscRadius, 255);
+    for (const glm::dvec2 p : places) draw_disc(picture, p * size, disc_radius + kRim, 20);
+    for (const glm::dvec2 p : places) draw_disc(picture, p * size, disc_radius, 255);
     return picture;
 }
 

@@ -18,8 +18,8 @@ double natural_exposure(const EnvironmentMap& map);
 glm::u8vec3 tone_mapped(const glm::dvec3& radiance, double exposure);
 
 /// The map, each texel a square of so many pixels that the picture is at least 2,048 wide, and a white disc
-/// with a dark rim at each place (u, v).
+/// with a dark rim at each place (u, v), so many pixels in radius.
 Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::dvec2> places,
-                                double exposure);
+                                double exposure, double disc_radius = 2);
 
 }  // namespace dapple

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kStyle = R"(
 body { font: 16px/1.5 sans-serif; color: #222; background: #fff; max-width: 66rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.7rem; } h2 { font-size: 1.25rem; margin-top: 2.2rem; border-bottom: 1px solid #ccc; }
-.side { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-start; }
+.side { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-start; margin-top: 0.8rem; }
 .side figure { margin: 0; flex: 1 1 18rem; } .side svg { flex: 1 1 24rem; max-width: 48rem; height: auto; }
 .one figure { max-width: 44rem; } .four figure { flex: 1 1 26rem; } .many figure { flex: 0 1 20rem; }
 img { max-width: 100%; width: 100%; height: auto; border: 1px solid #ccc; } img.pixels { image-rendering: pixelated; }
@@ -54,7 +54,7 @@ void HtmlPage::pictures(std::span<const Picture> pictures, std::string_view sent
         body_ += "</figure>\n";
     }
     body_ += "</div>\n";
-    paragraph(sentence);
+    if (!sentence.empty()) paragraph(sentence);
 }
 
 void HtmlPage::drawings(std::span<const std::string> svg, std::string_view sentence) {

@@ -19,7 +19,7 @@ class HtmlPage {
     void heading(std::string_view text);
     void paragraph(std::string_view text);
 
-    /// A picture, or several side by side, under them a sentence that says what to see.
+    /// A picture, or several side by side, under them a sentence, if any, that says what to see.
     struct Picture {
         std::string bytes{};  // of the file
         std::string media_type = "image/png";
@@ -27,7 +27,7 @@ class HtmlPage {
         std::string caption{};   // under this one; none, none
         bool pixelated = false;  // enlarged without blur
     };
-    void pictures(std::span<const Picture> pictures, std::string_view sentence);
+    void pictures(std::span<const Picture> pictures, std::string_view sentence = {});
 
     /// Well-formed <svg> elements, as svg_plot() writes them, side by side.
     void drawings(std::span<const std::string> svg, std::string_view sentence);

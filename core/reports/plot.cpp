@@ -82,6 +82,23 @@ std::string tick_label(double value, AxisScale scale) {
     return long_number ? fmt::format("{:.0e}", value) : fmt::format("{:.6g}", value);
 }
 
+struct Tick {
+    double at;
+    std::string label;
+};
+
+std::vector<Tick> ticks_of(const PlotAxis& axis, const Ruler& ruler, int about) {
+    std::vector<Tick> ticks;
+    for (int k = 0; axis.parts > 0 && k <= axis.parts; ++k)
+        ticks.push_back({double(k) / axis.parts, k == 0            ? "0"
+                                                 : k == axis.parts ? "1"
+                                                                   : fmt::format("{}/{}", k, axis.parts)});
+    if (axis.parts > 0) return ticks;
+    for (const double at : plot_ticks(ruler.range().least, ruler.range().most, about, ruler.scale()))
+        ticks.push_back({at, tick_label(at, ruler.scale())});
+    return ticks;
+}
+
 class Writer {
  public:
     explicit Writer(const Plot& plot)
@@ -117,24 +134,25 @@ class Writer {
 
     void axes() {
         const double bottom = top_ + height_;
+        const std::vector<Tick> across = ticks_of(plot_.x, x_, 8), up = ticks_of(plot_.y, y_, 6);
         add(R"(<g stroke="#ddd" fill="none">)");
-        for (const double tick : plot_ticks(x_.range().least, x_.range().most, 8, x_.scale()))
-            add(R"(<path d="M{:.2f} {:.2f}V{:.2f}"/>)", kLeft + x_.place(tick) * width_, top_, bottom);
-        for (const double tick : plot_ticks(y_.range().least, y_.range().most, 6, y_.scale()))
-            add(R"(<path d="M{:.2f} {:.2f}H{:.2f}"/>)", kLeft, bottom - y_.place(tick) * height_,
+        for (const Tick& tick : across)
+            add(R"(<path d="M{:.2f} {:.2f}V{:.2f}"/>)", kLeft + x_.place(tick.at) * width_, top_, bottom);
+        for (const Tick& tick : up)
+            add(R"(<path d="M{:.2f} {:.2f}H{:.2f}"/>)", kLeft, bottom - y_.place(tick.at) * height_,
                 kLeft + width_);
         add(R"(</g><rect x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}" fill="none" stroke="#555"/>)",
             kLeft, top_, width_, height_);
         add(R"(<g fill="#222" text-anchor="middle">)");
-        for (const double tick : plot_ticks(x_.range().least, x_.range().most, 8, x_.scale()))
-            add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft + x_.place(tick) * width_, bottom + 16,
-                tick_label(tick, x_.scale()));
+        for (const Tick& tick : across)
+            add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft + x_.place(tick.at) * width_, bottom + 16,
+                tick.label);
         add(R"(<text x="{:.2f}" y="{:.2f}">{}</text></g>)", kLeft + width_ / 2, bottom + 40,
             xml_text(plot_.x.label));
         add(R"(<g fill="#222" text-anchor="end">)");
-        for (const double tick : plot_ticks(y_.range().least, y_.range().most, 6, y_.scale()))
-            add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft - 6, bottom - y_.place(tick) * height_ + 4,
-                tick_label(tick, y_.scale()));
+        for (const Tick& tick : up)
+            add(R"(<text x="{:.2f}" y="{:.2f}">{}</text>)", kLeft - 6,
+                bottom - y_.place(tick.at) * height_ + 4, tick.label);
         add(R"~(</g><text fill="#222" text-anchor="middle" transform="translate(14 {:.2f}) rotate(-90)">{}</text>)~",
             top_ + height_ / 2, xml_text(plot_.y.label));
     }

@@ -15,6 +15,7 @@ struct PlotAxis {
     std::string label;  // what it is, and its unit: "distance, in mean spacings"
     AxisScale scale = AxisScale::linear;
     std::optional<double> least{}, most{};  // what the data span if not given; positive on a logarithmic axis
+    int parts = 0;  // n: ticks at k/n, written so, on a linear axis from 0 to 1; 0: at round numbers
 };
 
 enum class PlotMark { line, dots };
