@@ -112,7 +112,7 @@ Polygon half_of(const Polygon& polygon, glm::dvec2 normal, double most) {
 }
 
 // Of density squared over what is nearer to dots[i] than to others, on the page and to where its edges wave,
-// of a distance between dots: beyond them the density goes on.
+// less the darker it is there: beyond them the density goes on.
 glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, const Density& density,
                          double scale) {
     const double longer = density.longer_side();
@@ -122,10 +122,11 @@ glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, con
     // How far away an edge is where it waves.
     const auto edge = [&](double away, double from_middle) {
         double beyond = 0.05;
-        for (const double length : {6.1, 9.7})
-            beyond += 0.375 * 2 / std::numbers::pi *
+        for (const double length : {3.7, 5.9})
+            beyond += 0.45 * 2 / std::numbers::pi *
                       std::asin(std::sin(2 * std::numbers::pi * std::abs(from_middle) / apart / length));
-        return std::max(away + beyond * apart, 0.0);
+        const double light = std::clamp((0.9 - at(dot)) / 0.3, 0.0, 1.0);
+        return std::max(away + std::lerp(0.2, std::clamp(beyond, -0.4, 0.35), light) * apart, 0.0);
     };
     const glm::dvec2 middle = dot - end / 2.0;
     const glm::dvec2 low(-edge(dot.x, middle.y), -edge(dot.y, middle.x)),
@@ -169,8 +170,7 @@ TEST_CASE("a step takes every dot 1.8 times the way to its cell's centroid") {
         double mean = 0, most = 0, way = 0;
         for (std::size_t i = 0; i < dots.size(); ++i) {
             const glm::dvec2 step = 1.8 * slow_centroid(dots, i, density, before.scale);
-            glm::dvec2 right = glm::abs(dots[i] + step);  // what would leave the page comes as far in
-            right = glm::min(right, 2.0 * end - right);
+            const glm::dvec2 right = glm::clamp(dots[i] + step, glm::dvec2(0), end);
             const double error = glm::distance(after[i], right) / apart;
             mean += error / static_cast<double>(dots.size());
             most = std::max(most, error);
@@ -229,7 +229,7 @@ TEST_CASE("no dot is lost, none leaves the page, and each keeps what is known of
 }
 
 TEST_CASE("relaxing draws no line along the page's edges, however often") {
-    const Density grey(Grid<float>(30, 20, 1.0f));
+    const Density grey(Grid<float>(30, 20, 0.5f));
     const double height = 2.0 / 3;
     // Dots in bands a quarter of a distance wide, over what they would be evenly spread, of several drawings.
     constexpr int kBands = 6;
@@ -247,7 +247,7 @@ TEST_CASE("relaxing draws no line along the page's edges, however often") {
         }
         for (std::size_t i = 1; i < kBands; ++i) {
             CAPTURE(i);
-            CHECK(bands[i] / even[i] == doctest::Approx(1).epsilon(0.25));
+            CHECK(bands[i] / even[i] == doctest::Approx(1).epsilon(0.2));
         }
     }
 }
@@ -275,7 +275,7 @@ TEST_CASE("dots on one grey get more even") {
             CAPTURE(grey);
             CAPTURE(steps);
             CHECK(now.mean > last.mean);
-            CHECK(now.p1 > 0.92 * last.p1);  // at the edges a first step brings some nearer
+            CHECK(now.p1 > 0.85 * last.p1);  // at the edges a first step brings some nearer
             if (steps >= 3) {
                 CHECK(now.mean >= 0.84);
                 CHECK(now.p1 >= 0.62);
@@ -294,7 +294,7 @@ TEST_CASE("a line one pixel wide stays a line, and its dots spread evenly along 
             for (const float across : upright ? after.x : after.y) CHECK(std::abs(across * 100 - 37.5f) < 1);
         }
         // Further apart than the line is wide they stand in single file.
-        const Dots after = relaxed(density, placed(density, 30), 30);
+        const Dots after = relaxed(density, placed(density, 30), 60);
         const FloatBuffer &across = upright ? after.x : after.y, &along = upright ? after.y : after.x;
         for (const float place : across) CHECK(std::abs(place * 100 - 37.5f) < 0.2f);
         std::vector<float> sorted(along.begin(), along.end());
@@ -368,7 +368,7 @@ TEST_CASE("a dot between two lines whose cell holds parts of both stays on its o
         double least = 1;
         for (const glm::dvec2 p : positions(relaxed(density, from, steps)))
             least = std::min(least, density.at(p));
-        CHECK(least > 0.05);
+        CHECK(least > 0.005);  // white has none
     }
 }
 

@@ -25,10 +25,15 @@ static_assert(kFarthestRow > 2 * std::numbers::sqrt2 * kCellReach);
 constexpr int kMostNearRows = 8;
 
 constexpr float kOvershoot = 1.8f;
-// Where cells end along the page's edges, in distances between dots: on the mean a little beyond, and in
-// waves of two lengths that never meet again. Dots lean on where their cells end, and would line up along a
-// straight edge; so the page looks cut out of a larger one.
-constexpr float kBeyondEdge = 0.05f, kWaveHeight = 0.75f, kWaveLengths[] = {6.1f, 9.7f};
+// Where cells end along the page's edges, in distances between dots beyond them. In black a little beyond,
+// since on the edges they would draw dots half a distance inwards, and leave bare paper between the discs. In
+// lighter tones in waves of two lengths that hardly ever meet again: dots lean on where their cells end, and
+// would be seen to line up along a straight edge, while a page should look cut out of a larger one. Farther
+// in, waves would leave bare bites, and farther out draw dots off the page.
+constexpr float kBeyondInBlack = 0.2f, kLightest = 0.6f,
+                kBlackest = 0.9f;  // densities, between which both are mixed
+constexpr float kBeyondEdge = 0.05f, kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
+constexpr float kWaveHeight = 0.45f, kWaveLengths[] = {3.7f, 5.9f};
 // A dot stays where the ink is: it does not go where there is less than this share of the density that it
 // comes from.
 constexpr float kLeastShare = 0.25f;
@@ -98,19 +103,13 @@ class RowsMover {
         }
         for (int i = 0; i < kShorterTries; ++i) {
             if (centroid_.density_at(anchor, step_x, step_y) > kLeastShare * density) {
-                to_x = folded(x + step_x, last_x_);
-                to_y = folded(y + step_y, last_y_);
+                to_x = std::clamp(x + step_x, 0.0f, last_x_);
+                to_y = std::clamp(y + step_y, 0.0f, last_y_);
                 return;
             }
             step_x *= 0.5f;
             step_y *= 0.5f;
         }
-    }
-
-    // What would leave the page comes as far in: dots that stopped at the edge would be seen as a line.
-    static float folded(float place, float last) {
-        place = std::abs(place);
-        return std::clamp(place > last ? 2 * last - place : place, 0.0f, last);
     }
 
     // Other dots come in an order that follows from positions alone: first the nearest on either side in each
@@ -119,13 +118,15 @@ class RowsMover {
     VoronoiCell cell_of(std::int64_t row, std::size_t dot, float density) {
         const float x = rows_.x[dot], y = rows_.y[dot];
         const float apart_here = spacing_ / std::sqrt(std::max(density, 1e-6f));
+        const float light = std::clamp((kBlackest - density) / (kBlackest - kLightest), 0.0f, 1.0f);
         // To where the cell ends at an edge so far away, at that place along it. Alike on all edges from
         // their middles on: a picture on its side has the same dots.
         const auto to_edge = [&](float away, float from_middle) {
             const float t = std::abs(from_middle) / apart_here;
             const float waves = wave(t / kWaveLengths[0]) + wave(t / kWaveLengths[1]);
-            const float beyond = (kBeyondEdge + 0.5f * kWaveHeight * waves) * apart_here;
-            return std::clamp(away + beyond, 0.0f, kCellReach);
+            const float waving = std::clamp(kBeyondEdge + kWaveHeight * waves, kLeastBeyond, kMostBeyond);
+            const float beyond = kBeyondInBlack + light * (waving - kBeyondInBlack);
+            return std::clamp(away + beyond * apart_here, 0.0f, kCellReach);
         };
         const float across = x - width_ / 2, down = y - height_ / 2;
         VoronoiCell cell(-to_edge(x, down), -to_edge(y, across), to_edge(width_ - x, down),
