@@ -225,12 +225,12 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         viewer.key("ctrl+comma");
         compare_dialog("preferences", {});
         viewer.key("ctrl+p");
-        compare_dialog("palette", {"What to do"});
+        compare_dialog("palette", {"Commands"});
         viewer.key("ctrl+p");
-        REQUIRE(viewer.shows([&] { return viewer.has("What to do"); }));
+        REQUIRE(viewer.shows([&] { return viewer.has("Commands"); }));
         viewer.xdotool("type --delay 20 about");
         viewer.key("Return");
-        REQUIRE(viewer.shows([&] { return !viewer.has("What to do"); }));
+        REQUIRE(viewer.shows([&] { return !viewer.has("Commands"); }));
         compare_dialog("about", {});
 
         viewer.click("Preset");

@@ -27,8 +27,10 @@ TEST_CASE("a typed number may have thousands, units of a thousand and a million,
     CHECK(number(" 40k + 500 ") == 40'500);
     CHECK(number("1-0.25-0.5") == 0.25);
     CHECK(number("2*210 + 5") == 425);
-    for (const char* wrong :
-         {"", " ", "k", "4 0", "40kk", "1,00", "two", "1+", "+", "--1", "nan", "inf", "5mm", "2*", "*2"}) {
+    CHECK(number("40k/4") == 10'000);
+    CHECK(number("12 / 3 * 2 - 1") == 7);
+    for (const char* wrong : {"", " ", "k", "4 0", "40kk", "1,00", "two", "1+", "+", "--1", "nan", "inf",
+                              "5mm", "2*", "*2", "1/0", "2/", "/2"}) {
         CAPTURE(wrong);
         CHECK_FALSE(number(wrong));
     }
@@ -40,7 +42,11 @@ TEST_CASE("a typed length is in millimetres, or in the unit that each of its ter
     CHECK(*length("8in + 5mm") == doctest::Approx(208.2));
     CHECK(length("210-15-15") == 180);
     CHECK(*length("2 * 8in") == doctest::Approx(406.4));
+    CHECK(*length("8in/2") == doctest::Approx(101.6));
+    CHECK(length("210/2") == 105);
+    CHECK(*length("8in/2*3") == doctest::Approx(304.8));
     CHECK_FALSE(length("8in*2in"));
+    CHECK_FALSE(length("2/8in"));
     CHECK_FALSE(length("40k"));
 }
 

@@ -68,7 +68,7 @@ TEST_CASE(
     viewer.release();
     viewer.move(300, 300);
     viewer.key("ctrl+p");
-    REQUIRE(viewer.shows([&] { return viewer.has("What to do"); }));
+    REQUIRE(viewer.shows([&] { return viewer.has("Commands"); }));
     viewer.xdotool("type --delay 20 'film: zoom'");
     viewer.key("Return");
     REQUIRE(viewer.shows([&] { return film_is(viewer, "zoom"); }));

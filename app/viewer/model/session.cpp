@@ -195,7 +195,7 @@ void Session::take_settings(const fs::path& file) {
         settings.drawing = read.drawing;
         settings.saving = read.saving;
         banner = {BannerKind::notice,
-                  "The settings of " + file.string() + " are taken; undo brings yours back"};
+                  "Now with the settings of " + file.string() + "; undo goes back to yours"};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }
@@ -358,7 +358,7 @@ void Session::take(DotsPlaced& event) {
     } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
-        saved_path_.clear();  // it shows another picture
+        saved_path_.clear();                     // it shows another picture
         if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",

@@ -61,7 +61,7 @@ void draw_about_panel(bool& open) {
     ImGui::TextUnformatted(
         "Photographs as dots, in real time. The method is Ares Lagae's and Philip Dutré's: a self-similar "
         "hierarchical tile, divided again and again (2006).");
-    ImGui::TextUnformatted("Free to use, change and pass on under the MIT licence.");
+    ImGui::TextUnformatted("Free to use, change and share under the MIT licence.");
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, ImGui::GetTextLineHeight() / 2});
     const std::string all = glfwGetVersionString(), glfw = all.substr(0, all.find(' '));

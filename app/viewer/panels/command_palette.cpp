@@ -72,7 +72,7 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
     std::optional<Action> asked;
     std::optional<std::filesystem::path> file;
     {
-        const Dialog dialog("What to do", open_);
+        const Dialog dialog("Commands", open_);
         if (!dialog) return;
         if (ImGui::IsWindowAppearing()) {
             typed_[0] = 0;
@@ -82,9 +82,9 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
         ImGui::SetNextItemWidth(width);
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         const std::string before = typed_;
-        const bool entered = ImGui::InputTextWithHint("##typed", "a few letters of it", typed_, sizeof typed_,
+        const bool entered = ImGui::InputTextWithHint("##typed", "type to search", typed_, sizeof typed_,
                                                       ImGuiInputTextFlags_EnterReturnsTrue);
-        note_place("What to do");
+        note_place("Commands");
         if (before != typed_) chosen_ = 0;
         const std::vector<Shortcut> found = shortcuts_with(typed_, shortcuts);
         std::vector<std::filesystem::path> files = recent_with(typed_, recent.files);
@@ -116,7 +116,7 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
         }
         ImGui::EndChild();
         note_place("Found");
-        if (found.empty() && files.empty()) hint("Nothing has all of that; try one word of it.");
+        if (found.empty() && files.empty()) hint("Nothing matches; try one word of it.");
         if (entered && chosen_ < actions)
             asked = found[static_cast<std::size_t>(chosen_)].action;
         else if (entered && !files.empty())

@@ -152,7 +152,7 @@ bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& 
                    "Whose time is told below; the file is the same for all of them.");
     if (changed) saving.machine = static_cast<Machine>(chosen);
     if (info.dots == 0) return changed;
-    hint(fmt::format("Plots for {}: {}.", time_in_words(info.plotting.total_s()),
+    hint(fmt::format("Takes {} to plot: {}.", time_in_words(info.plotting.total_s()),
                      what_takes_longest(info.plotting))
              .c_str());
     note_place("Plotting time");

@@ -22,20 +22,32 @@ std::size_t end_of_term(std::string_view text) {
     return text.size();
 }
 
-/// A product: 2*210, 2*8in. Of lengths the last factor alone is one.
+// 2*210, 8in/2, from the left to the right. One factor is a length where one is wanted, and is not divided
+// by.
 std::optional<double> product_of(std::string_view term, TypedKind kind, LengthUnit bare) {
+    const bool of_lengths = kind == TypedKind::length;
     double product = 1;
-    for (std::size_t star = term.find('*'); star != std::string_view::npos; star = term.find('*')) {
-        const std::optional<double> factor = quantity_of(trimmed(term.substr(0, star)));
-        if (!factor) return std::nullopt;
-        product *= *factor;
-        term.remove_prefix(star + 1);
+    bool has_length = !of_lengths;
+    char sign = '*';
+    while (true) {
+        const std::size_t end = std::min(term.find_first_of("*/"), term.size());
+        const std::string_view factor = trimmed(term.substr(0, end));
+        std::optional<double> value = quantity_of(factor);
+        // A number alone may still be the length: the last one is, if no other was.
+        const bool last = end == term.size();
+        if (of_lengths && sign == '*' && !has_length && (!value || last)) {
+            value = millimetres_of(factor, bare);
+            has_length = true;
+        }
+        if (!value || (sign == '/' && *value == 0)) return std::nullopt;
+        product = sign == '*' ? product * *value : product / *value;
+        if (last) break;
+        sign = term[end];
+        term.remove_prefix(end + 1);
     }
-    term = trimmed(term);
-    const std::optional<double> last =
-        kind == TypedKind::length ? millimetres_of(term, bare) : quantity_of(term);
-    if (!last) return std::nullopt;
-    return product * *last;
+    if (has_length) return product;
+    // 210/2: the numbers come to a length without a unit.
+    return product * *millimetres_of("1", bare);
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ enum class TypedKind {
     length,  // comes back in millimetres: 8in, 21cm, 595pt
 };
 
-/// A number as people write it, or several, added, taken away and multiplied: 40k, 1.5M, 40,000,
-/// 210-15-15, 2*210, 8in+5mm. `bare` is what a length without a unit is in. Nothing if it is none of that.
+/// A number as people write it, or several, added, taken away, multiplied and divided: 40k, 1.5M, 40,000,
+/// 210-15-15, 2*210, 8in/2, 8in+5mm. `bare` is what a length without a unit is in. Nothing if it is none of
+/// that.
 std::optional<double> typed_value(std::string_view text, TypedKind kind, LengthUnit bare = LengthUnit::mm);
 
 }  // namespace dapple

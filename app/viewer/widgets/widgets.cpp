@@ -157,7 +157,7 @@ std::string sentence_of(Refusal refusal, const SliderRange& range) {
     if (refusal == kTooMuch) return "At most " + text_of(range.hard_max, range) + ".";
     if (refusal == kTooLittle) return "At least " + text_of(range.hard_min, range) + ".";
     return range.typed == TypedKind::length ? "That is no length; write 210, 21cm or 8in."
-                                            : "That is no number; write 40000, 40k or 1.5M.";
+                                            : "That is not a number; write 40000, 40k or 1.5M.";
 }
 
 void remember_refusal(Refusal refusal) {
