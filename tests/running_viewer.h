@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 inline void run(std::vector<std::string> command) {
-    CAPTURE(command.front());
+    const std::string program = command.front();  // told if it fails, when the command is gone
+    CAPTURE(program);
     REQUIRE(ChildProcess(std::move(command)).wait() == 0);
 }
 
@@ -94,6 +95,10 @@ class RunningViewer {
         if (end == std::string::npos) return nullptr;
         const auto before = log.rfind('\n', end);
         return json::parse(log.substr(before + 1, end - before));
+    }
+    /// Waits until its window has a title like that.
+    bool is_titled(const std::string& pattern) {
+        return shows([&] { return ChildProcess({"xdotool", "search", "--name", pattern}).wait() == 0; });
     }
     /// Waits until the dots move no more: each step of relaxing counts as a placing.
     bool is_relaxed() {

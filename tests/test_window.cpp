@@ -541,7 +541,7 @@ TEST_CASE(
     for (const char* keys : {"ctrl+a", "ctrl+c", "Escape"}) viewer.key(keys);
     REQUIRE(viewer.shows([&] { return !viewer.has("Path"); }));
     viewer.key("ctrl+v");
-    run({"timeout", "20", "xdotool", "search", "--sync", "--name", "two.pgm - Dapple$"});
+    REQUIRE(viewer.is_titled("two.pgm - Dapple$"));
     viewer.key("i");
     viewer.move(400, 400);
     REQUIRE(viewer.is_relaxed());
@@ -560,14 +560,14 @@ TEST_CASE("what another program copied is opened: a picture, which is kept, and 
     const int before = viewer.status()["placings"];
     run({"xclip", "-selection", "clipboard", "-t", "image/png", (folder / "red.png").string()});
     viewer.key("ctrl+v");
-    run({"timeout", "50", "xdotool", "search", "--sync", "--name", "^pasted .*[.]png - Dapple$"});
+    REQUIRE(viewer.is_titled("^pasted .*[.]png - Dapple$"));
     const fs::path pasted = folder / "home/dapple/pasted";
     REQUIRE(fs::exists(pasted));
     CHECK((text_of(fs::directory_iterator(pasted)->path()) == text_of(folder / "red.png")));
     CHECK(viewer.shows([&] { return viewer.status()["placings"] > before; }));
     run({"xclip", "-selection", "clipboard", (folder / "path").string()});
     viewer.key("ctrl+v");
-    run({"timeout", "50", "xdotool", "search", "--sync", "--name", "^named.pgm - Dapple$"});
+    REQUIRE(viewer.is_titled("^named.pgm - Dapple$"));
 }
 
 }  // namespace dapple
