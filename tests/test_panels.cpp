@@ -300,7 +300,7 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     ui.click("each side");
     ui.enter("Left, mm", "1in");
     CHECK(setup.margins == Margins{15, 15, 15, 25.4});
-    ui.click("equal");
+    ui.click("alike");
     CHECK(setup.margins == Margins{15, 15, 15, 15});
     ui.click("Paper size");
     ui.click("custom");
@@ -491,14 +491,14 @@ TEST_CASE("pens of one's own begin with those that drew, and are added, named an
         ui.click(set);
     };
     Palette& own = settings.pens.own;
-    choose("custom");
+    choose("own");
     REQUIRE(own.size() == 1);
     CHECK(own[0].colour == settings.ink);
     ui.click("Remove Ink");
     CHECK(own.size() == 1);  // greyed: one draws
     own.clear();
     choose("greys");
-    choose("custom");
+    choose("own");
     REQUIRE(own.size() == 3);
     ui.click("Add a pen");
     REQUIRE(own.size() == 4);
@@ -987,9 +987,9 @@ TEST_CASE("the method's rows show tiles, colour dots, let new ones come in and l
     ui.click("Dots coloured");
     ui.click("by rank");
     CHECK(settings.colouring == DotColouring::rank);
-    ui.drag("Deepest level", 1.0f, 0.0f);
+    ui.drag("Levels up to", 1.0f, 0.0f);
     CHECK(settings.deepest_level == 0);
-    ui.drag("Deepest level", 0.0f, 1.0f);
+    ui.drag("Levels up to", 0.0f, 1.0f);
     CHECK(settings.deepest_level == kDeepestStep);
     ui.click("Every frame");
     CHECK(settings.every_frame);

@@ -215,7 +215,7 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUn
     bool changed = false;
     {
         const Greyed greyed(settings.dot_size.sizing == DotSizing::by_tone
-                                ? "How many dots there are follows from their sizes and the picture's tone."
+                                ? "Dots sized by tone are as many as their sizes and the tone ask for."
                                 : nullptr);
         changed |= draw_amount(settings.placing, drawn);
     }

@@ -75,7 +75,7 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool equal = margins == Margins{margins.top, margins.top, margins.top, margins.top};
     int by = each || !equal ? 1 : 0;
     bool changed = false;
-    if (segmented_row("Margins", by, std::array{"equal", "each side"},
+    if (segmented_row("Margins", by, std::array{"alike", "each side"},
                       "Bare paper along the edges, in which no part of a dot lies.")) {
         each = by == 1;
         if (!each) {
@@ -97,7 +97,7 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     if (!alike) range.tip = "How wide the bare paper is along this edge.";
     changed |= slider_row(alike ? "Margin" : "Top", margins.top, range);
     if (alike) margins = {margins.top, margins.top, margins.top, margins.top};
-    const Greyed greyed(alike ? "All margins are equal; choose \"each side\" above." : nullptr);
+    const Greyed greyed(alike ? "All margins are alike; choose \"each side\" above." : nullptr);
     changed |= slider_row("Right", margins.right, range);
     changed |= slider_row("Bottom", margins.bottom, range);
     changed |= slider_row("Left", margins.left, range);

@@ -29,9 +29,9 @@ Source source_of(const DrawingSettings& settings) {
 bool draw_source(DrawingSettings& settings, const Tone& drawn) {
     int chosen = static_cast<int>(source_of(settings));
     if (!segmented_row(
-            "Tone from", chosen, std::array{"auto", "true", "custom"},
+            "Tone from", chosen, std::array{"auto", "true", "own"},
             "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
-            "just the light that the picture lacks. custom: as the handles and sliders say."))
+            "just the light that the picture lacks. own: as the handles and sliders say."))
         return false;
     const auto source = static_cast<Source>(chosen);
     settings.automatic_tone = source == Source::automatic;
@@ -65,8 +65,9 @@ bool draw_levels(Tone& tone) {
                            .max = 1,
                            .neutral = 0,
                            .tip = "Parts light from dark, or brings them nearer to each other."});
-    changed |= slider_row("Brightness", tone.brightness,
-                          {.min = -1, .max = 1, .neutral = 0, .tip = "Darker, or lighter."});
+    changed |= slider_row(
+        "Brightness", tone.brightness,
+        {.min = -1, .max = 1, .neutral = 0, .tip = "Lighter, with fewer dots, or darker, with more."});
     changed |= slider_row("Gamma", tone.gamma,
                           {.min = 0.25,
                            .max = 4,
