@@ -416,7 +416,7 @@ TEST_CASE("several pens' files have about the size told before") {
         REQUIRE(info.bytes);
         session.save(folder / name);
         REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
-        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.15));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
     }
 }
 

@@ -55,10 +55,11 @@ double bytes_of(DrawingFormat format, const DrawingSettings& settings, const Dra
     return count.bytes();
 }
 
-// Some of the dots, those of a pen together. Of when they appear any numbers with as many digits will do: a
-// drawing on screen has none.
+// Some of the dots in runs, as how well they are compressed follows from their neighbours, those of a pen
+// together. Of when they appear any numbers with as many digits will do: a drawing on screen has none.
 DotPieces sample_of(const DotStream& dots) {
     DotPieces sample;
+    constexpr std::uint64_t kRun = 50;
     const std::uint64_t step = 1 + dots.count / kSample;
     std::uint64_t before = 0, next = 0;  // dots of pieces before; the next one of all that is taken
     dots.for_each_piece([&](const Dots& piece) {
@@ -67,7 +68,7 @@ DotPieces sample_of(const DotStream& dots) {
             sample.pieces.back().pen = piece.pen;
         }
         Dots& own = sample.pieces.back();
-        for (; next < before + piece.size(); next += step) {
+        for (; next < before + piece.size(); next += (next + 1) % kRun == 0 ? (step - 1) * kRun + 1 : 1) {
             const std::size_t k = next - before;
             own.x.push_back(piece.x[k]);
             own.y.push_back(piece.y[k]);

@@ -206,9 +206,10 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
             return pixels([&](const auto&... image) { write_tiff(out, image...); }, in_8_bits);
         case DrawingFormat::gcode: {
             GcodeStyle style = gcode_style_of(drawing.saving);
-            const std::vector<std::string> comments = machine_comments(drawing, strokes, format);
-            // Other machines' comments begin otherwise.
-            if (drawing.saving.gcode_template.text.empty()) style.comments = comments;
+            std::vector<std::string> comments;  // of a template of one's own they may begin otherwise
+            if (drawing.saving.gcode_template.text.empty())
+                comments = machine_comments(drawing, strokes, format);
+            style.comments = comments;
             style.dot_radius_mm = radius;
             style.pens = drawing.pens;
             style.registration = marks;
