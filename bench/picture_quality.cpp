@@ -4,7 +4,7 @@
 //      picture_quality PHOTO...                    at 10,000, 40,000 and 200,000 dots; and seams on black
 //      picture_quality                             the same of the built-in still life
 //      picture_quality --dots 40000 --steps 0,3 --peer-steps 50 PHOTO...
-//      picture_quality --only seams --loads 1.35   or --only pictures
+//      picture_quality --only seams --loads 1.35   or --only pictures, or black
 //      picture_quality --side-by-side FILE.png     the first photograph and its drawings, at the first count
 //
 // docs/make_picture_quality makes docs/pictures.md with it, which says what the columns mean.
@@ -32,7 +32,9 @@
 #include "app/shown_text.h"
 #include "bench/relaxed_dots.h"
 #include "bench/side_by_side.h"
+#include "core/analysis/distances.h"
 #include "core/analysis/local_distances.h"
+#include "core/image/detail.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/seams.h"
@@ -48,7 +50,7 @@ constexpr int kPeerEvenness = 50;  // steps after which Dapple's dots are about 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPanelWidth = 600;  // px
 
-enum class Tables { all, pictures, seams };
+enum class Tables { all, pictures, black, seams };
 
 struct Wanted {
     std::vector<std::filesystem::path> photos;  // none: the still life
@@ -205,6 +207,57 @@ void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
     }
 }
 
+// Of a drawing in automatic tone, as it would be saved.
+void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count,
+                 std::optional<double> black) {
+    DrawingRequest request;
+    request.tone = {.detail = kAutoDetail, .black = black};
+    request.placing = {.count = count, .threads = 0};
+    const DrawingPlan plan = pipeline.plan(request);
+    Drawn drawn;
+    pipeline.draw(plan, drawn);
+    const double radius = plan.radius(drawn.stippling.scale);
+    std::vector<glm::dvec2> dots;
+    for_each_position(drawn.stippling.dots, [&](float x, float y) { dots.emplace_back(x, y); });
+
+    const double longer = std::max(light.width, light.height);
+    const Domain page{light.width / longer, light.height / longer, Topology::window};
+    const std::vector<double> nearest = nearest_distances(points_inside(dots, page), page);
+    const auto overlap = std::ranges::count_if(nearest, [&](double d) { return d < 2 * radius; });
+
+    constexpr float kDark = 0.85f;  // as ink
+    const Grid<float> toned = toned_light(light, plan.tone);
+    const auto is_dark = [&](float value) { return 1 - value > kDark; };
+    const double dark_area =
+        double(std::ranges::count_if(toned.values, is_dark)) / double(toned.values.size());
+    const auto in_dark = std::ranges::count_if(dots, [&](glm::dvec2 dot) {
+        return is_dark(toned.at(std::min(int(dot.x * longer), toned.width - 1),
+                                std::min(int(dot.y * longer), toned.height - 1)));
+    });
+    const double n = double(dots.size());
+    const PictureMarks marks = picture_marks(dots, radius, target_for(light, count));
+    fmt::print("| {} | {}{:.2f} | {:.3f} | {:.3f} | {:.0f} % | {:.0f} % | {:.0f} % |\n", grouped(count),
+               black ? "" : "auto, ", *plan.tone.black, marks.ssim, marks.gradients, 100 * dark_area,
+               100 * double(in_dark) / n, 100 * double(overlap) / n);
+    std::fflush(stdout);
+}
+
+void measure_black(const Wanted& wanted, Pipeline& pipeline) {
+    std::vector<std::filesystem::path> photos = wanted.photos;
+    if (photos.empty()) photos.emplace_back();
+    for (const std::filesystem::path& photo : photos) {
+        const Picture picture = photo.empty() ? sample_picture() : read_picture(photo);
+        pipeline.set_light(picture.light);
+        fmt::print(
+            "\n### Black: {}\n| dots | black | SSIM | gradients | dark area | dots there | dots that overlap "
+            "|\n|---|---|---|---|---|---|---|\n",
+            photo.empty() ? "still life" : photo.filename().string());
+        for (const std::size_t count : {5'000, 20'000, 100'000})
+            for (const std::optional<double> black : {std::optional<double>(1.0), {}, {0.9}, {0.8}})
+                print_black(pipeline, picture.light, count, black);
+    }
+}
+
 void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
     pipeline.set_plain(Density(Grid<float>(1, 1, 1.0f)));
     fmt::print(
@@ -246,9 +299,9 @@ Wanted wanted_by(int argc, char** argv) {
     app.add_option("--loads", wanted.loads, "dots' area on black, over the page's")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app.add_option("--only", wanted.tables, "pictures or seams")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, Tables>{{"pictures", Tables::pictures}, {"seams", Tables::seams}}));
+    app.add_option("--only", wanted.tables, "pictures, black or seams")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Tables>{
+            {"pictures", Tables::pictures}, {"black", Tables::black}, {"seams", Tables::seams}}));
     app.add_option("--side-by-side", wanted.side_by_side, "a PNG of the first photograph's drawings");
     try {
         app.parse(argc, argv);
@@ -265,8 +318,10 @@ int main(int argc, char** argv) {
         const Wanted wanted = wanted_by(argc, argv);
         Pipeline pipeline;
         pipeline.set_tile(tile_named(kDefaultTile));
-        if (wanted.tables != Tables::seams) measure_pictures(wanted, pipeline);
-        if (wanted.tables != Tables::pictures) measure_seams(wanted, pipeline);
+        const auto wants = [&](Tables one) { return wanted.tables == Tables::all || wanted.tables == one; };
+        if (wants(Tables::pictures)) measure_pictures(wanted, pipeline);
+        if (wants(Tables::black)) measure_black(wanted, pipeline);
+        if (wants(Tables::seams)) measure_seams(wanted, pipeline);
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "picture_quality: {}\n", error.what());

@@ -46,10 +46,13 @@ struct Measured {
 };
 
 // Light all over the page, drawn as it is.
-Measured measured(float light, std::uint64_t count, int steps, bool by_tone, double dpmm = 1.5) {
+Measured measured(float light, std::uint64_t count, int steps, bool by_tone, double dpmm = 1.5,
+                  double black = 1) {
     Pipeline& pipeline = pipeline_of(light);
-    DrawingRequest request{
-        .automatic_tone = false, .placing = {.count = count, .threads = 0}, .relax = steps};
+    DrawingRequest request{.automatic_tone = false,
+                           .tone = {.black = black},
+                           .placing = {.count = count, .threads = 0},
+                           .relax = steps};
     request.page.width_mm = kWidthMm;
     if (by_tone) {
         // About so many on black.
@@ -171,4 +174,48 @@ TEST_CASE(
     for (const float coverage : {0.1f, 0.25f, 0.5f, 0.9f})
         CHECK(curve.density(coverage) == doctest::Approx(coverage * coverage).epsilon(1e-3));
     CHECK(curve.density(1) == 1);
+}
+
+TEST_CASE("a black that is less than solid is covered so far by dots that are hardly more than apart") {
+    for (const int steps : {0, 2, 5, 30}) {
+        CAPTURE(steps);
+        for (const double black : {0.5, 0.8, 0.95}) {
+            const InkCurve open({.relaxing_steps = steps, .black = black});
+            CHECK(open.coverage(1) == doctest::Approx(black).epsilon(0.002));
+            CHECK(open.full_load() < InkCurve({.relaxing_steps = steps}).full_load());
+            CHECK(open.full_load() >= black);  // without overlaps no dots cover more than their area
+        }
+    }
+    // A third of the load for the last fifth.
+    CHECK(InkCurve({.relaxing_steps = 5, .black = 0.8}).full_load() == doctest::Approx(0.82).epsilon(0.02));
+}
+
+TEST_CASE("where black is open, light tones keep their ink and of two tones the darker one stays darker") {
+    for (const double black : {0.5, 0.7, 0.9, 0.97}) {
+        CAPTURE(black);
+        const InkCurve curve({.relaxing_steps = 5, .black = black});
+        CHECK(curve.opened(0) == 0);
+        CHECK(curve.opened(1) == doctest::Approx(black));
+        CHECK(curve.density_for(1) == doctest::Approx(1).epsilon(0.002));
+        CHECK(curve.opened(0.1f) == doctest::Approx(0.1).epsilon(0.2));
+        for (float ink = 0.01f; ink <= 1; ink += 0.01f) {
+            CHECK(curve.opened(ink) - curve.opened(ink - 0.01f) >= 0.0029f);
+            CHECK(curve.opened(ink) <= ink);
+            CHECK(curve.coverage(curve.density_for(ink)) ==
+                  doctest::Approx(curve.opened(ink)).epsilon(0.004));
+        }
+    }
+    const InkCurve solid({.relaxing_steps = 5});
+    for (const float ink : {0.0f, 0.3f, 0.9f, 1.0f}) CHECK(solid.opened(ink) == ink);
+}
+
+TEST_CASE("on a black page the paper that an open black leaves is as much as was asked") {
+    for (const int steps : {0, 1, 5}) {
+        for (const double black : {0.6, 0.8, 0.95}) {
+            CAPTURE(steps);
+            CAPTURE(black);
+            CHECK(measured(0, 12'000, steps, false, 6, black).mean_within(40) ==
+                  doctest::Approx(black).epsilon(0.015));
+        }
+    }
 }

@@ -300,7 +300,7 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     ui.click("each side");
     ui.enter("Left, mm", "1in");
     CHECK(setup.margins == Margins{15, 15, 15, 25.4});
-    ui.click("alike");
+    ui.click("equal");
     CHECK(setup.margins == Margins{15, 15, 15, 15});
     ui.click("Paper size");
     ui.click("custom");
@@ -385,6 +385,23 @@ TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") 
     CHECK_FALSE(settings.automatic_tone);
     ui.click("auto");
     CHECK(settings.automatic_tone);
+}
+
+TEST_CASE("black is as solid as the dots allow until its row is moved, and again once that is put back") {
+    DrawingSettings settings;
+    ToneInfo facts{.usual_black = 0.95};
+    HeadlessUi ui([&] { draw_tone_panel(settings, facts); });
+    ui.enter("Black", "0.7");
+    CHECK(settings.tone.black == 0.7);
+    CHECK(settings.automatic_tone);  // the other tones still follow
+    ui.enter("Black", "0.95");
+    CHECK_FALSE(settings.tone.black);
+    ui.enter("Black", "1");
+    CHECK(settings.tone.black == 1);
+    settings.style = DrawingStyle::line;
+    ui.frame();
+    ui.drag("Black", 1.0f, 0.0f);
+    CHECK(settings.tone.black == 1);
 }
 
 TEST_CASE("where nearly all dots would go into black, one click brings white ink on black") {
@@ -987,9 +1004,9 @@ TEST_CASE("the method's rows show tiles, colour dots, let new ones come in and l
     ui.click("Dots coloured");
     ui.click("by rank");
     CHECK(settings.colouring == DotColouring::rank);
-    ui.drag("Levels up to", 1.0f, 0.0f);
+    ui.drag("Deepest level", 1.0f, 0.0f);
     CHECK(settings.deepest_level == 0);
-    ui.drag("Levels up to", 0.0f, 1.0f);
+    ui.drag("Deepest level", 0.0f, 1.0f);
     CHECK(settings.deepest_level == kDeepestStep);
     ui.click("Every frame");
     CHECK(settings.every_frame);

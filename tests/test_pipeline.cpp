@@ -78,12 +78,57 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
     const Tone chosen = auto_tone(histogram_of(dull()), own);
     CHECK(chosen.black_point > 0.25f);
     CHECK(chosen != own);
-    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .placing = {.count = 1000}}).tone == chosen);
-    CHECK(pipeline.plan({.automatic_tone = false, .tone = own, .placing = {.count = 1000}}).tone == own);
+    const auto tone_drawn = [&](bool automatic) {
+        Tone tone =
+            pipeline.plan({.automatic_tone = automatic, .tone = own, .placing = {.count = 1000}}).tone;
+        CHECK(tone.black == (automatic ? usual_black(1000) : 1));
+        tone.black.reset();
+        return tone;
+    };
+    CHECK(tone_drawn(true) == chosen);
+    CHECK(tone_drawn(false) == own);
     // On another picture it is another.
     pipeline.set_light(ramp());
-    CHECK(pipeline.plan({.automatic_tone = true, .tone = own, .placing = {.count = 1000}}).tone ==
-          auto_tone(histogram_of(ramp()), own));
+    CHECK(tone_drawn(true) == auto_tone(histogram_of(ramp()), own));
+}
+
+TEST_CASE(
+    "black is as solid as was asked, or as the number of dots allows; sizes by tone and lines decide it") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const auto black = [&](const DrawingRequest& request) {
+        const DrawingPlan plan = pipeline.plan(request);
+        return *plan.tone.black;
+    };
+    CHECK(black({.placing = {.count = 5'000}}) == 0.95);
+    CHECK(black({.placing = {.count = 20'000}}) == 0.95);
+    CHECK(black({.placing = {.count = 45'000}}) == doctest::Approx(0.975).epsilon(0.001));
+    CHECK(black({.placing = {.count = 100'000}}) == 1);
+    CHECK(black({.automatic_tone = false, .placing = {.count = 5'000}}) == 1);
+    for (const bool automatic : {true, false})
+        CHECK(black({.automatic_tone = automatic, .tone = {.black = 0.7}, .placing = {.count = 5'000}}) ==
+              0.7);
+    CHECK(black({.tone = {.black = 0.7}, .size = kByTone}) == 1);
+    CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}, .joined = true}) == 1);
+}
+
+TEST_CASE("with an open black fewer dots are in the dark, more in the light, and all are smaller") {
+    Pipeline pipeline = pipeline_of(ramp());
+    for (const int steps : {0, 2, 5}) {
+        CAPTURE(steps);
+        const auto dots_of = [&](double black) {
+            DrawingPlan plan = pipeline.plan({.automatic_tone = false,
+                                              .tone = {.black = black},
+                                              .placing = {.count = 8'000, .threads = 0},
+                                              .relax = steps});
+            const Dots dots = drawn_by(pipeline, plan);
+            return std::pair(std::ranges::count_if(dots.x, [](float x) { return x < 0.25f; }),
+                             plan.radius(pipeline.find_scale(plan)));
+        };
+        const auto [solid, largest] = dots_of(1);
+        const auto [open, smaller] = dots_of(0.8);
+        CHECK(open < 0.85 * static_cast<double>(solid));
+        CHECK(smaller < largest);
+    }
 }
 
 TEST_CASE(
@@ -214,6 +259,8 @@ TEST_CASE("what a change has no say in is not made again") {
     CHECK(changes());
     request.tone.detail = 0.5f;
     CHECK(changes());
+    request.tone.black = 0.8;
+    CHECK(changes());
     request.relax = 4;
     CHECK(changes());
     request.placing.count = 10'000;  // detail has the dots' scale
@@ -230,7 +277,7 @@ TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
     const DrawingPlan plan =
         pipeline.plan({.tone = {.contrast = 0.5f}, .placing = {.count = 1000}, .page = {.width_mm = 100}});
     CHECK(plan.density->values().values == grey.values);
-    CHECK(plan.tone == Tone{.contrast = 0.5f});
+    CHECK(plan.tone == Tone{.contrast = 0.5f, .black = 1});
     CHECK(plan.page.height_mm == doctest::Approx(200));
     CHECK(plan.page.mm_per_page_unit == doctest::Approx(200));
     pipeline.set_plain({});

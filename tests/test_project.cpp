@@ -45,6 +45,7 @@ ViewerSettings nothing_usual() {
                  .gamma = 1.7f,
                  .blur = 3.3f,
                  .detail = 0.6f,
+                 .black = 0.85,
                  .invert = true},
         .tile = "14217,2895/16",
         .ranking = RankingMethod::farthest,

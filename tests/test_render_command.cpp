@@ -258,6 +258,11 @@ TEST_CASE("options say another size or tone than the project does, as of a new d
     CHECK(stats_of(true_light, " --tone auto")["tone"]["detail"] == 0.5);
     CHECK(stats_of(true_light, " --tone auto --detail 0.25")["tone"]["detail"] == 0.25);
     CHECK(stats_of("{}", " --tone true")["tone"]["detail"] == 0);
+
+    const std::string open = R"({"tone": {"black": 0.8}})";
+    CHECK(stats_of(open, "")["tone"]["black"] == 0.8);
+    CHECK(stats_of(open, " --tone true")["tone"]["black"] == 1);
+    CHECK(stats_of(open, " --tone true --black 0.6")["tone"]["black"] == 0.6);
 }
 
 TEST_CASE("a radius that a drawing could not be read with again is refused") {

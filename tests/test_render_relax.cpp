@@ -211,6 +211,7 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
     CHECK(automatic["black_point"] > 0.3);
     CHECK(automatic["white_point"] < 0.7);
     CHECK(automatic["detail"] == 0.5);
+    CHECK(automatic["black"] == 0.95);
     CHECK(tone_of("") == automatic);
     CHECK(text_of(scene("t.csv")) == drawn);
     CHECK(tone_of("--detail 0.2 --blur 3 --invert")["automatic"] == true);
@@ -226,6 +227,7 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
                                   {"gamma", 1},
                                   {"blur", 0},
                                   {"detail", 0},
+                                  {"black", 1},
                                   {"invert", false}});
     const nlohmann::json gamma = tone_of("--gamma 2");
     CHECK(gamma["automatic"] == false);
@@ -237,6 +239,12 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
     CHECK(tone_of("--tone true --gamma 2") == gamma);
     CHECK(text_of(scene("t.csv")) == by_gamma);
     CHECK(tone_of("--tone true --detail 0.7")["detail"] == doctest::Approx(0.7));
+    CHECK(tone_of("--black 0.7")["automatic"] == true);
+    CHECK(tone_of("--black 0.7")["black"] == 0.7);
+    CHECK(tone_of("--tone true --black 0.7")["black"] == 0.7);
+    CHECK(tone_of("--black auto") == automatic);
+    scene.must_fail("render " + scene("dull.png") + " -o " + scene("new.csv") + " --black 0.4",
+                    "--black: 0.4 is not possible");
 }
 
 TEST_CASE(

@@ -116,8 +116,8 @@ std::string report_text(ReportFormat format, const Subject& subject, const Point
 // Options that say nothing about what is analysed are refused, rather than left without effect.
 void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     const std::initializer_list<const char*> tone{
-        "--exposure",   "--tone",  "--black-point", "--white-point", "--contrast",
-        "--brightness", "--gamma", "--blur",        "--detail",      "--invert"};
+        "--exposure", "--tone", "--black-point", "--white-point", "--contrast", "--brightness",
+        "--gamma",    "--blur", "--detail",      "--black",       "--invert"};
     if (!options.input) refuse(command, tone, "is for pictures; a constant grey has its --density");
     if (options.input)
         refuse(command, {"--method"}, "is for a constant grey; dapple compare draws pictures with it");

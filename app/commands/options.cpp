@@ -309,6 +309,15 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
                "Softens the picture first, in thousandths of its longer side");
     add_number(app, "--detail", tone.detail, {.least = 0, .most = 1}, "0..1",
                "Brings out what is faint and only a few dots wide, such as whiskers");
+    const auto read_black = [&tone](const std::string& text) {
+        tone.black.reset();
+        if (text != "auto") tone.black = number_in("--black", text, {.least = kLeastBlack, .most = 1});
+    };
+    add_text(app, "--black", "auto|0.5..1",
+             "How solid black gets: 1 covers the paper; with less, dots stand apart in the dark and more of "
+             "them are left for the rest. auto: 0.95 of few dots, 1 of 100,000 and more and with --tone true",
+             read_black)
+        ->default_str(tone.black ? fmt::format("{}", *tone.black) : "auto");
     app.add_flag("--invert", tone.invert, "Dots where the picture is light, for white ink on black paper");
 }
 
@@ -425,6 +434,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     // True light is left as it is.
     if (was_automatic != settings.automatic_tone && !given("--detail"))
         settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;
+    if (was_automatic != settings.automatic_tone && !given("--black")) settings.tone.black.reset();
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     for (const char* name : {"--dots", "--scale"}) {
         if (!by_tone || !given(name)) continue;

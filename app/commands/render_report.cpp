@@ -194,6 +194,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
                                       {"gamma", drawn.tone.gamma},
                                       {"blur", drawn.tone.blur},
                                       {"detail", drawn.tone.detail},
+                                      {"black", drawn.tone.black.value_or(1)},
                                       {"invert", drawn.tone.invert}};
     const auto [top, right, bottom, left] = settings.page.margins;
     nlohmann::ordered_json margin = top;

@@ -14,7 +14,8 @@ constexpr double kSmallestScale = 1e-9;
 // Each begins with all members by name: with one more or less it doesn't compile.
 
 static void describe(Fields& fields, Tone& tone) {
-    auto& [exposure, black_point, white_point, contrast, brightness, gamma, blur, detail, invert] = tone;
+    auto& [exposure, black_point, white_point, contrast, brightness, gamma, blur, detail, black, invert] =
+        tone;
     fields.number("exposure", exposure, {-kMostStops, kMostStops});
     fields.number("black_point", black_point, {0, 1});
     fields.number("white_point", white_point, {0, 1});
@@ -23,6 +24,7 @@ static void describe(Fields& fields, Tone& tone) {
     fields.number("gamma", gamma, {0.1, 10});
     fields.number("blur", blur, {0, 100});
     fields.number("detail", detail, {0, 1});
+    fields.number("black", black, {kLeastBlack, 1});
     fields.flag("invert", invert);
     if (!(black_point < white_point)) fields.refuse("black_point", "has to be below white_point");
 }

@@ -18,8 +18,11 @@ constexpr float kUnevenness = 0.5f;
 
 // The density of each pen's dots of which that share of the paper is seen. A pen's dots lie over those of the
 // pens before it and hide some of them: from the last pen, of which all is seen, down to the first.
-Shares dots_that_show(const Shares& shares, std::size_t pens, const InkCurve& ink) {
-    const float all_covered = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
+Shares dots_that_show(Shares shares, std::size_t pens, const InkCurve& ink) {
+    const float asked = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
+    const float all_covered = ink.opened(asked);
+    if (all_covered < asked)
+        for (float& share : shares) share *= all_covered / asked;
     const float all = ink.density(all_covered);
     const float load = static_cast<float>(ink.full_load()) * all, overlap = load - all_covered;
     // Of a share p of all dots, drawn by lot, p * load - p^2 * overlap is seen.

@@ -226,7 +226,8 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                 0,
                 plan.pens,
                 plan.pens.empty() ? kWhite : request.paper};
-    plan.full_load = InkCurve(toned.ink).full_load();
+    if (request.size.sizing == DotSizing::by_tone)  // whose number follows from it; their black is solid
+        plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;
     plan.placing = request.placing;
     if (request.size.sizing == DotSizing::by_tone) {
@@ -236,6 +237,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const auto dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
                                          : kDotsPerScale * plan.placing.scale * kUsualMeanDensity * pixels /
                                                (longer * longer);
+    const bool has_black = !plain_ && !request.joined && request.size.sizing != DotSizing::by_tone;
+    plan.usual_black = has_black && request.automatic_tone ? usual_black(dots) : 1;
+    plan.tone.black = has_black ? request.tone.black.value_or(plan.usual_black) : 1;
+    toned.tone.black = toned.ink.black = *plan.tone.black;
     if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
 
     // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
@@ -247,6 +252,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
         plan.density = density_for(toned, request.mask);
     }
+    plan.full_load = InkCurve(toned.ink).full_load();
 }
 
 DrawingPlan Pipeline::plan(const DrawingRequest& request) {

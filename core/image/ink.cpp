@@ -188,6 +188,19 @@ float coverage_of(const InkedDots& dots, double density, float load) {
     return coverage_by_level(dots.relaxing_steps, *dots.level + std::log2(density) / 2, load);
 }
 
+// The load that covers as much as black does.
+double load_of_black(const InkedDots& dots) {
+    const double solid =
+        kFullLoads[std::min(static_cast<std::size_t>(dots.relaxing_steps), kFullLoads.size() - 1)];
+    if (dots.black >= 1 || dots.joined) return solid;
+    double low = 0, high = solid;
+    for (int i = 0; i < 30; ++i) {
+        const double middle = (low + high) / 2;
+        (coverage_of(dots, 1, static_cast<float>(middle)) < dots.black ? low : high) = middle;
+    }
+    return high;
+}
+
 }  // namespace
 
 double level_of(double scale, std::size_t tile_size) {
@@ -198,8 +211,13 @@ bool depends_on_level(int relaxing_steps) {
     return relaxing_steps < static_cast<int>(kByLevel.size());
 }
 
-InkCurve::InkCurve(const InkedDots& dots)
-    : full_load_(kFullLoads[std::min(static_cast<std::size_t>(dots.relaxing_steps), kFullLoads.size() - 1)]) {
+double usual_black(double dots) {
+    constexpr double kFew = 20'000, kMany = 100'000, kOpen = 0.95;
+    const double way = std::log(std::max(dots, 1.0) / kFew) / std::log(kMany / kFew);
+    return std::lerp(kOpen, 1.0, std::clamp(way, 0.0, 1.0));
+}
+
+InkCurve::InkCurve(const InkedDots& dots) : full_load_(load_of_black(dots)), black_(float(dots.black)) {
     coverage_[0] = 0;
     for (int i = 1; i <= kSteps; ++i) {
         const double density = static_cast<double>(i) / kSteps;
@@ -233,6 +251,14 @@ float InkCurve::coverage(float density) const {
     const float at = std::clamp(density, 0.0f, 1.0f) * kSteps;
     const int i = std::min(static_cast<int>(at), kSteps - 1);
     return coverage_[i] + (coverage_[i + 1] - coverage_[i]) * (at - static_cast<float>(i));
+}
+
+float InkCurve::opened(float ink) const {
+    if (black_ >= 1) return ink;
+    // A power, which bends where it is dark; the darkest tones keep three tenths of their contrast and more.
+    constexpr float kHighestPower = 6, kLostContrast = 0.7f;
+    const float lost = 1 - black_;
+    return ink - lost * std::pow(ink, std::min(kLostContrast / lost, kHighestPower));
 }
 
 float InkCurve::density(float coverage) const {

@@ -30,12 +30,22 @@ struct InkedDots {
     /// is in proportion to the root of how many dots there are (Beardwood, Halton and Hammersley 1959). The
     /// coverage is then told as a share of what the lines cover at density 1.
     bool joined = false;
+    /// The coverage that density 1 comes to, kLeastBlack..1; 1: kBlackCoverage. Dots are smaller for it,
+    /// since less than full_load() is enough, and stand apart where the picture is dark.
+    double black = 1;
 
     bool operator==(const InkedDots&) const = default;
 };
 
 /// Of the paper, where the density is 1.
 inline constexpr float kBlackCoverage = 0.995f;
+
+/// Of the darkest tone, see InkedDots::black.
+inline constexpr double kLeastBlack = 0.5;
+
+/// The black that automatic tone draws so many dots with: 0.95 to 20,000, 1 from 100,000 on. Covering the
+/// last twentieth of the paper takes a third of the dots that are in black, which few dots lack elsewhere.
+double usual_black(double dots);
 
 /// log4(kDotsPerScale * scale / tile size).
 double level_of(double scale, std::size_t tile_size);
@@ -62,13 +72,22 @@ class InkCurve {
     /// The inverse. What no dots cover, over coverage(1), has density 1.
     float density(float coverage) const;
 
-    /// The load at density 1, of dots of the largest area: black is covered to 99.5 % and more.
+    /// The density with which a tone is drawn that asks for that share of ink, 0..1: the inverse of
+    /// coverage(), but that where black is less than solid the darker tones come nearer to each other, so
+    /// that each stays darker than the next; light ones stay as they are.
+    float density_for(float ink) const { return density(opened(ink)); }
+
+    /// The coverage that a tone is given which asks for that share of ink.
+    float opened(float ink) const;
+
+    /// The load at density 1, of dots of the largest area.
     double full_load() const { return full_load_; }
 
  private:
     static constexpr int kSteps = 512;
     std::array<float, kSteps + 1> coverage_;  // at equal steps of density, rising
     double full_load_;
+    float black_ = 1;
 };
 
 /// The radius of the largest dots, in page units, with which a drawing at that scale has the picture's tone.

@@ -83,7 +83,7 @@ Grid<float> through_curve(Grid<float> light, const Tone& tone, const ToneCurve& 
 
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink) {
     return through_curve(std::move(light), tone, ToneCurve([&](float root) {
-                             return ink.density(ink_for(toned(root * root, tone), tone));
+                             return ink.density_for(ink_for(toned(root * root, tone), tone));
                          }));
 }
 

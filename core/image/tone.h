@@ -1,6 +1,8 @@
 #pragma once
 // From a photograph's light to the density of dots: the darkroom.
 
+#include <optional>
+
 #include "core/image/grid.h"
 #include "core/image/ink.h"
 
@@ -20,7 +22,10 @@ struct Tone {
     float gamma = 1;        // 0.1..10, over 1 brightens the middle tones
     float blur = 0;         // standard deviation in thousandths of the longer side, 0..100
     float detail = 0;       // amount of with_detail(), 0..1; not applied by density_of()
-    bool invert = false;    // white ink on black paper
+    /// How solid black gets: InkedDots::black, 0.5..1; none: usual_black() where the tone is automatic,
+    /// else 1. Not applied by density_of(), whose ink curve says it.
+    std::optional<double> black = {};
+    bool invert = false;  // white ink on black paper
 
     bool operator==(const Tone&) const = default;
 };
@@ -31,7 +36,8 @@ float linear_to_srgb(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
-/// with_detail() first, and exposed() before that. `ink` says which density covers how much. Takes the
+/// with_detail() first, and exposed() before that. `ink` says which density covers how much, and how solid
+/// black gets. Takes the
 /// picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 

@@ -61,7 +61,7 @@ bool draw_shown(ViewerSettings& settings) {
                    "Draws the square of each copy of the tile; an exported SVG has them as a layer.");
     int colouring = static_cast<int>(settings.colouring);
     if (choice_row("Dots coloured", colouring,
-                   std::array{"in ink", "by level", "by rank", "by tile orientation"},
+                   std::array{"as ink", "by level", "by rank", "by tile orientation"},
                    "by level: how often the page was divided. by rank: how early in its tile. by tile "
                    "orientation: how its tile is turned.")) {
         settings.colouring = static_cast<DotColouring>(colouring);
@@ -73,7 +73,7 @@ bool draw_shown(ViewerSettings& settings) {
 bool draw_levels(int& deepest) {
     double levels = deepest;
     if (!slider_row(
-            "Levels up to", levels,
+            "Deepest level", levels,
             {.min = 0,
              .max = kDeepestStep,
              .neutral = kDeepestStep,

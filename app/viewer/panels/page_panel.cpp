@@ -75,7 +75,7 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool equal = margins == Margins{margins.top, margins.top, margins.top, margins.top};
     int by = each || !equal ? 1 : 0;
     bool changed = false;
-    if (segmented_row("Margins", by, std::array{"alike", "each side"},
+    if (segmented_row("Margins", by, std::array{"equal", "each side"},
                       "Bare paper along the edges, in which no part of a dot lies.")) {
         each = by == 1;
         if (!each) {

@@ -53,6 +53,7 @@ void draw_picture_section(Session& session) {
     draw_tone_panel(drawing, {.histogram = histogram,
                               .drawn = page.tone,
                               .usual_exposure = session.picture().exposure,
+                              .usual_black = page.usual_black,
                               .mostly_black = mostly_black(histogram, page.tone)});
     draw_rotate_row(drawing.page.quarter_turns);
     slider_row(

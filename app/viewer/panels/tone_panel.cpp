@@ -17,25 +17,31 @@ enum class Source { automatic, true_light, own };
 
 // A tone without black and white point and the curve between them.
 Tone without_curve(const Tone& tone) {
-    return {.exposure = tone.exposure, .blur = tone.blur, .detail = tone.detail, .invert = tone.invert};
+    return {.exposure = tone.exposure,
+            .blur = tone.blur,
+            .detail = tone.detail,
+            .black = tone.black,
+            .invert = tone.invert};
 }
 
 Source source_of(const DrawingSettings& settings) {
     if (settings.automatic_tone) return Source::automatic;
-    const bool neutral = settings.tone == without_curve(settings.tone) && settings.tone.detail == 0;
+    const bool neutral = settings.tone == without_curve(settings.tone) && settings.tone.detail == 0 &&
+                         settings.tone.black.value_or(1) == 1;
     return neutral ? Source::true_light : Source::own;
 }
 
 bool draw_source(DrawingSettings& settings, const Tone& drawn) {
     int chosen = static_cast<int>(source_of(settings));
     if (!segmented_row(
-            "Tone from", chosen, std::array{"auto", "true", "own"},
+            "Tone from", chosen, std::array{"auto", "true", "custom"},
             "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
-            "just the light that the picture lacks. own: as the handles and sliders say."))
+            "just the light that the picture lacks. custom: as the handles and sliders say."))
         return false;
     const auto source = static_cast<Source>(chosen);
     settings.automatic_tone = source == Source::automatic;
     settings.tone = source == Source::own ? drawn : without_curve(settings.tone);
+    if (source != Source::own) settings.tone.black.reset();
     if (source == Source::automatic) settings.tone.detail = kAutoDetail;
     if (source == Source::true_light) settings.tone.detail = 0;
     return true;
@@ -65,9 +71,9 @@ bool draw_levels(Tone& tone) {
                            .max = 1,
                            .neutral = 0,
                            .tip = "Parts light from dark, or brings them nearer to each other."});
-    changed |= slider_row(
-        "Brightness", tone.brightness,
-        {.min = -1, .max = 1, .neutral = 0, .tip = "Lighter, with fewer dots, or darker, with more."});
+    changed |=
+        slider_row("Brightness", tone.brightness,
+                   {.min = -1, .max = 1, .neutral = 0, .tip = "Makes all of the picture lighter or darker."});
     changed |= slider_row("Gamma", tone.gamma,
                           {.min = 0.25,
                            .max = 4,
@@ -102,6 +108,31 @@ bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
         if (settings.automatic_exposure) note_place("Exposure chosen");
     }
     return changed;
+}
+
+// What its own sizes or lines make of black is not asked.
+const char* why_no_black(const DrawingSettings& settings) {
+    if (settings.style != DrawingStyle::dots) return "Of dots only; lines have none.";
+    return settings.dot_size.sizing == DotSizing::by_tone ? "Dots sized by tone grow until black is solid."
+                                                          : nullptr;
+}
+
+// The usual one follows the number of dots.
+bool draw_black(DrawingSettings& settings, double usual) {
+    const Greyed greyed(why_no_black(settings));
+    std::optional<double>& black = settings.tone.black;
+    double shown = black.value_or(usual);
+    if (!slider_row(
+            "Black", shown,
+            {.min = kLeastBlack,
+             .max = 1,
+             .neutral = usual,
+             .tip = "How solid black gets. At 1 dots cover the paper; with less they stand apart, and "
+                    "more of them are left for the rest of the picture."}))
+        return false;
+    black = shown;
+    if (shown == usual) black.reset();
+    return true;
 }
 
 // True light draws the picture as it is; else what is faint is brought out.
@@ -141,6 +172,7 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
                            .max = 1,
                            .neutral = usual_detail(settings),
                            .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
+    changed |= draw_black(settings, info.usual_black);
     changed |= slider_row("Blur", tone.blur,
                           {.min = 0,
                            .max = 20,

@@ -11,6 +11,7 @@ struct ToneInfo {
     Histogram histogram{};      // of the picture; empty: none is shown
     Tone drawn{};               // with the values that were chosen automatically
     float usual_exposure = 0;   // what automatic exposure comes to
+    double usual_black = 1;     // that black is, where none was asked for
     bool mostly_black = false;  // light ink would draw it better; see core/image/ink_use.h
 };
 
