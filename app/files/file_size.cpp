@@ -14,7 +14,7 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kSample = 2000;     // dots or tiles that are written
-constexpr int kPatch = 64, kPatches = 8;  // pixels; along each side of the page
+constexpr int kPatch = 96, kPatches = 8;  // pixels; along each side of the page
 
 // Counts what is written, and keeps none of it; what is written again, of a writer that goes back, once.
 class ByteCount : public std::streambuf {
