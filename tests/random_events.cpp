@@ -351,6 +351,8 @@ TEST_CASE("whatever keyboard and mouse do at random, the window answers and ends
         }
         person.come_to_rest(hands);
         hands(round == 0 ? "close" : "key ctrl+q");
+        viewer.shows([&] { return viewer.has("Discard"); });
+        if (!viewer.has_ended()) hands("key d");
         CHECK(viewer.wait_for_end() == 0);
     }
     MESSAGE(events, " events, slowest answer ", slowest.work, " s of work in ", slowest.wait,

@@ -173,6 +173,14 @@ class RunningViewer {
         return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
     }
     bool has_ended() const { return program_.has_ended(); }
+    /// Closes it, whatever has changed; its exit status.
+    int quit() {
+        key("ctrl+q");
+        shows([&] { return has("Discard"); });
+        if (!has_ended()) key("d");
+        return wait_for_end();
+    }
+    void kill_at_once() { program_.send(SIGKILL); }
     int wait_for_end() { return program_.wait(); }
 
  private:

@@ -130,8 +130,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
         REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
         viewer.key("Return");
         REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
-        viewer.key("ctrl+q");
-        CHECK(viewer.wait_for_end() == 0);
+        CHECK(viewer.quit() == 0);
     }
     const json page = json::parse(text_of(files.folder / "ramp.dapple"));
     CHECK(page["drawing"]["count"] == 700);
@@ -191,8 +190,8 @@ TEST_CASE(
         fs::remove(files.folder / "ramp.svg");
         in_dialog(viewer, "Project...");
         REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
-        viewer.key("ctrl+q");  // the window's own button is the desktop's, and there is none here
-        CHECK(viewer.wait_for_end() == 0);
+        // the window's own button is the desktop's, and there is none here
+        CHECK(viewer.quit() == 0);
     }
     const json drawing = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"];
     CHECK(drawing["tone"]["brightness"] < 0);

@@ -873,7 +873,7 @@ TEST_CASE("a placing that takes long shows its share, in words and as a bar, and
     CHECK(says("placing, 1 s, Escape stops it"));
 }
 
-TEST_CASE("the status line tells dots and zoom, and scale and times only where the method is looked at") {
+TEST_CASE("the status line tells dots, paper and zoom; scale and times only where the method is looked at") {
     StatusInfo facts{.dots = 40'000, .scale = 2500, .tone_ms = 1, .place_ms = 3, .draw_ms = 2, .zoom = 0.68};
     const auto words = [&] {
         std::string all;
@@ -881,6 +881,10 @@ TEST_CASE("the status line tells dots and zoom, and scale and times only where t
         return all;
     };
     CHECK(words() == "40,000 dots; 68 %; ");
+    facts.paper = paper_in_words({210, 297, 297}, LengthUnit::mm);
+    CHECK(words() == "40,000 dots; 210 x 297 mm; 68 %; ");
+    CHECK(paper_in_words({215.9, 279.4, 279.4}, LengthUnit::inch) == "8.5 x 11 in");
+    facts.paper.clear();
     facts.method = true;
     CHECK(words().starts_with("40,000 dots; 68 %; scale 2,500; tone 1.0 ms; "));
     CHECK(words().find("drawing 2.0 ms") != std::string::npos);

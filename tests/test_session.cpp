@@ -393,6 +393,62 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
           estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
 }
 
+TEST_CASE("a drawing has changes until it is undone, or saved in what holds its settings") {
+    const TemporaryFolder folder;
+    Session session(DrawingSettings{}, [] {});
+    session.settings.drawing.placing.count = 500;
+    session.begin_with(session.settings);
+    session.open_sample();
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
+            return done();
+        });
+    };
+    const auto change = [&](float brightness) {
+        session.settings.drawing.tone.brightness = brightness;
+        session.remember(false);
+    };
+    REQUIRE(brings([&] { return session.placed_once(); }));
+    CHECK_FALSE(session.has_changes());
+    change(0.1f);
+    CHECK(session.has_changes());
+    session.undo();
+    CHECK_FALSE(session.has_changes());
+    session.redo();
+    CHECK(session.has_changes());
+    for (const char* const name : {"a.csv", "a.svg"}) {
+        session.save(folder / name);
+        REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
+        CHECK(session.has_changes() == (std::string(name) == "a.csv"));
+    }
+    change(0.2f);
+    CHECK(session.has_changes());
+    CHECK(session.would_lose_changes("other.dapple"));
+    CHECK_FALSE(session.would_lose_changes("other.png"));  // its settings go on
+    session.save_project(folder / "a.dapple");
+    CHECK_FALSE(session.has_changes());
+    change(0.3f);
+    CHECK(session.would_lose_changes("other.png"));
+    CHECK_FALSE(session.would_lose_changes("other.tile"));
+
+    session.keep(folder / "kept.dapple");
+    CHECK(session.project_path() == folder / "a.dapple");
+    CHECK(session.has_changes());
+    session.open_project(folder / "a.dapple");
+    REQUIRE(brings([&] { return session.pictures() == 2; }));
+    CHECK_FALSE(session.has_changes());
+    session.bring_back(folder / "kept.dapple");
+    REQUIRE(brings([&] { return session.pictures() == 3; }));
+    CHECK(session.settings.drawing.tone.brightness == 0.3f);
+    CHECK(session.has_changes());
+    CHECK(session.project_path().empty());
+    session.open_sample();
+    REQUIRE(brings([&] { return session.pictures() == 4; }));
+    CHECK_FALSE(session.has_changes());
+}
+
 TEST_CASE("several pens' files have about the size told before") {
     TemporaryFolder folder;
     const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};

@@ -90,8 +90,7 @@ TEST_CASE("dragging the scale slider with the mouse changes the number of dots, 
     // A scale draws the dots above it, so one fewer than the count whose last dot lies just on it.
     CHECK(viewer.dots() >= 39'999);
 
-    viewer.key("ctrl+q");
-    CHECK(viewer.wait_for_end() == 0);
+    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE("a project opens in the window and is saved again from there, with what the window does not know") {
@@ -113,8 +112,7 @@ TEST_CASE("a project opens in the window and is saved again from there, with wha
     CHECK(saved["mine"] == "kept");
     CHECK(saved["drawing"]["count"].is_null());
     CHECK(saved["picture"].is_null());
-    viewer.key("ctrl+q");
-    CHECK(viewer.wait_for_end() == 0);
+    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE("the wheel zooms, F fits again, and neither places a dot anew") {
@@ -177,8 +175,7 @@ TEST_CASE(
         REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
         CHECK(text_of(folder / "Still life.svg") == text_of(command));
         fs::remove(folder / "Still life.svg");
-        viewer.key("ctrl+q");
-        CHECK(viewer.wait_for_end() == 0);
+        CHECK(viewer.quit() == 0);
     };
     Display display;
     {
@@ -368,8 +365,7 @@ TEST_CASE("the samples of an environment map follow their slider, and exposing i
     REQUIRE(viewer.shows([&] { return status()["sampling"] == false; }));
     CHECK(status()["samplings"] == before["samplings"]);
     CHECK(status()["samples"] == before["samples"]);
-    viewer.key("ctrl+q");
-    CHECK(viewer.wait_for_end() == 0);
+    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE("a picture that looks like an environment map is opened as lights by a click") {
@@ -440,8 +436,7 @@ TEST_CASE("a key let go quickly counts although a modifier changes meanwhile, an
         viewer.xdotool("key --delay 0 ctrl+z keydown shift; sleep 0.1; xdotool keyup shift");
     viewer.xdotool("key --delay 0 plus plus plus");
     CHECK(viewer.shows([&] { return viewer.status()["zoom"] > zoom * 1.9; }));
-    viewer.key("ctrl+q");
-    CHECK(viewer.wait_for_end() == 0);
+    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE("a window of any size goes on, whatever is open in it") {
@@ -459,8 +454,7 @@ TEST_CASE("a window of any size goes on, whatever is open in it") {
         viewer.resize(1280, 800);
         viewer.move(310, 310);
         viewer.key("Escape");  // from the help
-        viewer.key("ctrl+q");
-        CHECK(viewer.wait_for_end() == 0);
+        CHECK(viewer.quit() == 0);
     }
 }
 
@@ -530,8 +524,7 @@ TEST_CASE(
         viewer.release();
         REQUIRE(viewer.shows([&] { return viewer.dots() < dots; }));
         dots = viewer.dots();
-        viewer.key("ctrl+q");
-        CHECK(viewer.wait_for_end() == 0);
+        CHECK(viewer.quit() == 0);
     }
     RunningViewer viewer(folder.path(), {"one.pgm"}, memory);
     CHECK(viewer.dots() == dots);
@@ -568,6 +561,65 @@ TEST_CASE("what another program copied is opened: a picture, which is kept, and 
     run({"xclip", "-selection", "clipboard", (folder / "path").string()});
     viewer.key("ctrl+v");
     REQUIRE(viewer.is_titled("^named.pgm - Dapple$"));
+}
+
+TEST_CASE("what is not saved is asked about before the window closes: it can stay, save, or let go of it") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    Display display;
+    RunningViewer viewer(folder.path(), {"grey.pgm"});
+    viewer.click("Invert");
+    CHECK(viewer.is_titled("^[*]grey.pgm - Dapple$"));
+    viewer.move(300, 300);
+    viewer.key("ctrl+q");
+    REQUIRE(viewer.shows([&] { return viewer.has("Discard"); }));
+    viewer.click("Cancel");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Discard"); }));
+    viewer.key("ctrl+z");
+    CHECK(viewer.is_titled("^grey.pgm - Dapple$"));
+    viewer.key("ctrl+y");
+    CHECK(viewer.is_titled("^[*]grey.pgm - Dapple$"));
+    viewer.key("ctrl+q");
+    viewer.click("Save");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
+    CHECK(viewer.wait_for_end() == 0);
+    CHECK(json::parse(text_of(folder / "grey.dapple"))["drawing"]["tone"]["invert"] == true);
+}
+
+TEST_CASE("a drawing that was not saved when the program was killed comes back, and is still to be saved") {
+    TemporaryFolder folder;
+    const WindowMemory memory{folder / "home"};
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    const auto kept = [&] {
+        std::size_t files = 0;
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(memory.folder / "dapple/unsaved", ignored))
+            files += entry.path().extension() == ".dapple" ? 1 : 0;
+        return files;
+    };
+    Display display;
+    std::uint64_t dots = 0;
+    {
+        RunningViewer viewer(folder.path(), {"grey.pgm"}, memory);
+        viewer.point_at("Dots", 0.3);
+        viewer.press();
+        viewer.release();
+        REQUIRE(viewer.shows([&] { return viewer.dots() < 40'000 && kept() == 1; }));
+        dots = viewer.dots();
+        viewer.kill_at_once();
+        CHECK(viewer.wait_for_end() == 128 + SIGKILL);
+    }
+    {
+        RunningViewer viewer({}, {}, memory);
+        CHECK(viewer.dots() == 40'000);
+        viewer.click("Bring it back");
+        CHECK(viewer.shows([&] { return viewer.dots() == dots; }));
+        CHECK(viewer.is_titled("^[*]grey.pgm - Dapple$"));
+        CHECK(kept() == 1);
+        CHECK(viewer.quit() == 0);
+    }
+    CHECK(kept() == 0);
 }
 
 }  // namespace dapple

@@ -15,9 +15,14 @@ static Memory memory_of_person(bool fresh) {
     return fresh ? Memory() : Memory(config_folder(), state_folder());
 }
 
+static UnsavedDrawings unsaved_of_person(bool fresh) {
+    const std::filesystem::path folder = state_folder();
+    return UnsavedDrawings(fresh || folder.empty() ? "" : folder / "unsaved");
+}
+
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status, memory_of_person(options.fresh));
+    Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
                                                        options.fresh ? "" : presets_folder()));
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
-#include <tuple>
 #include <utility>
 
 #include "app/files/file_ending.h"
@@ -37,11 +36,14 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       wake_(std::move(wake)),
       most_dots_(most_dots),
       tiles_(drawing.tile),
-      pane_(wake_) {}
+      pane_(wake_) {
+    safe_ = drawing;
+}
 
 void Session::begin_with(const ViewerSettings& begin) {
     settings = begin;
     history_ = History(settings);
+    know_safe(settings.drawing);
 }
 
 void Session::remember(bool editing) {
@@ -67,6 +69,19 @@ void Session::name_changes() {
                          *const after = history_.after();
     if (before) undo_words_ = change_in_words(*before, now);
     if (after) redo_words_ = change_in_words(now, *after);
+    has_changes_ = now.drawing != safe_;
+}
+
+void Session::know_safe(std::optional<DrawingSettings> drawing) {
+    safe_ = std::move(drawing);
+    has_changes_ = settings.drawing != safe_;
+}
+
+bool Session::would_lose_changes(const fs::path& file) const {
+    if (!has_changes_ || ends_as_tile(file)) return false;
+    if (ends_as_project(file)) return true;
+    const Mask& mask = settings.drawing.mask;
+    return !project_path().empty() || (!mask.empty() && (!safe_ || safe_->mask != mask));
 }
 
 DotsRequest Session::page_request() const {
@@ -137,9 +152,11 @@ void Session::go_back_before(const fs::path& picture) {
         if (failed->settings_before) next->settings_before = std::move(failed->settings_before);
     } else {
         source_ = std::move(failed->before);
-        if (failed->settings_before)
-            std::tie(settings, history_) = std::move(*failed->settings_before);
-        else if (settings.drawing.mask.empty())
+        if (failed->settings_before) {
+            settings = std::move(failed->settings_before->settings);
+            history_ = std::move(failed->settings_before->history);
+            know_safe(std::move(failed->settings_before->safe));
+        } else if (settings.drawing.mask.empty())
             settings.drawing.mask = std::move(failed->mask_before);
     }
     readings_.erase(failed);
@@ -159,7 +176,8 @@ void Session::load_project(const fs::path& file) {
     Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
     if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
     read.every_frame = settings.every_frame;
-    std::pair before(std::exchange(settings, read), history_);
+    SettingsBefore before{std::exchange(settings, read), history_, safe_};
+    know_safe(settings.drawing);
     if (!placed_once()) history_ = History(settings);  // there is nothing to go back to
     banner = {};
     Source source{.picture = project.picture.value_or(fs::path()),
@@ -212,13 +230,34 @@ void Session::take_preset(const SavedSettings& preset) {
     }
 }
 
-void Session::save_project(const fs::path& file) {
+void Session::save_project_into(const fs::path& file) {
     Project project = source_.project;
     project.picture.reset();
     if (!source_.picture.empty()) project.picture = source_.picture;
+    dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
+}
+
+void Session::keep(const fs::path& file) {
+    save_project_into(file);
+}
+
+void Session::bring_back(const fs::path& file) {
     try {
-        dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
+        load_project(file);
+        source_.project_path.clear();  // which is not where it belongs
+        source_.brought_back = true;
+        know_safe(std::nullopt);
+    } catch (const std::exception& error) {
+        banner = {BannerKind::error, error.what()};
+    }
+}
+
+void Session::save_project(const fs::path& file) {
+    try {
+        save_project_into(file);
         source_.project_path = whole_path(file);
+        source_.brought_back = false;
+        know_safe(settings.drawing);
         banner = {BannerKind::notice, "Saved " + file.string()};
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
@@ -251,7 +290,7 @@ void Session::save(const fs::path& path) {
             return save_placed(file, drawing, watch);
         };
     };
-    saves_[path] = settings.drawing.sheets;
+    saves_[path] = settings.drawing;
     pane_.worker().save(path, prepare);
 }
 
@@ -358,6 +397,7 @@ void Session::take(DotsPlaced& event) {
     } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
+        if (!source_.brought_back) know_safe(settings.drawing);
         saved_path_.clear();                     // it shows another picture
         if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
@@ -391,7 +431,9 @@ void Session::take(TaskFailed& event) {
 void Session::take(DrawingSaved& event) {
     if (event.path != film_path_) {
         saved_path_ = event.path;
-        saved_sheets_ = saves_[event.path];
+        saved_sheets_ = saves_[event.path].sheets;
+        const DrawingFormat format = drawing_format(event.path);
+        if (format == DrawingFormat::svg || format == DrawingFormat::png) know_safe(saves_[event.path]);
     }
     const bool several = event.path != film_path_ && is_several(saved_sheets_);
     banner = {BannerKind::notice,
@@ -399,7 +441,7 @@ void Session::take(DrawingSaved& event) {
 }
 
 void Session::take(SavingCancelled& event) {
-    const bool several = event.path != film_path_ && is_several(saves_[event.path]);
+    const bool several = event.path != film_path_ && is_several(saves_[event.path].sheets);
     banner = {BannerKind::notice,
               several ? "Cancelled: not all sheets of " + event.path.string() + " were written"
                       : "Cancelled: " + event.path.string() + " was not written"};

@@ -57,6 +57,20 @@ class Session {
     /// The picture that was opened last and all settings into a file; the banner says how that went.
     void save_project(const std::filesystem::path& file);
 
+    /// Whether there is something that would be lost: the drawing's settings are others than those that were
+    /// saved last, in a project or in a drawing that holds them, or that its picture was opened with. As far
+    /// as remember() knows.
+    bool has_changes() const { return has_changes_; }
+    /// Whether this file, opened, would take the place of some of them that are a project's or a mask.
+    bool would_lose_changes(const std::filesystem::path& file) const;
+    /// The picture and all settings into a file, in case the program ends before they are saved. Throws as
+    /// save_atomically().
+    void keep(const std::filesystem::path& file);
+    /// What was kept there: it has still to be saved. The banner says what is wrong.
+    void bring_back(const std::filesystem::path& file);
+    /// A number that changes with every change of the settings.
+    int changes() const { return history_.changes(); }
+
     /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
     /// went.
     void take_settings(const std::filesystem::path& file);
@@ -126,12 +140,18 @@ class Session {
         std::filesystem::path picture = {};  // empty: the sample
         Project project = {};                // whose picture may be missing: then another is shown
         std::filesystem::path project_path = {};
+        bool brought_back = false;  // and not saved since
     };
     /// A picture that is being read, and what there was before: that comes back if it cannot be.
+    struct SettingsBefore {
+        ViewerSettings settings;
+        History<ViewerSettings> history;
+        std::optional<DrawingSettings> safe;
+    };
     struct Reading {
         std::filesystem::path picture;
         Source before;
-        std::optional<std::pair<ViewerSettings, History<ViewerSettings>>> settings_before = {};
+        std::optional<SettingsBefore> settings_before = {};
         Mask mask_before = {};  // where the settings stay
     };
 
@@ -143,6 +163,8 @@ class Session {
     /// What the whole page is requested with.
     DotsRequest page_request() const;
     void name_changes();
+    void know_safe(std::optional<DrawingSettings> drawing);
+    void save_project_into(const std::filesystem::path& file);
     void request_right(const Zoom& zoom, RequestAgain again);
     void forget_right();
     void take_right(DotsPlaced& event);
@@ -155,7 +177,9 @@ class Session {
     // Of the page requested last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
-    int changes_named_ = 0;  // of the history, by the words
+    int changes_named_ = 0;                // of the history, by the words
+    std::optional<DrawingSettings> safe_;  // nothing is lost with these; none: whatever they are
+    bool has_changes_ = false;
     std::optional<std::string> undo_words_, redo_words_;
     std::function<void()> wake_;
     std::uint64_t most_dots_;
@@ -169,8 +193,8 @@ class Session {
     int pictures_ = 0, previews_ = 0;
     std::filesystem::path saved_path_;
     Sheet saved_sheets_;
-    std::map<std::filesystem::path, Sheet> saves_;  // under way
-    std::filesystem::path film_path_;               // saved last
+    std::map<std::filesystem::path, DrawingSettings> saves_;  // under way
+    std::filesystem::path film_path_;                         // saved last
     Source source_;
     std::deque<Reading> readings_;  // in the order in which they were asked for
 };

@@ -34,8 +34,15 @@ std::string dots_in_words(const StatusInfo& info) {
     return words;
 }
 
+std::string paper_in_words(const PageSize& page, LengthUnit unit) {
+    if (unit == LengthUnit::inch)
+        return fmt::format("{:.3g} x {:.3g} in", page.width_mm / kMmPerInch, page.height_mm / kMmPerInch);
+    return fmt::format("{:.0f} x {:.0f} mm", page.width_mm, page.height_mm);
+}
+
 std::vector<StatusItem> status_items(const StatusInfo& info) {
     std::vector<StatusItem> items{{dots_in_words(info), 6}};
+    if (!info.paper.empty()) items.push_back({info.paper, 3});
     items.push_back(
         {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
          5});

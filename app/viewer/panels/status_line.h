@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/viewer/model/loupe_square.h"
+#include "core/placing/page.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
@@ -25,6 +27,7 @@ struct StatusInfo {
     double placing_seconds = 0;               // that a placing under way has taken so far
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
+    std::string paper = {};     // "210 x 297 mm"
     double zoom = 1;            // screen pixels a picture pixel
     bool method = false;        // whether its scale and its times are told too
     std::string plotting = {};  // how long a machine plots it: "plots about 31 min"; none: empty
@@ -40,6 +43,9 @@ struct StatusInfo {
 
 /// "40,000 dots", with how many of them lie on another: for Figure 8 only.
 std::string dots_in_words(const StatusInfo& info);
+
+/// "210 x 297 mm", "8.5 x 11 in".
+std::string paper_in_words(const PageSize& page, LengthUnit unit);
 
 /// What the line says, from the left to the right: dots and zoom first, and what only the method's section is
 /// about where that is asked for. Where it is too narrow, the least important goes first.

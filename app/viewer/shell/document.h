@@ -60,6 +60,17 @@ class Document {
     /// The same for a project: all settings. None: it has no projects.
     virtual std::optional<SaveQuestion> where_to_save_project() const { return std::nullopt; }
     virtual void save_project(const std::filesystem::path&) {}
+    /// What is not saved, by its name; empty: nothing that would be missed.
+    virtual std::string unsaved() const { return {}; }
+    /// The project's file that it goes into by itself; empty: the person has to say.
+    virtual std::filesystem::path own_project() const { return {}; }
+    /// Whether this file, opened, takes the place of some of that.
+    virtual bool would_lose_changes(const std::filesystem::path&) const { return false; }
+    /// What is not saved into a file, and from it: see UnsavedDrawings. keep() throws as save_atomically().
+    virtual void keep(const std::filesystem::path&) {}
+    virtual void bring_back(const std::filesystem::path&) {}
+    /// A number that changes with what keep() writes.
+    virtual int changes() const { return 0; }
     /// The same for a film. None: none is played.
     virtual std::optional<SaveQuestion> where_to_save_film() const { return std::nullopt; }
     virtual void save_film(const std::filesystem::path&) {}

@@ -143,6 +143,15 @@ void DrawingDocument::say(const std::string& sentence) {
     session_.banner = {BannerKind::error, sentence};
 }
 
+std::string DrawingDocument::name() const {
+    const fs::path& project = session_.project_path();
+    return project.empty() ? session_.picture().name : printable(project.filename().native());
+}
+
+std::string DrawingDocument::unsaved() const {
+    return session_.placed_once() && session_.has_changes() ? name() : std::string();
+}
+
 std::optional<KeptView> DrawingDocument::kept_view() const {
     if (!session_.project_path().empty()) return std::nullopt;  // they are the project's own
     const ViewerSettings& settings = session_.settings;
@@ -522,10 +531,8 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
 
 void DrawingDocument::show_changes(Window& window) {
     if (std::exchange(pictures_fitted_, session_.pictures()) != session_.pictures()) canvas_.fit();
-    const fs::path& project = session_.project_path();
-    const std::string name =
-        project.empty() ? session_.picture().name : printable(project.filename().native());
-    if (pictures_fitted_ > 0 && std::exchange(title_, name) != name) window.set_title(name + " - Dapple");
+    const std::string title = (session_.has_changes() ? "*" : "") + name() + " - Dapple";
+    if (pictures_fitted_ > 0 && std::exchange(title_, title) != title) window.set_title(title);
     show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
     show_changes(Side::right, session_.right());
 }
@@ -583,6 +590,7 @@ StatusInfo DrawingDocument::info() const {
             .placing_seconds = placing_seconds(),
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
+            .paper = paper_in_words(pane.page().layout.page, session_.settings.unit),
             .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
             .method = open_.method,
             .plotting = plotting_,

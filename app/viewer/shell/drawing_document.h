@@ -51,6 +51,14 @@ class DrawingDocument : public Document {
     std::optional<SaveQuestion> where_to_save() const override;
     std::optional<SaveQuestion> where_to_save_project() const override;
     void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
+    std::string unsaved() const override;
+    std::filesystem::path own_project() const override { return session_.project_path(); }
+    bool would_lose_changes(const std::filesystem::path& file) const override {
+        return session_.would_lose_changes(file);
+    }
+    void keep(const std::filesystem::path& file) override { session_.keep(file); }
+    void bring_back(const std::filesystem::path& file) override { session_.bring_back(file); }
+    int changes() const override { return session_.changes(); }
     std::optional<SaveQuestion> where_to_save_film() const override;
     void save_film(const std::filesystem::path& file) override { session_.save_film(file); }
     std::string draw_saving_options(std::size_t format) override;
@@ -86,6 +94,8 @@ class DrawingDocument : public Document {
     /// Both sides are measured by the smaller tile, so that they compare.
     std::size_t compared_tile_size() const;
     SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
+    /// Of the project, or of the picture.
+    std::string name() const;
     void take_mask();
     void show_changes(Window& window);
     void show_changes(Side side, const Pane* pane);

@@ -21,6 +21,7 @@
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
+#include "app/viewer/shell/changes_question.h"
 #include "app/viewer/widgets/row_keys.h"
 
 namespace dapple {
@@ -31,6 +32,7 @@ constexpr int kFramesAfterEvent = 3;
 constexpr float kPanelWidth = 340;     // at 96 dpi
 constexpr double kCursorBlinks = 0.3;  // seconds
 constexpr double kRepeats = 0.02;
+constexpr double kKeepsEvery = 10;
 
 bool input_arrived() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -59,22 +61,26 @@ std::filesystem::path pasted_folder() {
 
 }  // namespace
 
-Shell::Shell(bool log_status, Memory memory)
+Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
     : log_status_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
       thumbnails_(&Window::wake),
+      unsaved_(std::move(unsaved)),
       desktop_dialog_(&Window::wake),
       pasting_(&Window::wake) {
     ImGui::GetIO().UserData = &widgets_;
     panels_shown_ = memory_.state.panels_shown;
     window_.set_appearance(memory_.preferences.appearance);
+    if (const auto left = unsaved_.left_behind(); !left.empty()) left_behind_ = left.front();
+    asks_about_left_ = left_behind_.has_value();
 }
 
 int Shell::run(std::unique_ptr<Document> document) {
     int frames_left = kFramesAfterEvent;
-    while (!window_.should_close()) {
+    while (!may_close(*document)) {
         double wait_at_most = frames_left > 0 ? 0 : document->seconds_to_next_frame();
+        wait_at_most = std::min(wait_at_most, seconds_until_kept(*document));
         if (ImGui::GetIO().WantTextInput) wait_at_most = std::min(wait_at_most, kCursorBlinks);
         if (repeating_key_down()) wait_at_most = std::min(wait_at_most, kRepeats);
         if (window_.wait_for_events(wait_at_most)) frames_left = kFramesAfterEvent;
@@ -95,7 +101,103 @@ int Shell::run(std::unique_ptr<Document> document) {
     memory_.state.panels_shown = panels_shown_;
     if (const auto view = document->kept_view()) memory_.state.view = *view;
     save_memory();
+    unsaved_.forget();
     return 0;
+}
+
+bool Shell::may_close(const Document& document) {
+    if (!window_.should_close()) return false;
+    if (closing_ || document.unsaved().empty()) return true;
+    window_.stay_open();
+    waiting_ = Waiting{};
+    return false;
+}
+
+void Shell::open_answer(const FileQuestion::Answer& answer, Document& document) {
+    if (document.would_lose_changes(answer.file))
+        waiting_ = Waiting{.open = answer};
+    else if (answer.as_picture)
+        document.open_as_picture(answer.file);
+    else
+        document.take_dropped(answer.file);
+}
+
+void Shell::go_on(Document& document) {
+    const auto open = std::exchange(waiting_, {})->open;
+    if (!open) {
+        closing_ = true;
+        window_.close();
+    } else if (open->as_picture) {
+        document.open_as_picture(open->file);
+    } else {
+        document.take_dropped(open->file);
+    }
+}
+
+void Shell::draw_changes_question(Document& document) {
+    const std::string name = document.unsaved();
+    if (name.empty()) return go_on(document);
+    if (waiting_->saving) {
+        if (!dialog_.is_open()) waiting_.reset();  // it was not saved
+        return;
+    }
+    switch (ask_about_changes(name)) {
+        case ChangesAnswer::none:
+            return;
+        case ChangesAnswer::cancel:
+            return waiting_.reset();
+        case ChangesAnswer::discard:
+            return go_on(document);
+        case ChangesAnswer::save:
+            break;
+    }
+    waiting_->saving = true;
+    if (const std::filesystem::path own = document.own_project(); !own.empty())
+        document.save_project(own);
+    else
+        ask_where_to_save(document.where_to_save_project(), Asked::project);
+}
+
+void Shell::draw_kept_question(Document& document) {
+    switch (ask_about_kept(picture_of_kept(*left_behind_))) {
+        case ChangesAnswer::none:
+            return;
+        case ChangesAnswer::cancel:
+            left_behind_.reset();
+            break;
+        case ChangesAnswer::discard:
+            UnsavedDrawings::remove(*left_behind_);
+            left_behind_.reset();
+            break;
+        case ChangesAnswer::save:
+            document.bring_back(*left_behind_);
+    }
+    asks_about_left_ = false;
+}
+
+double Shell::seconds_until_kept(const Document& document) const {
+    constexpr double kNever = 3600;
+    if (document.unsaved().empty() || document.changes() == changes_kept_) return kNever;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - kept_;
+    return std::max(kKeepsEvery - passed.count(), 0.0);
+}
+
+void Shell::keep_unsaved(Document& document) {
+    if (document.unsaved().empty()) {
+        if (std::exchange(changes_kept_, -1) != -1) unsaved_.forget();
+        return;
+    }
+    if (ImGui::IsAnyItemActive() || seconds_until_kept(document) > 0) return;
+    changes_kept_ = document.changes();
+    kept_ = std::chrono::steady_clock::now();
+    try {
+        const std::filesystem::path own = unsaved_.own_file();
+        if (own.empty()) return;
+        document.keep(own);
+        if (left_behind_ && !asks_about_left_) UnsavedDrawings::remove(*std::exchange(left_behind_, {}));
+    } catch (const std::exception& error) {  // as of what is remembered
+        std::fprintf(stderr, "dapple: %s; nothing is kept of what is not saved\n", error.what());
+    }
 }
 
 void Shell::remember(Document& document) {
@@ -142,6 +244,7 @@ void Shell::frame(Document& document) {
     window_.end_frame();
     report_outside(document);
     remember(document);
+    keep_unsaved(document);
 }
 
 void Shell::act(Action action, Document& document, const Frame& frame) {
@@ -240,11 +343,7 @@ void Shell::open_again(const std::filesystem::path& file, Document& document) {
 void Shell::draw_file_question(Document& document) {
     const auto answer =
         file_question_.draw([&](const auto& file) { return document.is_picture_with_settings(file); });
-    if (!answer) return;
-    if (answer->as_picture)
-        document.open_as_picture(answer->file);
-    else
-        document.take_dropped(answer->file);
+    if (answer) open_answer(*answer, document);
 }
 
 std::filesystem::path Shell::folder_to_open() const {
@@ -266,6 +365,11 @@ EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
 }
 
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
+    // Alone: two dialogs would take turns in each other's place.
+    const bool waits = waiting_ && !waiting_->saving;
+    if (waiting_) draw_changes_question(document);
+    if (!waits && asks_about_left_ && ready_) draw_kept_question(document);
+    if (waits || (asks_about_left_ && ready_)) return;
     palette_.draw(document.shortcuts(), act, {memory_.state.recent, [&](const std::filesystem::path& file) {
                                                   open_again(file, document);
                                               }});

@@ -1,7 +1,9 @@
 #pragma once
 // The window around a document: its loop, keys, dialogs and reports.
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/viewer/canvas/entry_pictures.h"
@@ -12,6 +14,7 @@
 #include "app/viewer/shell/file_question.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/unsaved_drawings.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -20,7 +23,7 @@ namespace dapple {
 class Shell {
  public:
     /// Opens the window. Throws std::runtime_error if there is no display.
-    Shell(bool log_status, Memory memory);
+    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved = UnsavedDrawings());
 
     const Memory& memory() const { return memory_; }
 
@@ -29,6 +32,17 @@ class Shell {
 
  private:
     void frame(Document& document);
+    /// Whether the window may go: what is not saved is asked about first.
+    bool may_close(const Document& document);
+    /// What the question about changes waits with; goes on with it once there are none, or not at all.
+    void draw_changes_question(Document& document);
+    void go_on(Document& document);
+    void open_answer(const FileQuestion::Answer& answer, Document& document);
+    /// What windows left that ended unasked.
+    void draw_kept_question(Document& document);
+    /// In case the program ends; at most every ten seconds.
+    void keep_unsaved(Document& document);
+    double seconds_until_kept(const Document& document) const;
     void act(Action action, Document& document, const Frame& frame);
     /// What the dialog that is open asks for.
     enum class Asked { picture, found_picture, tile, mask, drawing, project, film };
@@ -66,6 +80,18 @@ class Shell {
     double last_seconds_ = 0;  // of the last frame
     std::string logged_;
     HealthInfo health_;
+    /// What is done once changes are saved or given up: a file opened, or the window closed.
+    struct Waiting {
+        std::optional<FileQuestion::Answer> open = {};  // none: close
+        bool saving = false;                            // its dialog is open
+    };
+    std::optional<Waiting> waiting_;
+    bool closing_ = false;
+    UnsavedDrawings unsaved_;
+    std::optional<std::filesystem::path> left_behind_;  // asked about, or brought back and not kept since
+    bool asks_about_left_ = false;
+    int changes_kept_ = -1;  // none yet
+    std::chrono::steady_clock::time_point kept_{};
     Asked desktop_asked_ = Asked::picture;  // of the desktop's dialog
     Background<std::filesystem::path> desktop_dialog_, pasting_;
 };

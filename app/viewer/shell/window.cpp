@@ -86,7 +86,8 @@ GLFWmonitor* monitor_under(GLFWwindow* window) {
         glm::ivec2 corner{0};
         glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
         const glm::ivec2 shared = glm::max(
-            glm::min(own.high, corner + glm::ivec2(mode->width, mode->height)) - glm::max(own.low, corner), 0);
+            glm::min(own.high, corner + glm::ivec2(mode->width, mode->height)) - glm::max(own.low, corner),
+            0);
         if (shared.x * shared.y > most) {
             most = shared.x * shared.y;
             best = monitors[i];
@@ -157,6 +158,9 @@ bool Window::should_close() const {
 }
 void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::stay_open() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());

@@ -28,6 +28,8 @@ class Window {
 
     bool should_close() const;
     void close();
+    /// Although it was to be closed.
+    void stay_open();
     void set_title(const std::string& title);
     void toggle_full_screen();
     /// Where it is, or was before it filled the screen.

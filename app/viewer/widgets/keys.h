@@ -14,6 +14,7 @@ namespace dapple {
 enum class Key {
     b,
     c,
+    d,
     e,
     f,
     i,
@@ -61,6 +62,8 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(B, B);
         case Key::c:
             return DAPPLE_KEY(C, C);
+        case Key::d:
+            return DAPPLE_KEY(D, D);
         case Key::e:
             return DAPPLE_KEY(E, E);
         case Key::f:
