@@ -183,7 +183,7 @@ TEST_CASE("a black that is less than solid is covered so far by dots that are ha
             const InkCurve open({.relaxing_steps = steps, .black = black});
             CHECK(open.coverage(1) == doctest::Approx(black).epsilon(0.002));
             CHECK(open.full_load() < InkCurve({.relaxing_steps = steps}).full_load());
-            CHECK(open.full_load() >= black);  // without overlaps no dots cover more than their area
+            CHECK(open.full_load() > 0.999 * black);  // no dots cover more than their area
         }
     }
     // A third of the load for the last fifth.

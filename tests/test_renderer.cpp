@@ -300,7 +300,12 @@ TEST_CASE("drawn in many steps the page is what it is when drawn at once, tiles 
     other.resize(kSize);
     picture.renderer.begin(picture.camera, picture.look, {});
     int steps = 1;
-    while (!picture.renderer.step(other, 0)) ++steps;
+    while (!picture.renderer.step(other, 0)) {
+        ++steps;
+        GLint program = 0;  // of which others would keep the name, and it may be deleted
+        glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+        CHECK(program == 0);
+    }
     CHECK(steps > 10);
     other.bind();
     CHECK(read_pixels(kSize).values == at_once.values);

@@ -238,9 +238,12 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                                          : kDotsPerScale * plan.placing.scale * kUsualMeanDensity * pixels /
                                                (longer * longer);
     const bool has_black = !plain_ && !request.joined && request.size.sizing != DotSizing::by_tone;
-    plan.usual_black = has_black && request.automatic_tone ? usual_black(dots) : 1;
-    plan.tone.black = has_black ? request.tone.black.value_or(plan.usual_black) : 1;
-    toned.tone.black = toned.ink.black = *plan.tone.black;
+    const auto take_black = [&](double for_dots) {
+        plan.usual_black = has_black && request.automatic_tone ? usual_black(for_dots) : 1;
+        plan.tone.black = has_black ? request.tone.black.value_or(plan.usual_black) : 1;
+        toned.tone.black = toned.ink.black = *plan.tone.black;
+    };
+    take_black(dots);
     if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
 
     // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
@@ -250,6 +253,13 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     plan.density = density_for(toned, request.mask);
     for (int round = 0; by_level && plan.placing.count && round < 2 && plan.density->mean() > 0; ++round) {
         toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
+        plan.density = density_for(toned, request.mask);
+    }
+    // Of a scale it is known only now how many dots there are; as many of a count have the same black.
+    for (int round = 0; !plan.placing.count && round < 3; ++round) {
+        const double black = toned.ink.black;
+        take_black(expected_dots(*plan.density, plan.placing.scale));
+        if (toned.ink.black == black) break;
         plan.density = density_for(toned, request.mask);
     }
     plan.full_load = InkCurve(toned.ink).full_load();

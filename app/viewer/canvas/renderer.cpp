@@ -306,6 +306,14 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     glBlendEquation(GL_FUNC_ADD);
     const double slice_seconds = std::min(kSliceSeconds, seconds);
     bool goes_on = true;
+    // As others find it who draw in between: ImGui gives a program back that may be deleted meanwhile.
+    const auto leave = [](bool done) {
+        glDisable(GL_BLEND);
+        glDisable(GL_SCISSOR_TEST);
+        glBindVertexArray(0);
+        glUseProgram(0);
+        return done;
+    };
     const auto spent = [&] {
         if (in_steps) goes_on = passed(begin) < seconds;
         return !goes_on;
@@ -338,7 +346,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         const double drawn = static_cast<double>(job.in_view) / static_cast<double>(job.every);
         if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(dots_seconds_ / drawn, 1e-9));
     }
-    if (job.next_block < job.blocks.size()) return false;
+    if (job.next_block < job.blocks.size()) return leave(false);
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -365,11 +373,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
             spent();
         }
     }
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glBindVertexArray(0);
-    glUseProgram(0);
-    return job.next_row >= height && (job.tiles == 0 || job.columns.first >= job.columns.end);
+    return leave(job.next_row >= height && (job.tiles == 0 || job.columns.first >= job.columns.end));
 }
 
 Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
