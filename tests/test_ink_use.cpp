@@ -38,6 +38,16 @@ TEST_CASE("the mean ink is the light that the picture lacks") {
     CHECK(mean_ink(histogram, {.blur = 50}) == mean_ink(histogram, {}));
 }
 
+TEST_CASE("the mean density is that of the picture") {
+    const Histogram histogram = histogram_of_areas({{0.5f, 300}, {1, 100}});
+    const InkCurve ink({.relaxing_steps = 5, .black = 0.8});
+    CHECK(mean_density(histogram, {}, ink) ==
+          doctest::Approx(0.75 * ink.density_for(1 - srgb_to_linear(0.5f))).epsilon(1e-3));
+    CHECK(mean_density(histogram, {.invert = true}, ink) ==
+          doctest::Approx(0.75 * ink.density_for(srgb_to_linear(0.5f)) + 0.25).epsilon(1e-3));
+    CHECK(mean_density({}, {}, ink) == 0);
+}
+
 TEST_CASE("dots in black are counted by their density") {
     // Black has density 1; halves of the picture in black and white put all dots into black.
     CHECK(dots_in_black(histogram_of_areas({{0, 50}, {1, 50}}), {}) == 1);

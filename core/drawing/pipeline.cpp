@@ -10,6 +10,7 @@
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
+#include "core/image/ink_use.h"
 
 namespace dapple {
 
@@ -244,6 +245,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         toned.tone.black = toned.ink.black = *plan.tone.black;
     };
     take_black(dots);
+    // Of a scale the number of dots follows from black too: nearly, at first, as the histogram has it.
+    for (int round = 0; has_black && !plan.placing.count && round < 2; ++round)
+        take_black(kDotsPerScale * plan.placing.scale * pixels / (longer * longer) *
+                   mean_density(*plan.histogram, toned.tone, InkCurve(toned.ink)));
     if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
 
     // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
@@ -255,8 +260,8 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
         plan.density = density_for(toned, request.mask);
     }
-    // Of a scale it is known only now how many dots there are; as many of a count have the same black.
-    for (int round = 0; !plan.placing.count && round < 3; ++round) {
+    // As many dots of a count have the same black.
+    for (int round = 0; has_black && !plan.placing.count && round < 3; ++round) {
         const double black = toned.ink.black;
         take_black(expected_dots(*plan.density, plan.placing.scale));
         if (toned.ink.black == black) break;

@@ -9,11 +9,11 @@ namespace dapple {
 namespace {
 
 // The density for each bin's value, through the very function that drawings go through.
-Grid<float> density_of_bins(Tone tone) {
+Grid<float> density_of_bins(Tone tone, const InkCurve& ink = InkCurve()) {
     Grid<float> greys(Histogram::kSteps + 1, 1);
     for (int i = 0; i < greys.width; ++i) greys.at(i, 0) = srgb_to_linear(Histogram::value_of(i));
     tone.blur = 0;
-    return density_of(std::move(greys), tone);
+    return density_of(std::move(greys), tone, ink);
 }
 
 bool is_nearly_black(int bin, const Tone& tone) {
@@ -31,6 +31,15 @@ double mean_ink(const Histogram& histogram, const Tone& tone) {
     double sum = 0;
     for (int i = 0; i < density.width; ++i)
         sum += static_cast<double>(histogram.counts[i]) * ink.coverage(density.at(i, 0));
+    return sum / static_cast<double>(histogram.total);
+}
+
+double mean_density(const Histogram& histogram, const Tone& tone, const InkCurve& ink) {
+    if (histogram.total == 0) return 0;
+    const Grid<float> density = density_of_bins(tone, ink);
+    double sum = 0;
+    for (int i = 0; i < density.width; ++i)
+        sum += static_cast<double>(histogram.counts[i]) * density.at(i, 0);
     return sum / static_cast<double>(histogram.total);
 }
 

@@ -9,6 +9,9 @@ namespace dapple {
 /// The mean share of paper that ink covers, 0..1. 0 for an empty histogram.
 double mean_ink(const Histogram& histogram, const Tone& tone);
 
+/// The mean of density_of(), 0..1. 0 for an empty histogram.
+double mean_density(const Histogram& histogram, const Tone& tone, const InkCurve& ink);
+
 /// The share of the dots, 0..1, that falls into nearly black parts: those whose encoded value is in the
 /// lowest fifth of the range from the tone's black point to its white point. 0 without dots.
 double dots_in_black(const Histogram& histogram, const Tone& tone);
