@@ -93,16 +93,24 @@ std::string tile_in_use(const DrawingSettings& settings);
 /// Whether a pen draws lines, rather than that dots are filled circles.
 bool draws_strokes(const DrawingSettings& settings);
 
-/// The widths of the lines that the choice's pens draw, in millimetres: their own, or else the pen's width.
-std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens);
+/// What pens do: ink spreads about a dot where the pen rests, and not along a line.
+enum class PenUse { lines, touches };
+
+/// How wide the lines are that the choice's pens draw, or the dots that they touch the paper for, in
+/// millimetres: their own width, with the dot gain if they touch; or else the pen's width.
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
+                                  PenUse use);
 
 /// Whether several pens say how wide they are.
 bool have_widths(const PenChoice& pens);
 
-/// Whether each dot is a touch of the pen, and as large as the pen's line is wide.
+/// Whether each dot is a touch of the pen, and as large as what that leaves.
 bool draws_touches(const DrawingSettings& settings);
+inline PenUse pen_use(const DrawingSettings& settings) {
+    return draws_touches(settings) ? PenUse::touches : PenUse::lines;
+}
 
-/// The widest line that a pen draws, in millimetres; 0 where dots are filled circles.
+/// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
 double widest_stroke(const DrawingSettings& settings);
 
 /// What is asked of the pipeline. Touches are as large as the pen's line is wide. Where several pens draw

@@ -726,6 +726,8 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.set == PenSet::cmyk);
     ui.enter("Tip width, mm", "0.4");
     CHECK(drawing.pens.width_mm == 0.4);
+    ui.enter("Dot gain, mm", "0.04");
+    CHECK(drawing.pens.gain_mm == 0.04);
     ui.click("Registration");
     CHECK(drawing.registration);
     ui.click("Which pens");
@@ -736,6 +738,9 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.own[0].width_mm == 0.7);
     ui.enter("Gap 1, mm", "1.5");
     CHECK(drawing.pens.own[0].gap_mm == 1.5);
+    CHECK(drawing.pens.own[0].gain_mm == 0.04);
+    ui.enter("Gain 1, mm", "0.06");
+    CHECK(drawing.pens.own[0].gain_mm == 0.06);
 }
 
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {

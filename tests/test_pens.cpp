@@ -49,15 +49,38 @@ std::vector<glm::dvec2> places_of(const DotPieces& dots) {
 }  // namespace
 
 TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
-    for (const char* text : {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5",
-                             "Sky:#3aa0d8:0.3,Dark ochre:#805010", "Sky:#3aa0d8:0.3:0.6,Ink:#101010"})
+    for (const char* text :
+         {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5", "Sky:#3aa0d8:0.3,Dark ochre:#805010",
+          "Sky:#3aa0d8:0.3:0.6,Ink:#101010", "cmyk:0.3+0.04", "greys:0.5+0.1", "auto:3:0.5+0.05",
+          "Sky:#3aa0d8:0.3+0.05:0.6,Ink:#101010:0.2+0.02"})
         CHECK(text_of(parse_pens(text)) == text);
+    CHECK(parse_pens("cmyk:0.3+0").gain_mm == 0);
+    CHECK(parse_pens("Sky:#3aa0d8:0.3mm + 0.002in").own[0].gain_mm == doctest::Approx(0.0508));
     CHECK(parse_pens("cmyk:0.5in").width_mm == doctest::Approx(12.7));
     CHECK(parse_pen_list("# mine\n\nSky:#3aa0d8:0.3\n Ochre : #805010\n") ==
           parse_pens("Sky:#3aa0d8:0.3,Ochre:#805010"));
-    for (const char* text :
-         {"", "rgb", "cmyk:0", "cmyk:1:2", "auto:0", "auto:13", "auto:x", "one:0.3", "Sky:#3aa0d8:thin",
-          "Sky:blue", "<b>:#123456", "A:#111,A:#222", "A:#111:1:2:3", "A:#111:1:0", "A:#111:1:far"}) {
+    for (const char* text : {"",
+                             "rgb",
+                             "cmyk:0",
+                             "cmyk:1:2",
+                             "auto:0",
+                             "auto:13",
+                             "auto:x",
+                             "one:0.3",
+                             "Sky:#3aa0d8:thin",
+                             "Sky:blue",
+                             "<b>:#123456",
+                             "A:#111,A:#222",
+                             "A:#111:1:2:3",
+                             "A:#111:1:0",
+                             "A:#111:1:far",
+                             "A:#111:1+",
+                             "A:#111:1+wet",
+                             "A:#111:1+-0.1",
+                             "A:#111:1+11",
+                             "A:#111:+1",
+                             "cmyk:0.3:0.1",
+                             "cmyk:0.3+0.1+0.1"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_pens(text), std::runtime_error);
     }

@@ -89,11 +89,12 @@ DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, Dra
 
 std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
                                        DrawingFormat format) {
+    if (drawing.strokes) return drawing.strokes;
     const DotMark mark = mark_in(settings, drawing.saving, format);
     const bool dots = settings.style == DrawingStyle::dots;
     if (is_table(format) || (dots && mark.shape == DotShape::circle)) return std::nullopt;
     const double width = settings.pen_width_mm;
-    const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens);
+    const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens, pen_use(settings));
     if (dots) return marks_of(drawing.dots, drawing.page, mark, drawing.dot_radius_mm, width, widths);
     auto lines = std::make_shared<Strokes>();
     for (const Dots& own : sorted_by_pen(drawing.dots, DotOrder::recursion).pieces)

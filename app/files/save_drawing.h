@@ -62,6 +62,8 @@ struct DrawingToSave {
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
+    std::optional<StrokeStream> strokes =
+        {};  // what is drawn in the dots' place, if not what follows from them
 };
 
 /// Each dot's shape in such a file. Where a machine would only touch the paper, a spiral fills dots of

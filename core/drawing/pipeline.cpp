@@ -52,7 +52,7 @@ std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
 
 void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
     // Pens of several widths, whose dots are not sized otherwise.
-    const auto width = [](const Pen& pen) { return pen.width_mm; };
+    const auto width = [](const Pen& pen) { return dot_width_mm(pen); };
     const bool one_width =
         std::ranges::adjacent_find(plan.pens, std::ranges::not_equal_to{}, width) == plan.pens.end();
     if (!one_width && plan.size.sizing == DotSizing::fixed) {

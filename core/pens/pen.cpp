@@ -47,8 +47,23 @@ double pen_length(std::string_view text, const char* what) {
     return *length;
 }
 
-double pen_width(std::string_view text) {
-    return pen_length(text, "width");
+// "0.3", or "0.3+0.05" with its dot gain.
+struct TipSize {
+    double width_mm = 0, gain_mm = 0;
+};
+
+TipSize tip_size(std::string_view text) {
+    const std::size_t plus = text.find('+', 1);
+    TipSize size{.width_mm = pen_length(without_spaces(text.substr(0, plus)), "width")};
+    if (plus == std::string_view::npos) return size;
+    const std::string_view behind = without_spaces(text.substr(plus + 1));
+    const std::optional<double> gain = millimetres_of(behind);
+    if (!gain || !(*gain >= 0) || *gain > kMostGainMm)
+        throw std::runtime_error(
+            fmt::format("{} is no dot gain; give 0 to {:g} millimetres behind the width, such as 0.3+0.05",
+                        behind, kMostGainMm));
+    size.gain_mm = *gain;
+    return size;
 }
 
 void check_name(std::string_view name) {
@@ -67,7 +82,11 @@ Pen parse_pen(std::string_view text) {
             text));
     check_name(parts[0]);
     Pen pen{.name = std::string(parts[0]), .colour = parse_colour(parts[1])};
-    if (parts.size() >= 3) pen.width_mm = pen_width(parts[2]);
+    if (parts.size() >= 3) {
+        const TipSize size = tip_size(parts[2]);
+        pen.width_mm = size.width_mm;
+        pen.gain_mm = size.gain_mm;
+    }
     if (parts.size() == 4) pen.gap_mm = pen_length(parts[3], "smallest gap");
     return pen;
 }
@@ -113,7 +132,10 @@ Palette palette_of(const PenChoice& choice) {
                 {"Magenta", of_hex(0xe6007e)},
                 {"Yellow", of_hex(0xffed00)},
                 {"Black", of_hex(0x1d1d1b)}};
-    for (Pen& pen : pens) pen.width_mm = choice.width_mm;
+    for (Pen& pen : pens) {
+        pen.width_mm = choice.width_mm;
+        pen.gain_mm = choice.gain_mm;
+    }
     return pens;
 }
 
@@ -151,7 +173,11 @@ PenChoice parse_pens(std::string_view text) {
     const auto take_width = [&](std::size_t place) {
         if (words.size() > place + 1)
             throw std::runtime_error(fmt::format("{} says more than a set of pens and their width", text));
-        if (words.size() > place) choice.width_mm = pen_width(words[place]);
+        if (words.size() > place) {
+            const TipSize size = tip_size(words[place]);
+            choice.width_mm = size.width_mm;
+            choice.gain_mm = size.gain_mm;
+        }
         return choice;
     };
     for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk}) {
@@ -181,18 +207,21 @@ PenChoice parse_pen_list(std::string_view text) {
 }
 
 std::string text_of(const PenChoice& choice) {
-    const auto with_width = [](std::string text, double width) {
-        return width > 0 ? fmt::format("{}:{:g}", text, width) : text;
+    const auto with_width = [](std::string text, double width, double gain) {
+        if (!(width > 0)) return text;
+        text += fmt::format(":{:g}", width);
+        return gain > 0 ? text + fmt::format("+{:g}", gain) : text;
     };
     if (choice.set == PenSet::one) return "one";
     if (choice.set == PenSet::automatic)
-        return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm);
-    if (choice.set != PenSet::own) return with_width(std::string(name_of(choice.set)), choice.width_mm);
+        return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm, choice.gain_mm);
+    if (choice.set != PenSet::own)
+        return with_width(std::string(name_of(choice.set)), choice.width_mm, choice.gain_mm);
     std::string text;
     for (const Pen& pen : choice.own) {
         text += (text.empty() ? "" : ",") +
-                with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm);
-        if (pen.width_mm > 0) text = with_width(std::move(text), pen.gap_mm);
+                with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm, pen.gain_mm);
+        if (pen.width_mm > 0 && pen.gap_mm > 0) text += fmt::format(":{:g}", pen.gap_mm);
     }
     return text;
 }

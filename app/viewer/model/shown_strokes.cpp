@@ -76,7 +76,9 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
 ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
                            const PageSize& page, double dot_radius, LineWay way, std::stop_token stop) {
     const double unit = page.mm_per_page_unit;
-    const std::vector<double> widths = stroke_widths(choice.pens, choice.pen_width_mm, pens);
+    const bool touches = choice.style == DrawingStyle::dots && choice.mark.shape == DotShape::point;
+    const std::vector<double> widths =
+        stroke_widths(choice.pens, choice.pen_width_mm, pens, touches ? PenUse::touches : PenUse::lines);
     if (choice.style == DrawingStyle::dots)
         return on_screen(
             marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm, widths),

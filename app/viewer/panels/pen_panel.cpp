@@ -36,11 +36,26 @@ SliderRange gap_range(LengthUnit unit) {
                 "drawing is saved."};
 }
 
+SliderRange gain_range(LengthUnit unit) {
+    return {.min = 0,
+            .max = 0.5,
+            .neutral = 0,
+            .hard_max = kMostGainMm,
+            .typed = TypedKind::length,
+            .unit = unit,
+            .tip =
+                "Dot gain: how much wider than the tip its dots come out on your paper, as read off the "
+                "page that dapple testsheet makes. Wider dots are fewer."};
+}
+
 // What pens of one's own begin as: those that drew so far.
 Palette palette_to_begin_with(const DrawingSettings& settings) {
     if (settings.pens.set == PenSet::one) return {{.name = "Ink", .colour = settings.ink}};
     const Palette pens = palette_of(settings.pens);
-    return pens.empty() ? palette_of({.set = PenSet::cmyk, .width_mm = settings.pens.width_mm}) : pens;
+    return pens.empty() ? palette_of({.set = PenSet::cmyk,
+                                      .width_mm = settings.pens.width_mm,
+                                      .gain_mm = settings.pens.gain_mm})
+                        : pens;
 }
 
 bool draw_set(DrawingSettings& settings) {
@@ -71,12 +86,15 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
             changed = true;
         }
     }
-    const Greyed greyed(pens.set == PenSet::one
-                            ? "Of several pens only; one pen is as wide as its dots, or as "
-                              "Dots says."
-                        : pens.set == PenSet::own ? "Each pen of your own has its width below."
-                                                  : nullptr);
-    return slider_row("Tip width", pens.width_mm, width_range(unit)) || changed;
+    const char* const no_width = pens.set == PenSet::one
+                                     ? "Of several pens only; one pen is as wide as its dots, or as "
+                                       "Dots says."
+                                 : pens.set == PenSet::own ? "Each pen of your own has its width below."
+                                                           : nullptr;
+    const Greyed greyed(no_width);
+    changed |= slider_row("Tip width", pens.width_mm, width_range(unit));
+    const Greyed no_gain(no_width || pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
+    return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
 
 bool is_free(const Palette& pens, const std::string& name) {
@@ -117,6 +135,7 @@ bool draw_own_pen(Palette& pens, std::size_t place, LengthUnit unit, bool& remov
     {
         const Greyed greyed(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
+        changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
     removed =
