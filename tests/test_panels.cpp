@@ -743,6 +743,33 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.own[0].gain_mm == 0.06);
 }
 
+TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they are") {
+    DrawingSettings drawing;
+    drawing.pens.set = PenSet::cmyk;
+    const DrawingSettings before = drawing;
+    Palette pens = palette_of(drawing.pens);
+    ShownPens shown;
+    HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {pens, &shown}); });
+    CHECK(hidden_among(pens, shown) == 0);
+    ui.click("Show Magenta");
+    CHECK(hidden_among(pens, shown) == 0b0010);
+    // By its name: it stays hidden where the pens come in another order.
+    sort_lightest_first(pens);
+    REQUIRE(pens[2].name == "Magenta");
+    CHECK(hidden_among(pens, shown) == 0b0100);
+    ui.click("Look at");
+    ui.click("1 Yellow alone");
+    CHECK(hidden_among(pens, shown) == 0b1110);
+    ui.click("Show Cyan");  // greyed: one pen is looked at alone
+    CHECK(hidden_among(pens, shown) == 0b1110);
+    pens.erase(pens.begin());  // without it, there are all again that are not hidden
+    ui.frame();
+    CHECK(hidden_among(pens, shown) == 0b010);
+    ui.click("Show Magenta");
+    CHECK(hidden_among(pens, shown) == 0);
+    CHECK(drawing == before);
+}
+
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
     const TemporaryFolder folder;
     const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";

@@ -65,6 +65,7 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
             const glm::vec3 colour = glm::round(pens[static_cast<std::size_t>(pen)].colour * 255.0f);
             shown.colours.emplace_back(colour, 255);
             shown.widths.push_back(static_cast<float>(strokes.width_of(pen) * unit));
+            shown.pens.push_back(static_cast<std::uint8_t>(pen));
         };
         if (points.size() == 1) add(points[0], points[0]);
         for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);

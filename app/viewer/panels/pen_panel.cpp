@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/pens/pen.h"
@@ -168,9 +169,38 @@ bool draw_adding(PenChoice& pens) {
     return true;
 }
 
+void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
+    std::vector<std::string> names{"all pens"};
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        names.push_back(std::to_string(i + 1) + " " + drawn[i].name + " alone");
+    std::vector<const char*> entries;
+    for (const std::string& name : names) entries.push_back(name.c_str());
+    const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
+    int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
+    {
+        const Greyed greyed(drawn.empty() ? "Of several pens only." : nullptr);
+        if (choice_row("Look at", chosen, entries,
+                       "The dots of all pens or of one alone, as its layer has them. A way of looking: files "
+                       "have all pens."))
+            shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
+    }
+    const Greyed greyed(chosen > 0 ? "One pen is looked at alone, as the row above says." : nullptr);
+    for (const Pen& pen : drawn) {
+        bool seen = !shown.hidden.contains(pen.name);
+        if (!switch_row(("Show " + pen.name).c_str(), seen,
+                        "Whether this pen's dots are seen in the window; files have them all the same.",
+                        true))
+            continue;
+        if (seen)
+            shown.hidden.erase(pen.name);
+        else
+            shown.hidden.insert(pen.name);
+    }
+}
+
 }  // namespace
 
-bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit) {
+bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
     if (!section("Pens")) return false;
     bool changed = draw_set(settings);
     changed |= draw_made_set(settings.pens, unit);
@@ -190,6 +220,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit) {
                           "What lies under the dots; in a file only where you ask for it.", kWhite);
     changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens.own, unit);
+    if (seen.shown) draw_shown_pens(seen.drawn, *seen.shown);
     return changed;
 }
 
