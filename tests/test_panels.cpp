@@ -694,6 +694,12 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK_FALSE(ui.has("Paper in SVG"));
     ui.enter("Dots per inch", "600");
     CHECK(settings.saving.dpi == 600);
+    ui.click("Separations");  // greyed: of several pens only
+    CHECK_FALSE(settings.saving.separations);
+    settings.drawing.pens.set = PenSet::cmyk;
+    ui.click("Separations");
+    CHECK(settings.saving.separations);
+    settings.drawing.pens.set = PenSet::one;
     ui.click("16");
     CHECK(settings.saving.bits == 16);
     ui.click("8");

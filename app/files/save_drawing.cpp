@@ -12,6 +12,7 @@
 #include "app/files/machine_comments.h"
 #include "app/files/pdf_file.h"
 #include "app/files/png_file.h"
+#include "app/files/separations.h"
 #include "app/files/tiff_file.h"
 #include "app/shown_text.h"
 #include "core/output/csv.h"
@@ -263,6 +264,11 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
             write_to_standard_output(write);
         else
             save_atomically(path, write);
+        const bool separate = drawing.saving.separations && has_pixels(format) && !to_standard_output;
+        for (std::size_t pen = 0; separate && pen < drawing.pens.size(); ++pen)
+            save_atomically(separation_file(path, pen, drawing.pens[pen]), [&](std::ostream& out) {
+                write_separation(out, format, settings, ordered, static_cast<int>(pen), progress);
+            });
     } catch (const Stopped&) {
         return false;
     }
