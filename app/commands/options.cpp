@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "app/files/text_file.h"
+#include "app/settings/pen_file.h"
 #include "app/shown_text.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
@@ -85,7 +85,7 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
 PenChoice pens_in(const std::string& text) {
     std::error_code error;
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
-        return parse_pen_list(text_of_file(text, {"list of pens", 1'000'000}));
+        return read_pens(text);
     return parse_pens(text);
 }
 
@@ -376,7 +376,8 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         app, settings.pens,
         "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
         "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
-        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line. No two dots of "
+        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON. No two "
+        "dots of "
         "any pens collide. With a width all dots are that large, and so much larger as the dot gain says "
         "behind it, as in 0.3+0.05; dapple testsheet finds that out")
         ->default_str("one");

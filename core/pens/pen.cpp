@@ -7,6 +7,7 @@
 #include <cctype>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "core/image/linear_colour.h"
 #include "core/text/length.h"
@@ -91,19 +92,10 @@ Pen parse_pen(std::string_view text) {
     return pen;
 }
 
-PenChoice own_pens(const std::vector<std::string_view>& texts) {
-    PenChoice choice{.set = PenSet::own};
-    for (const std::string_view text : texts) {
-        choice.own.push_back(parse_pen(text));
-        const std::string& name = choice.own.back().name;
-        if (std::ranges::count(choice.own, name, &Pen::name) > 1)
-            throw std::runtime_error(
-                fmt::format("two pens are called {}; give each a name of its own", name));
-    }
-    if (choice.own.empty() || choice.own.size() > kMostPens)
-        throw std::runtime_error(
-            fmt::format("{} pens are not possible; give 1 to {}", choice.own.size(), kMostPens));
-    return choice;
+PenChoice pens_in(const std::vector<std::string_view>& texts) {
+    Palette pens;
+    for (const std::string_view text : texts) pens.push_back(parse_pen(text));
+    return own_pens(std::move(pens));
 }
 
 }  // namespace
@@ -161,6 +153,21 @@ bool has_colour(const Palette& pens) {
     });
 }
 
+PenChoice own_pens(Palette pens) {
+    for (const Pen& pen : pens)
+        if (std::ranges::count(pens, pen.name, &Pen::name) > 1)
+            throw std::runtime_error(
+                fmt::format("two pens are called {}; give each a name of its own", pen.name));
+    if (pens.empty() || pens.size() > kMostPens)
+        throw std::runtime_error(
+            fmt::format("{} pens are not possible; give 1 to {}", pens.size(), kMostPens));
+    for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk, PenSet::automatic})
+        if (pens.front().name == name_of(set))
+            throw std::runtime_error(
+                fmt::format("{} is a set of pens; give the pen another name", pens.front().name));
+    return {.set = PenSet::own, .own = std::move(pens)};
+}
+
 void sort_lightest_first(Palette& pens) {
     std::ranges::stable_sort(pens, std::ranges::greater{},
                              [](const Pen& pen) { return luminance(linear_of(pen.colour)); });
@@ -196,14 +203,14 @@ PenChoice parse_pens(std::string_view text) {
         choice.automatic = *count;
         return take_width(2);
     }
-    return own_pens(parts_of(text, ','));
+    return pens_in(parts_of(text, ','));
 }
 
 PenChoice parse_pen_list(std::string_view text) {
     std::vector<std::string_view> lines = parts_of(text, '\n');
     std::erase_if(
         lines, [](std::string_view line) { return line.empty() || line.starts_with("# ") || line == "#"; });
-    return own_pens(lines);
+    return pens_in(lines);
 }
 
 std::string text_of(const PenChoice& choice) {

@@ -76,6 +76,9 @@ void sort_lightest_first(Palette& pens);
 PenChoice parse_pens(std::string_view text);
 /// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
 PenChoice parse_pen_list(std::string_view text);
+/// Those pens. Throws if two have one name, or if there are none or too many; or if the first is called as a
+/// set, which its text would then be read as.
+PenChoice own_pens(Palette pens);
 /// The same text again.
 std::string text_of(const PenChoice& choice);
 
