@@ -734,6 +734,8 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.width_mm == 0.4);
     ui.enter("Dot gain, mm", "0.04");
     CHECK(drawing.pens.gain_mm == 0.04);
+    ui.enter("Black ink", "0.9");
+    CHECK(drawing.pens.black == 0.9);
     ui.click("Registration");
     CHECK(drawing.registration);
     ui.click("Which pens");

@@ -379,7 +379,8 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON. No two "
         "dots of "
         "any pens collide. With a width all dots are that large, and so much larger as the dot gain says "
-        "behind it, as in 0.3+0.05; dapple testsheet finds that out")
+        "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
+        "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
     add_colour(app, "--ink", settings.ink, "Colour of the dots, with one pen");
     add_colour(app, "--paper", settings.paper, "Colour of the page");

@@ -67,6 +67,16 @@ TipSize tip_size(std::string_view text) {
     return size;
 }
 
+constexpr std::string_view kBlackWord = "black=";
+
+double black_share(std::string_view text) {
+    const std::optional<double> share = number_of<double>(text.substr(kBlackWord.size()));
+    if (!share || !(*share >= 0 && *share <= 1))
+        throw std::runtime_error(
+            fmt::format("{} is not possible; give 0 to 1, as in cmyk:0.3:black=0.8", text));
+    return *share;
+}
+
 void check_name(std::string_view name) {
     if (!is_pen_name(name))
         throw std::runtime_error(fmt::format(
@@ -177,6 +187,10 @@ PenChoice parse_pens(std::string_view text) {
     text = without_spaces(text);
     std::vector<std::string_view> words = parts_of(text, ':');
     PenChoice choice;
+    if (words[0] == name_of(PenSet::cmyk) && words.back().starts_with(kBlackWord)) {
+        choice.black = black_share(words.back());
+        words.pop_back();
+    }
     const auto take_width = [&](std::size_t place) {
         if (words.size() > place + 1)
             throw std::runtime_error(fmt::format("{} says more than a set of pens and their width", text));
@@ -222,8 +236,11 @@ std::string text_of(const PenChoice& choice) {
     if (choice.set == PenSet::one) return "one";
     if (choice.set == PenSet::automatic)
         return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm, choice.gain_mm);
-    if (choice.set != PenSet::own)
-        return with_width(std::string(name_of(choice.set)), choice.width_mm, choice.gain_mm);
+    if (choice.set != PenSet::own) {
+        const std::string set = with_width(std::string(name_of(choice.set)), choice.width_mm, choice.gain_mm);
+        const bool says_black = choice.set == PenSet::cmyk && choice.black != kUsualBlack;
+        return says_black ? set + fmt::format(":{}{:g}", kBlackWord, choice.black) : set;
+    }
     std::string text;
     for (const Pen& pen : choice.own) {
         text += (text.empty() ? "" : ",") +

@@ -44,6 +44,8 @@ enum class PenSet {
     own,        // any
     automatic,  // those of common_pens() that draw the picture best
 };
+/// How much of greys black draws in place of coloured inks, where the inks leave a choice.
+inline constexpr double kUsualBlack = 0.5;
 /// "one", "greys", "cmyk", "own", "auto".
 std::string_view name_of(PenSet set);
 
@@ -52,6 +54,7 @@ struct PenChoice {
     int automatic = 4;    // how many, 1..kMostPens
     double width_mm = 0;  // of all pens of a set that is not one's own; 0: as large as the dots are drawn
     double gain_mm = 0;   // of the same pens
+    double black = kUsualBlack;  // of cmyk, 0..1: see Separation
     Palette own = {};
 
     bool operator==(const PenChoice&) const = default;
@@ -71,8 +74,8 @@ void sort_lightest_first(Palette& pens);
 
 /// What --pens takes: "one", "greys", "cmyk", "auto:5", each with a width as in "cmyk:0.3mm"; or own pens,
 /// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,
-/// Ochre:#c08a2e:0.5". A width may have a dot gain behind it, "0.3+0.05". Throws std::runtime_error saying
-/// what is wrong.
+/// Ochre:#c08a2e:0.5". A width may have a dot gain behind it, "0.3+0.05"; cmyk may end in "black=0.8". Throws
+/// std::runtime_error saying what is wrong.
 PenChoice parse_pens(std::string_view text);
 /// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
 PenChoice parse_pen_list(std::string_view text);

@@ -205,6 +205,15 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     bool changed = draw_set(settings);
     changed |= draw_made_set(settings.pens, unit);
     {
+        const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Of CMYK only.");
+        changed |= slider_row("Black ink", settings.pens.black,
+                              {.min = 0,
+                               .max = 1,
+                               .neutral = kUsualBlack,
+                               .tip = "How much of greys is drawn in black instead of in three colours that "
+                                      "make grey: 0 as little as possible, 1 as much."});
+    }
+    {
         const Greyed greyed(settings.pens.set == PenSet::one ? "Of several pens only." : nullptr);
         changed |=
             switch_row("Registration", settings.registration,
