@@ -14,15 +14,19 @@ bool draws_strokes(const DrawingSettings& settings) {
     return settings.style != DrawingStyle::dots || settings.mark.shape != DotShape::circle;
 }
 
-std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens) {
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
+                                  PenUse use) {
     std::vector<double> widths;
     for (const Pen& pen : pens) {
-        double width = choice.width_mm;
+        Pen wide;
+        wide.width_mm = choice.width_mm;
+        wide.gain_mm = choice.gain_mm;
         if (choice.set == PenSet::own) {
             // They come in another order, and may have lost their widths: see request_of().
             const auto own = std::ranges::find(choice.own, pen.name, &Pen::name);
-            width = own == choice.own.end() ? 0 : own->width_mm;
+            wide = own == choice.own.end() ? Pen() : *own;
         }
+        const double width = use == PenUse::touches ? dot_width_mm(wide) : wide.width_mm;
         widths.push_back(width > 0 ? width : pen_width_mm);
     }
     return widths;
@@ -40,9 +44,11 @@ bool draws_touches(const DrawingSettings& settings) {
 
 double widest_stroke(const DrawingSettings& settings) {
     if (!draws_strokes(settings)) return 0;
-    const PenChoice& pens = settings.pens;
-    if (pens.set != PenSet::own) return pens.width_mm > 0 ? pens.width_mm : settings.pen_width_mm;
-    const std::vector<double> widths = stroke_widths(pens, settings.pen_width_mm, pens.own);
+    const PenChoice& choice = settings.pens;
+    Palette pens = palette_of(choice);
+    // Automatic ones are all as wide.
+    if (choice.set == PenSet::automatic) pens.emplace_back();
+    const std::vector<double> widths = stroke_widths(choice, settings.pen_width_mm, pens, pen_use(settings));
     return widths.empty() ? settings.pen_width_mm : std::ranges::max(widths);
 }
 

@@ -82,6 +82,7 @@ struct SavingChoice {
     double feed_mm_per_min = 3000, dwell_s = 0.1, acceleration_mm_per_s2 = 10;
     std::optional<double> pen_up = {}, pen_down = {};  // as GcodeHeights; none: usual_heights()
     double laser_power = 250;                          // the S of G-code for a laser
+    bool separations = false;  // of several pens in pixels: a grey picture for each too, see separations.h
 
     bool operator==(const SavingChoice&) const = default;
 };
@@ -93,16 +94,24 @@ std::string tile_in_use(const DrawingSettings& settings);
 /// Whether a pen draws lines, rather than that dots are filled circles.
 bool draws_strokes(const DrawingSettings& settings);
 
-/// The widths of the lines that the choice's pens draw, in millimetres: their own, or else the pen's width.
-std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens);
+/// What pens do: ink spreads about a dot where the pen rests, and not along a line.
+enum class PenUse { lines, touches };
+
+/// How wide the lines are that the choice's pens draw, or the dots that they touch the paper for, in
+/// millimetres: their own width, with the dot gain if they touch; or else the pen's width.
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
+                                  PenUse use);
 
 /// Whether several pens say how wide they are.
 bool have_widths(const PenChoice& pens);
 
-/// Whether each dot is a touch of the pen, and as large as the pen's line is wide.
+/// Whether each dot is a touch of the pen, and as large as what that leaves.
 bool draws_touches(const DrawingSettings& settings);
+inline PenUse pen_use(const DrawingSettings& settings) {
+    return draws_touches(settings) ? PenUse::touches : PenUse::lines;
+}
 
-/// The widest line that a pen draws, in millimetres; 0 where dots are filled circles.
+/// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
 double widest_stroke(const DrawingSettings& settings);
 
 /// What is asked of the pipeline. Touches are as large as the pen's line is wide. Where several pens draw

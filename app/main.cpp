@@ -23,6 +23,7 @@
 #include "app/commands/record.h"
 #include "app/commands/render_command.h"
 #include "app/commands/reproduce.h"
+#include "app/commands/test_sheet.h"
 #include "app/commands/tile.h"
 #include "app/commands/wrapped_help.h"
 #include "app/commands/wrong_command.h"
@@ -105,6 +106,7 @@ int main(int argc, char** argv) {
     const dapple::CompareCommand compare(program);
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
+    const dapple::TestSheetCommand test_sheet(program);
     const dapple::CompleteCommand complete(program);
     dapple::add_presets_command(program);
     dapple::add_manual_command(program);

@@ -44,6 +44,8 @@ struct Everything {
     bool framing = false, dialog = true, desktop = false;
     Appearance appearance = {};
     TilePanelState tile = {};
+    ShownPens shown_pens = {};
+    Palette drawn_pens = palette_of({.set = PenSet::cmyk});
     PresetRow presets{{}};
     Banner banner = {};
 };
@@ -103,7 +105,10 @@ std::vector<PanelToTest> all_panels(Everything& one) {
          [&] {
              draw_page_panel(drawing.page, drawing.sheets, {200, 150, 200}, all.unit);
          }},
-        {"pens", [&] { draw_pen_panel(drawing); }},
+        {"pens",
+         [&] {
+             draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, &one.shown_pens});
+         }},
         {"method",
          [&, nothing, view] {
              draw_film_buttons(nothing);

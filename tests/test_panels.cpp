@@ -711,6 +711,12 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK_FALSE(ui.has("Paper in SVG"));
     ui.enter("Dots per inch", "600");
     CHECK(settings.saving.dpi == 600);
+    ui.click("Separations");  // greyed: of several pens only
+    CHECK_FALSE(settings.saving.separations);
+    settings.drawing.pens.set = PenSet::cmyk;
+    ui.click("Separations");
+    CHECK(settings.saving.separations);
+    settings.drawing.pens.set = PenSet::one;
     ui.click("16");
     CHECK(settings.saving.bits == 16);
     ui.click("8");
@@ -743,6 +749,10 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.set == PenSet::cmyk);
     ui.enter("Tip width, mm", "0.4");
     CHECK(drawing.pens.width_mm == 0.4);
+    ui.enter("Dot gain, mm", "0.04");
+    CHECK(drawing.pens.gain_mm == 0.04);
+    ui.enter("Black ink", "0.9");
+    CHECK(drawing.pens.black == 0.9);
     ui.click("Registration");
     CHECK(drawing.registration);
     ui.click("Which pens");
@@ -753,6 +763,36 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.own[0].width_mm == 0.7);
     ui.enter("Gap 1, mm", "1.5");
     CHECK(drawing.pens.own[0].gap_mm == 1.5);
+    CHECK(drawing.pens.own[0].gain_mm == 0.04);
+    ui.enter("Gain 1, mm", "0.06");
+    CHECK(drawing.pens.own[0].gain_mm == 0.06);
+}
+
+TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they are") {
+    DrawingSettings drawing;
+    drawing.pens.set = PenSet::cmyk;
+    const DrawingSettings before = drawing;
+    Palette pens = palette_of(drawing.pens);
+    ShownPens shown;
+    HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {pens, &shown}); });
+    CHECK(hidden_among(pens, shown) == 0);
+    ui.click("Show Magenta");
+    CHECK(hidden_among(pens, shown) == 0b0010);
+    // By its name: it stays hidden where the pens come in another order.
+    sort_lightest_first(pens);
+    REQUIRE(pens[2].name == "Magenta");
+    CHECK(hidden_among(pens, shown) == 0b0100);
+    ui.click("Look at");
+    ui.click("1 Yellow alone");
+    CHECK(hidden_among(pens, shown) == 0b1110);
+    ui.click("Show Cyan");  // greyed: one pen is looked at alone
+    CHECK(hidden_among(pens, shown) == 0b1110);
+    pens.erase(pens.begin());  // without it, there are all again that are not hidden
+    ui.frame();
+    CHECK(hidden_among(pens, shown) == 0b010);
+    ui.click("Show Magenta");
+    CHECK(hidden_among(pens, shown) == 0);
+    CHECK(drawing == before);
 }
 
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {

@@ -49,15 +49,42 @@ std::vector<glm::dvec2> places_of(const DotPieces& dots) {
 }  // namespace
 
 TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
-    for (const char* text : {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5",
-                             "Sky:#3aa0d8:0.3,Dark ochre:#805010", "Sky:#3aa0d8:0.3:0.6,Ink:#101010"})
+    for (const char* text :
+         {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5", "Sky:#3aa0d8:0.3,Dark ochre:#805010",
+          "Sky:#3aa0d8:0.3:0.6,Ink:#101010", "cmyk:0.3+0.04", "cmyk:black=0.8", "cmyk:0.3+0.04:black=0",
+          "greys:0.5+0.1", "auto:3:0.5+0.05", "Sky:#3aa0d8:0.3+0.05:0.6,Ink:#101010:0.2+0.02"})
         CHECK(text_of(parse_pens(text)) == text);
+    CHECK(parse_pens("cmyk:0.3+0").gain_mm == 0);
+    CHECK(parse_pens("Sky:#3aa0d8:0.3mm + 0.002in").own[0].gain_mm == doctest::Approx(0.0508));
     CHECK(parse_pens("cmyk:0.5in").width_mm == doctest::Approx(12.7));
     CHECK(parse_pen_list("# mine\n\nSky:#3aa0d8:0.3\n Ochre : #805010\n") ==
           parse_pens("Sky:#3aa0d8:0.3,Ochre:#805010"));
-    for (const char* text :
-         {"", "rgb", "cmyk:0", "cmyk:1:2", "auto:0", "auto:13", "auto:x", "one:0.3", "Sky:#3aa0d8:thin",
-          "Sky:blue", "<b>:#123456", "A:#111,A:#222", "A:#111:1:2:3", "A:#111:1:0", "A:#111:1:far"}) {
+    for (const char* text : {"",
+                             "rgb",
+                             "cmyk:0",
+                             "cmyk:1:2",
+                             "auto:0",
+                             "auto:13",
+                             "auto:x",
+                             "one:0.3",
+                             "Sky:#3aa0d8:thin",
+                             "Sky:blue",
+                             "<b>:#123456",
+                             "A:#111,A:#222",
+                             "A:#111:1:2:3",
+                             "A:#111:1:0",
+                             "A:#111:1:far",
+                             "A:#111:1+",
+                             "A:#111:1+wet",
+                             "A:#111:1+-0.1",
+                             "A:#111:1+11",
+                             "A:#111:+1",
+                             "cmyk:0.3:0.1",
+                             "cmyk:0.3+0.1+0.1",
+                             "cmyk:black=2",
+                             "cmyk:black=",
+                             "greys:black=1",
+                             "cmyk:black=1:0.3"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_pens(text), std::runtime_error);
     }
@@ -100,6 +127,33 @@ TEST_CASE("what a mixture of pens looks like is separated into shares that look 
         const glm::vec3 exact = mixer.seen(mixer.solve(separation.aim(colour)));
         CHECK(glm::length(mixer.seen(separation.shares(colour)) - exact) < 0.02f);
     }
+}
+
+TEST_CASE("black draws as little of greys or as much as it is told to, and every colour stays as it was") {
+    Palette pens = palette_of(parse_pens("cmyk"));
+    sort_lightest_first(pens);
+    const glm::vec3 paper = parse_colour("#f1ead8");
+    const Separation usual(pens, paper), least(pens, paper, 0), less(pens, paper, 0.25), most(pens, paper, 1);
+    std::mt19937 random(3);
+    for (int k = 0; k < 300; ++k) {
+        const glm::vec3 colour =
+            glm::vec3(float(random() % 1000), float(random() % 1000), float(random() % 1000)) / 1000.0f;
+        const glm::vec3 seen = usual.mixer().seen(usual.shares(colour));
+        for (const Separation* other : {&least, &less, &most}) {
+            const Shares shares = other->shares(colour);
+            CHECK(*std::ranges::min_element(shares) >= 0);
+            CHECK(std::accumulate(shares.begin(), shares.end(), 0.0f) <= 1.0f + 1e-4f);
+            CHECK(glm::length(other->mixer().seen(shares) - seen) < 1e-3f);
+        }
+        CHECK(least.shares(colour)[3] <= less.shares(colour)[3] + 1e-5f);
+        CHECK(less.shares(colour)[3] <= usual.shares(colour)[3] + 1e-5f);
+        CHECK(usual.shares(colour)[3] <= most.shares(colour)[3] + 1e-5f);
+    }
+    // A middle grey: nearly all of it black ink, or nearly none.
+    const glm::vec3 grey(0.35f);
+    const Shares black = most.shares(grey), coloured = least.shares(grey);
+    CHECK(black[0] + black[1] + black[2] < 0.12f);
+    CHECK(coloured[3] < black[3] - 0.25f);
 }
 
 TEST_CASE("a colour that no mixture reaches gets paler, and keeps its hue and lightness") {

@@ -97,7 +97,8 @@ ViewerSettings nothing_usual() {
                   .acceleration_mm_per_s2 = 750,
                   .pen_up = 25,
                   .pen_down = 75.5,
-                  .laser_power = 900};
+                  .laser_power = 900,
+                  .separations = true};
     return all;
 }
 

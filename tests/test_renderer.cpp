@@ -73,6 +73,43 @@ double ink_area(const Grid<glm::u8vec4>& pixels) {
 
 }  // namespace
 
+TEST_CASE("of pens that are hidden neither dots nor lines are drawn") {
+    Picture200 picture;
+    picture.radius(10);
+    DotPieces dots;
+    dots.pieces.resize(2);
+    for (int pen = 0; pen < 2; ++pen) {
+        Dots& own = dots.pieces[static_cast<std::size_t>(pen)];
+        own.pen = pen;
+        own.x.push_back(pen == 0 ? 0.5f : 1.5f);
+        own.y.push_back(0.8f);
+    }
+    picture.set_dots(dots);
+    const double both = ink_area(picture.draw_again());
+    for (const std::uint32_t hidden : {1u, 2u, 3u}) {
+        picture.look.hidden_pens = hidden;
+        const Grid<glm::u8vec4> seen = picture.draw_again();
+        CHECK((seen.at(50, 80).r < 128) == ((hidden & 1) == 0));
+        CHECK((seen.at(150, 80).r < 128) == ((hidden & 2) == 0));
+        CHECK(ink_area(seen) == doctest::Approx(hidden == 3 ? 0 : both / 2).epsilon(0.01));
+    }
+    const std::vector<Pen> pens(2);
+    Strokes strokes;
+    strokes.points = {{20, 40}, {180, 40}, {20, 120}, {180, 120}};
+    strokes.ends = {2, 4};
+    strokes.pens = {0, 1};
+    StrokeStream stream = stream_of(strokes, 10);
+    stream.widths_mm = {10, 10};
+    const ShownStrokes lines = on_screen(stream, pens, 100);
+    picture.renderer.set_strokes(lines);
+    for (const std::uint32_t hidden : {0u, 1u, 2u}) {
+        picture.look.hidden_pens = hidden;
+        const Grid<glm::u8vec4> seen = picture.draw_again();
+        CHECK((seen.at(100, 40).r < 128) == (hidden != 1));
+        CHECK((seen.at(100, 120).r < 128) == (hidden != 2));
+    }
+}
+
 TEST_CASE("a dot covers its area, whatever its size and place between pixels") {
     for (double radius : {0.2, 0.5, 0.8, 1.5, 4.0, 20.0, 60.0}) {
         CAPTURE(radius);

@@ -411,6 +411,32 @@ TEST_CASE("the samples that the window exports are those of the command, to the 
     CHECK(text_of(folder / "even.json") == text_of(command));
 }
 
+TEST_CASE("on the canvas a hidden pen's dots are gone, and of one looked at alone there are no others") {
+    const TemporaryFolder folder;
+    put_text(folder / "pens.dapple", R"({"dapple": 1, "drawing": {"count": 3000, "pens": "cmyk"}})");
+    Display display;
+    RunningViewer viewer(folder.path(), {"pens.dapple"});
+    REQUIRE(viewer.is_relaxed());
+    const auto count = [](const auto& looked_for) {
+        const Grid<glm::u8vec3> canvas = cut_out(screen(), {{0, 0}, {930, 700}});
+        return std::ranges::count_if(canvas.values, looked_for);
+    };
+    const auto is_magenta = [](glm::u8vec3 pixel) { return pixel.r > 190 && pixel.g < 60 && pixel.b > 90; };
+    const auto is_yellow = [](glm::u8vec3 pixel) { return pixel.r > 220 && pixel.g > 200 && pixel.b < 80; };
+    const auto is_black = [](glm::u8vec3 pixel) { return pixel.r < 60 && pixel.g < 60 && pixel.b < 60; };
+    for (const char* section : {"Page", "Picture"}) viewer.click(section);
+    CHECK(count(is_magenta) > 300);
+    viewer.click("Show Magenta");
+    CHECK(viewer.shows([&] { return count(is_magenta) == 0; }));
+    CHECK(count(is_yellow) > 300);
+    CHECK(count(is_black) > 300);
+    viewer.click("Look at");
+    viewer.click("1 Yellow alone");
+    CHECK(viewer.shows([&] { return count(is_black) == 0; }));
+    CHECK(count(is_yellow) > 300);
+    CHECK(viewer.dots() == 3000);
+}
+
 TEST_CASE("a picture is chosen in the list by what it shows") {
     TemporaryFolder folder;
     std::ofstream(folder / "grey.pgm") << "P2 2 2 255 90 90 90 90\n";

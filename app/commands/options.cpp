@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "app/files/text_file.h"
+#include "app/settings/pen_file.h"
 #include "app/shown_text.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
@@ -85,7 +85,7 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
 PenChoice pens_in(const std::string& text) {
     std::error_code error;
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
-        return parse_pen_list(text_of_file(text, {"list of pens", 1'000'000}));
+        return read_pens(text);
     return parse_pens(text);
 }
 
@@ -98,6 +98,17 @@ void add_colour(CLI::App& app, const std::string& name, glm::vec3& target, const
         }
     };
     add_text(app, name, "#RRGGBB", help, read)->default_str(hex_of(target));
+}
+
+// Tells what is wrong as the option's.
+Read reading(const std::string& name, const Read& read) {
+    return [name, read](const std::string& text) {
+        try {
+            read(text);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError(name, error.what());
+        }
+    };
 }
 
 // Puts the options made while it lives under a heading of their own in the help.
@@ -148,6 +159,16 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
                               const std::string& help) {
     const auto read = [=, &target](const std::string& text) { target = whole_number_in(name, text, range); };
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
+}
+
+CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
+    return add_text(app, "--pens", "PENS", help,
+                    reading("--pens", [&pens](const std::string& text) { pens = pens_in(text); }));
+}
+
+CLI::Option* add_paper(CLI::App& app, PageSetup& page, const std::string& help) {
+    return add_text(app, "--page", "PAPER", help,
+                    reading("--page", [&page](const std::string& text) { read_paper(text, page); }));
 }
 
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
@@ -325,20 +346,10 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     PageSetup& page = settings.page;
     const NumberRange side{.least = kShortestSideMm, .most = kLongestSideMm};
-    const auto reading = [](const std::string& name, const Read& read) -> Read {
-        return [name, read](const std::string& text) {
-            try {
-                read(text);
-            } catch (const std::runtime_error& error) {
-                throw CLI::ValidationError(name, error.what());
-            }
-        };
-    };
-    add_text(
-        app, "--page", "PAPER",
+    add_paper(
+        app, page,
         "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a size "
-        "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape",
-        reading("--page", [&page](const std::string& text) { read_paper(text, page); }));
+        "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
     add_choice(app, "--orientation", page.orientation,
                {PageOrientation::automatic, PageOrientation::portrait, PageOrientation::landscape},
                "How the page lies; auto: as the picture, and a size of your own as you give it");
@@ -370,12 +381,15 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
                  page.quarter_turns = *degrees / 90;
              })
         ->default_str("0");
-    add_text(app, "--pens", "PENS",
-             "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
-             "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
-             "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line. No two dots of "
-             "any pens collide. With a width all dots are that large",
-             reading("--pens", [&settings](const std::string& text) { settings.pens = pens_in(text); }))
+    add_pens(
+        app, settings.pens,
+        "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
+        "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
+        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON. No two "
+        "dots of "
+        "any pens collide. With a width all dots are that large, and so much larger as the dot gain says "
+        "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
+        "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
     add_colour(app, "--ink", settings.ink, "Colour of the dots, with one pen");
     add_colour(app, "--paper", settings.paper, "Colour of the page");

@@ -45,6 +45,12 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
 /// CLI::ValidationError beginning with the option's name.
 std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most);
 
+/// --pens: a set of pens, own ones, or a file that lists such.
+CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help);
+
+/// --page: a paper's name or a size.
+CLI::Option* add_paper(CLI::App& app, PageSetup& page, const std::string& help);
+
 /// --seed, any number of 64 bits.
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help);
 

@@ -1,6 +1,7 @@
 #include "app/commands/render.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -19,6 +20,7 @@
 #include "app/files/pdf_file.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
+#include "app/files/separations.h"
 #include "app/files/standard_input.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
@@ -172,6 +174,18 @@ std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const P
     return held;
 }
 
+// The files beside the drawing, made sure not to be those that it is drawn of.
+std::vector<std::filesystem::path> separations_of(const RenderOptions& options, DrawingFormat format,
+                                                  std::span<const Pen> pens) {
+    if (!options.saving.separations || !has_pixels(format) || is_standard_stream(options.output)) return {};
+    const auto files = separation_files(options.output, pens);
+    FileInUse picture{options.image, "the picture"};
+    if (reads_standard_input(options)) picture.path.reset();
+    for (const auto& file : files)
+        check_apart(file, {picture, {options.project, "the project"}, {options.mask, "the mask"}});
+    return files;
+}
+
 // Where the picture lies on the part that is drawn, in page units from that one's corner.
 Rectangle<double> picture_on(const Excerpt& part, glm::ivec2 pixels) {
     const glm::dvec2 corner(-part.part.across.offset, -part.part.down.offset);
@@ -253,6 +267,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                        .settings = embedded_settings(options.output, settings, options.saving),
                        .part_corner_mm = part_corner_mm(page, options, format)};
     file.saving.order = DotOrder::recursion;
+    const auto separations = separations_of(options, format, plan.pens);
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes =
         measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);
@@ -262,6 +277,9 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
     stages.end();
+    std::vector<std::string> names;
+    for (const auto& separation : separations) names.push_back(printable(separation.string()));
+    if (!names.empty()) stages.say(fmt::format("separations: {}", fmt::join(names, ", ")));
 
     Rendered rendered = figures_of({.picture = picture,
                                     .plan = plan,

@@ -87,6 +87,12 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
     if (!has_pixels(format))
         refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
+    if (options.drawing.pens.set == PenSet::one)
+        refuse(command, {"--separations"}, "is for several pens; give --pens too");
+    if (!has_pixels(format))
+        refuse(command, {"--separations"}, "are of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
+    if (is_standard_stream(options.output))
+        refuse(command, {"--separations"}, "makes several files; name one to call them after");
     if (!has_pixels(format))
         refuse(command, {"--bits"}, "is of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
     const DrawingSettings& drawing = options.drawing;

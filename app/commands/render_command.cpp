@@ -173,6 +173,11 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->default_str("8")
         ->group("Page");
     command
+        ->add_flag("--separations", options_.saving.separations,
+                   "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for "
+                   "printers who make a plate for each: cat-1-yellow.tif beside cat.tif")
+        ->group("Page");
+    command
         ->add_flag("--background", options_.drawing.background,
                    "SVG, PDF: paint the paper under the dots, as a PNG always has it")
         ->group("Page");

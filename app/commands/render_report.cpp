@@ -49,6 +49,7 @@ nlohmann::ordered_json pens_json(const Rendered& drawn) {
                                    {"colour", hex_of(pen.colour)},
                                    {"width_mm", pen.width_mm},
                                    {"gap_mm", pen.gap_mm},
+                                   {"gain_mm", pen.gain_mm},
                                    {"dots", figures.dots},
                                    {"pen_up_m", figures.pen_up_m},
                                    {"nearest_mm", figures.nearest_mm},  // null if there are not two

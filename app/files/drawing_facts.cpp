@@ -19,8 +19,9 @@ DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, Draw
 InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing) {
     InkedDot ink{.as = dots_as(settings, drawing.saving, format),
                  .radius_mm = drawing.dot_radius_mm,
-                 .stroke_width_mm = settings.pen_width_mm,
-                 .widths_mm = stroke_widths(settings.pens, settings.pen_width_mm, drawing.pens)};
+                 .stroke_width_mm = settings.pen_width_mm};
+    ink.widths_mm = stroke_widths(settings.pens, settings.pen_width_mm, drawing.pens,
+                                  ink.as == DotsAs::touches ? PenUse::touches : PenUse::lines);
     if (ink.as == DotsAs::printed) {
         // What a pen would draw is printed as wide as its lines.
         if (settings.style != DrawingStyle::dots) ink.radius_mm = widest_stroke(settings) / 2;

@@ -12,6 +12,7 @@
 #include "app/files/machine_comments.h"
 #include "app/files/pdf_file.h"
 #include "app/files/png_file.h"
+#include "app/files/separations.h"
 #include "app/files/tiff_file.h"
 #include "app/shown_text.h"
 #include "core/output/csv.h"
@@ -89,11 +90,12 @@ DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, Dra
 
 std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
                                        DrawingFormat format) {
+    if (drawing.strokes) return drawing.strokes;
     const DotMark mark = mark_in(settings, drawing.saving, format);
     const bool dots = settings.style == DrawingStyle::dots;
     if (is_table(format) || (dots && mark.shape == DotShape::circle)) return std::nullopt;
     const double width = settings.pen_width_mm;
-    const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens);
+    const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens, pen_use(settings));
     if (dots) return marks_of(drawing.dots, drawing.page, mark, drawing.dot_radius_mm, width, widths);
     auto lines = std::make_shared<Strokes>();
     for (const Dots& own : sorted_by_pen(drawing.dots, DotOrder::recursion).pieces)
@@ -262,6 +264,11 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
             write_to_standard_output(write);
         else
             save_atomically(path, write);
+        const bool separate = drawing.saving.separations && has_pixels(format) && !to_standard_output;
+        for (std::size_t pen = 0; separate && pen < drawing.pens.size(); ++pen)
+            save_atomically(separation_file(path, pen, drawing.pens[pen]), [&](std::ostream& out) {
+                write_separation(out, format, settings, ordered, static_cast<int>(pen), progress);
+            });
     } catch (const Stopped&) {
         return false;
     }

@@ -62,6 +62,8 @@ struct DrawingToSave {
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
+    std::optional<StrokeStream> strokes =
+        {};  // what is drawn in the dots' place, if not what follows from them
 };
 
 /// Each dot's shape in such a file. Where a machine would only touch the paper, a spiral fills dots of
@@ -91,10 +93,10 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                    const DrawingToSave& drawing, const std::string& title,
                    const WritingProgress& progress = {});
 
-/// Writes what the format or the name's ending says; to the standard output if the name is kStandardStream,
-/// which needs a format and takes no TIFF. Returns false if stopped. Throws what drawing_format() and
-/// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
-/// as it was.
+/// Writes what the format or the name's ending says, and separations beside it if they are asked for; to the
+/// standard output if the name is kStandardStream, which needs a format and takes no TIFF. Returns false if
+/// stopped. Throws what drawing_format() and save_atomically() throw, or if the format cannot hold such a
+/// drawing. In both cases an existing file stays as it was.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch = {});
 

@@ -147,8 +147,8 @@ FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice
         if (!plot->strokes.points.empty()) {
             const Strokes strokes = first_points(plot->strokes, drawn);
             StrokeStream drawn_strokes = stream_of(strokes, stage.settings.pen_width_mm);
-            drawn_strokes.widths_mm =
-                stroke_widths(stage.settings.pens, stage.settings.pen_width_mm, stage.plan.pens);
+            drawn_strokes.widths_mm = stroke_widths(stage.settings.pens, stage.settings.pen_width_mm,
+                                                    stage.plan.pens, pen_use(stage.settings));
             return page_pixels(stage.settings, drawn_strokes, stage.plan.pens, stage.page.size, stage.dpi);
         }
         const DotPieces dots = first_dots(plot->dots, drawn);

@@ -125,7 +125,7 @@ static void describe(Fields& fields, OwnTemplate& own) {
 
 void describe(Fields& fields, SavingChoice& saving) {
     auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s, acceleration_mm_per_s2,
-           pen_up, pen_down, laser_power] = saving;
+           pen_up, pen_down, laser_power, separations] = saving;
     fields.choice("order", order,
                   {DotOrder::recursion, DotOrder::priority, DotOrder::space, DotOrder::shortest});
     fields.number("dpi", dpi, {1, 100'000});
@@ -139,6 +139,7 @@ void describe(Fields& fields, SavingChoice& saving) {
     fields.number("gcode_pen_up", pen_up, {-kMostHeight, kMostHeight});
     fields.number("gcode_pen_down", pen_down, {-kMostHeight, kMostHeight});
     fields.number("laser_power", laser_power, {0, kMostLaserPower});
+    fields.flag("separations", separations);
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

@@ -54,7 +54,10 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
             some.push_back(glm::clamp(unpacked(colours.values[i]) * std::exp2(exposure), 0.0f, 1.0f));
         if (some.empty()) some.assign({glm::vec3(0.2f), glm::vec3(0.5f)});
         pens = best_pens(some, common_pens(), choice.automatic, paper);
-        for (Pen& pen : pens) pen.width_mm = choice.width_mm;
+        for (Pen& pen : pens) {
+            pen.width_mm = choice.width_mm;
+            pen.gain_mm = choice.gain_mm;
+        }
     }
     sort_lightest_first(pens);
     return pens;
@@ -79,7 +82,7 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
     const double widest = width_of_pens(pens).value_or(1);
     std::vector<float> dots_for_area;  // of each pen, over those of the widest
     for (const Pen& pen : pens) {
-        const double ratio = widest / (pen.width_mm > 0 ? pen.width_mm : widest);
+        const double ratio = widest / (pen.width_mm > 0 ? dot_width_mm(pen) : widest);
         dots_for_area.push_back(static_cast<float>(ratio * ratio));
     }
     Grid<float> all(width, height);
@@ -100,12 +103,12 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
 }
 
 double dot_radius_mm(const Pen& pen, double usual) {
-    return pen.width_mm > 0 ? pen.width_mm / 2 : usual;
+    return pen.width_mm > 0 ? dot_width_mm(pen) / 2 : usual;
 }
 
 std::optional<double> width_of_pens(std::span<const Pen> pens) {
     double widest = 0;
-    for (const Pen& pen : pens) widest = std::max(widest, pen.width_mm);
+    for (const Pen& pen : pens) widest = std::max(widest, dot_width_mm(pen));
     return widest > 0 ? std::optional(widest) : std::nullopt;
 }
 

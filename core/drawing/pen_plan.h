@@ -26,14 +26,14 @@ struct ColourTone {
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
 /// Each pen's density, so that its dots cover the share of paper that its separation asks for. Where pens
-/// have widths of their own a thin one has more dots.
+/// have widths of their own, dot gain and all, a thin one has more dots.
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,
                        const InkCurve& ink);
 
-/// The radius of a pen's dots, in millimetres, where all dots together have `usual`; see Pen::width_mm.
+/// The radius of a pen's dots, in millimetres, where all dots together have `usual`; see dot_width_mm().
 double dot_radius_mm(const Pen& pen, double usual);
 
-/// The width that all dots are drawn as large as, in millimetres, if a pen says so: the widest pen's.
+/// The width that all dots are drawn as large as, in millimetres, if a pen says so: the widest dots'.
 std::optional<double> width_of_pens(std::span<const Pen> pens);
 
 }  // namespace dapple

@@ -53,7 +53,7 @@ std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
 
 void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
     // Pens of several widths, whose dots are not sized otherwise.
-    const auto width = [](const Pen& pen) { return pen.width_mm; };
+    const auto width = [](const Pen& pen) { return dot_width_mm(pen); };
     const bool one_width =
         std::ranges::adjacent_find(plan.pens, std::ranges::not_equal_to{}, width) == plan.pens.end();
     if (!one_width && plan.size.sizing == DotSizing::fixed) {
@@ -195,8 +195,10 @@ PenDensities Pipeline::by_pen_under(const Mask& mask) const {
 }
 
 PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
-    if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper) {
-        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper);
+    if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper ||
+        separated_black_ != toned.black) {
+        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper, toned.black);
+        separated_black_ = toned.black;
         separated_pens_ = toned.pens;
         separated_paper_ = toned.paper;
     }
@@ -227,6 +229,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                 0,
                 plan.pens,
                 plan.pens.empty() ? kWhite : request.paper};
+    if (request.pens.set == PenSet::cmyk) toned.black = request.pens.black;
     if (request.size.sizing == DotSizing::by_tone)  // whose number follows from it; their black is solid
         plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;

@@ -120,6 +120,7 @@ class Pipeline {
         double detail_sigma = 0;  // pixels
         Palette pens = {};
         glm::vec3 paper = kWhite;
+        double black = kUsualBlack;  // see Separation
         bool operator==(const Toned&) const = default;
     };
 
@@ -143,6 +144,7 @@ class Pipeline {
     std::shared_ptr<const Separation> separation_;
     Palette separated_pens_;  // what it was made with
     glm::vec3 separated_paper_ = kWhite;
+    double separated_black_ = kUsualBlack;
     Framing framing_;
     float usual_exposure_ = 0;
     float histogram_exposure_ = 0;  // what histogram_ was made with

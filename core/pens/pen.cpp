@@ -7,6 +7,7 @@
 #include <cctype>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "core/image/linear_colour.h"
 #include "core/text/length.h"
@@ -47,8 +48,33 @@ double pen_length(std::string_view text, const char* what) {
     return *length;
 }
 
-double pen_width(std::string_view text) {
-    return pen_length(text, "width");
+// "0.3", or "0.3+0.05" with its dot gain.
+struct TipSize {
+    double width_mm = 0, gain_mm = 0;
+};
+
+TipSize tip_size(std::string_view text) {
+    const std::size_t plus = text.find('+', 1);
+    TipSize size{.width_mm = pen_length(without_spaces(text.substr(0, plus)), "width")};
+    if (plus == std::string_view::npos) return size;
+    const std::string_view behind = without_spaces(text.substr(plus + 1));
+    const std::optional<double> gain = millimetres_of(behind);
+    if (!gain || !(*gain >= 0) || *gain > kMostGainMm)
+        throw std::runtime_error(
+            fmt::format("{} is no dot gain; give 0 to {:g} millimetres behind the width, such as 0.3+0.05",
+                        behind, kMostGainMm));
+    size.gain_mm = *gain;
+    return size;
+}
+
+constexpr std::string_view kBlackWord = "black=";
+
+double black_share(std::string_view text) {
+    const std::optional<double> share = number_of<double>(text.substr(kBlackWord.size()));
+    if (!share || !(*share >= 0 && *share <= 1))
+        throw std::runtime_error(
+            fmt::format("{} is not possible; give 0 to 1, as in cmyk:0.3:black=0.8", text));
+    return *share;
 }
 
 void check_name(std::string_view name) {
@@ -67,24 +93,19 @@ Pen parse_pen(std::string_view text) {
             text));
     check_name(parts[0]);
     Pen pen{.name = std::string(parts[0]), .colour = parse_colour(parts[1])};
-    if (parts.size() >= 3) pen.width_mm = pen_width(parts[2]);
+    if (parts.size() >= 3) {
+        const TipSize size = tip_size(parts[2]);
+        pen.width_mm = size.width_mm;
+        pen.gain_mm = size.gain_mm;
+    }
     if (parts.size() == 4) pen.gap_mm = pen_length(parts[3], "smallest gap");
     return pen;
 }
 
-PenChoice own_pens(const std::vector<std::string_view>& texts) {
-    PenChoice choice{.set = PenSet::own};
-    for (const std::string_view text : texts) {
-        choice.own.push_back(parse_pen(text));
-        const std::string& name = choice.own.back().name;
-        if (std::ranges::count(choice.own, name, &Pen::name) > 1)
-            throw std::runtime_error(
-                fmt::format("two pens are called {}; give each a name of its own", name));
-    }
-    if (choice.own.empty() || choice.own.size() > kMostPens)
-        throw std::runtime_error(
-            fmt::format("{} pens are not possible; give 1 to {}", choice.own.size(), kMostPens));
-    return choice;
+PenChoice pens_in(const std::vector<std::string_view>& texts) {
+    Palette pens;
+    for (const std::string_view text : texts) pens.push_back(parse_pen(text));
+    return own_pens(std::move(pens));
 }
 
 }  // namespace
@@ -113,7 +134,10 @@ Palette palette_of(const PenChoice& choice) {
                 {"Magenta", of_hex(0xe6007e)},
                 {"Yellow", of_hex(0xffed00)},
                 {"Black", of_hex(0x1d1d1b)}};
-    for (Pen& pen : pens) pen.width_mm = choice.width_mm;
+    for (Pen& pen : pens) {
+        pen.width_mm = choice.width_mm;
+        pen.gain_mm = choice.gain_mm;
+    }
     return pens;
 }
 
@@ -139,6 +163,21 @@ bool has_colour(const Palette& pens) {
     });
 }
 
+PenChoice own_pens(Palette pens) {
+    for (const Pen& pen : pens)
+        if (std::ranges::count(pens, pen.name, &Pen::name) > 1)
+            throw std::runtime_error(
+                fmt::format("two pens are called {}; give each a name of its own", pen.name));
+    if (pens.empty() || pens.size() > kMostPens)
+        throw std::runtime_error(
+            fmt::format("{} pens are not possible; give 1 to {}", pens.size(), kMostPens));
+    for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk, PenSet::automatic})
+        if (pens.front().name == name_of(set))
+            throw std::runtime_error(
+                fmt::format("{} is a set of pens; give the pen another name", pens.front().name));
+    return {.set = PenSet::own, .own = std::move(pens)};
+}
+
 void sort_lightest_first(Palette& pens) {
     std::ranges::stable_sort(pens, std::ranges::greater{},
                              [](const Pen& pen) { return luminance(linear_of(pen.colour)); });
@@ -148,10 +187,18 @@ PenChoice parse_pens(std::string_view text) {
     text = without_spaces(text);
     std::vector<std::string_view> words = parts_of(text, ':');
     PenChoice choice;
+    if (words[0] == name_of(PenSet::cmyk) && words.back().starts_with(kBlackWord)) {
+        choice.black = black_share(words.back());
+        words.pop_back();
+    }
     const auto take_width = [&](std::size_t place) {
         if (words.size() > place + 1)
             throw std::runtime_error(fmt::format("{} says more than a set of pens and their width", text));
-        if (words.size() > place) choice.width_mm = pen_width(words[place]);
+        if (words.size() > place) {
+            const TipSize size = tip_size(words[place]);
+            choice.width_mm = size.width_mm;
+            choice.gain_mm = size.gain_mm;
+        }
         return choice;
     };
     for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk}) {
@@ -170,29 +217,35 @@ PenChoice parse_pens(std::string_view text) {
         choice.automatic = *count;
         return take_width(2);
     }
-    return own_pens(parts_of(text, ','));
+    return pens_in(parts_of(text, ','));
 }
 
 PenChoice parse_pen_list(std::string_view text) {
     std::vector<std::string_view> lines = parts_of(text, '\n');
     std::erase_if(
         lines, [](std::string_view line) { return line.empty() || line.starts_with("# ") || line == "#"; });
-    return own_pens(lines);
+    return pens_in(lines);
 }
 
 std::string text_of(const PenChoice& choice) {
-    const auto with_width = [](std::string text, double width) {
-        return width > 0 ? fmt::format("{}:{:g}", text, width) : text;
+    const auto with_width = [](std::string text, double width, double gain) {
+        if (!(width > 0)) return text;
+        text += fmt::format(":{:g}", width);
+        return gain > 0 ? text + fmt::format("+{:g}", gain) : text;
     };
     if (choice.set == PenSet::one) return "one";
     if (choice.set == PenSet::automatic)
-        return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm);
-    if (choice.set != PenSet::own) return with_width(std::string(name_of(choice.set)), choice.width_mm);
+        return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm, choice.gain_mm);
+    if (choice.set != PenSet::own) {
+        const std::string set = with_width(std::string(name_of(choice.set)), choice.width_mm, choice.gain_mm);
+        const bool says_black = choice.set == PenSet::cmyk && choice.black != kUsualBlack;
+        return says_black ? set + fmt::format(":{}{:g}", kBlackWord, choice.black) : set;
+    }
     std::string text;
     for (const Pen& pen : choice.own) {
         text += (text.empty() ? "" : ",") +
-                with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm);
-        if (pen.width_mm > 0) text = with_width(std::move(text), pen.gap_mm);
+                with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm, pen.gain_mm);
+        if (pen.width_mm > 0 && pen.gap_mm > 0) text += fmt::format(":{:g}", pen.gap_mm);
     }
     return text;
 }

@@ -16,9 +16,15 @@ struct Pen {
     glm::vec3 colour = kBlack;  // sRGB-encoded, 0..1: what it leaves on paper
     double width_mm = 0;        // of its line, and so of its dots; 0: as large as the dots are drawn
     double gap_mm = 0;          // the middles of two of its dots that are nearer run together on paper
+    double gain_mm = 0;         // dot gain: how much wider than its line its dots are, as ink spreads
 
     bool operator==(const Pen&) const = default;
 };
+
+/// How wide its dots come out on paper, in millimetres; 0: as large as the dots are drawn.
+inline double dot_width_mm(const Pen& pen) {
+    return pen.width_mm > 0 ? pen.width_mm + pen.gain_mm : 0;
+}
 
 /// 1 to 40 plain letters, digits, spaces inside and - _ . ( ): what layers in files are called.
 bool is_pen_name(std::string_view name);
@@ -28,6 +34,8 @@ using Palette = std::vector<Pen>;
 inline constexpr std::size_t kMostPens = 12;
 /// The least and the most that a pen's width may be.
 inline constexpr double kFinestPenMm = 0.001, kWidestPenMm = 50;
+/// The most that its dots may be wider.
+inline constexpr double kMostGainMm = 10;
 
 enum class PenSet {
     one,        // ink
@@ -36,6 +44,8 @@ enum class PenSet {
     own,        // any
     automatic,  // those of common_pens() that draw the picture best
 };
+/// How much of greys black draws in place of coloured inks, where the inks leave a choice.
+inline constexpr double kUsualBlack = 0.5;
 /// "one", "greys", "cmyk", "own", "auto".
 std::string_view name_of(PenSet set);
 
@@ -43,6 +53,8 @@ struct PenChoice {
     PenSet set = PenSet::one;
     int automatic = 4;    // how many, 1..kMostPens
     double width_mm = 0;  // of all pens of a set that is not one's own; 0: as large as the dots are drawn
+    double gain_mm = 0;   // of the same pens
+    double black = kUsualBlack;  // of cmyk, 0..1: see Separation
     Palette own = {};
 
     bool operator==(const PenChoice&) const = default;
@@ -62,10 +74,14 @@ void sort_lightest_first(Palette& pens);
 
 /// What --pens takes: "one", "greys", "cmyk", "auto:5", each with a width as in "cmyk:0.3mm"; or own pens,
 /// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,
-/// Ochre:#c08a2e:0.5". Throws std::runtime_error saying what is wrong.
+/// Ochre:#c08a2e:0.5". A width may have a dot gain behind it, "0.3+0.05"; cmyk may end in "black=0.8". Throws
+/// std::runtime_error saying what is wrong.
 PenChoice parse_pens(std::string_view text);
 /// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
 PenChoice parse_pen_list(std::string_view text);
+/// Those pens. Throws if two have one name, or if there are none or too many; or if the first is called as a
+/// set, which its text would then be read as.
+PenChoice own_pens(Palette pens);
 /// The same text again.
 std::string text_of(const PenChoice& choice);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numeric>
 
@@ -149,7 +151,58 @@ glm::vec3 PenMixer::seen(const Shares& shares) const {
     return colour;
 }
 
-Separation::Separation(std::span<const Pen> pens, glm::vec3 paper) : mixer_(pens, paper) {
+namespace {
+
+// Shares of four pens that look the same, and the bare paper's: all of them, and how far the line goes.
+class SameLooks {
+ public:
+    explicit SameLooks(const PenMixer& mixer) {
+        const auto pens = mixer.pens();
+        for (std::size_t pen = 1; pen < pens.size(); ++pen)
+            if (luminance(pens[pen]) < luminance(pens[black_])) black_ = pen;
+        // The black pen's share rises by 1, and the others and the paper make up for it in light and area.
+        glm::dmat4 others;
+        int column = 0;
+        for (std::size_t pen = 0; pen < pens.size(); ++pen)
+            if (pen != black_) others[column++] = glm::dvec4(glm::dvec3(pens[pen]), 1);
+        others[column] = glm::dvec4(glm::dvec3(mixer.paper()), 1);
+        constexpr double kNone = 1e-9;
+        if (std::abs(glm::determinant(others)) < kNone) return;
+        const glm::dvec4 change = -(glm::inverse(others) * glm::dvec4(glm::dvec3(pens[black_]), 1));
+        column = 0;
+        for (std::size_t pen = 0; pen < pens.size(); ++pen) way_[pen] = pen == black_ ? 1 : change[column++];
+        way_[pens.size()] = change[column];
+    }
+
+    // `black` as Separation has it.
+    Shares moved(const Shares& shares, double black) const {
+        if (way_[black_] == 0) return shares;
+        double bare = 1;
+        for (std::size_t pen = 0; pen < kPens; ++pen) bare -= shares[pen];
+        const double more = black - kUsualBlack;
+        double least = -1, most = 1;
+        for (std::size_t i = 0; i <= kPens; ++i) {
+            const double share = std::max(i < kPens ? double(shares[i]) : bare, 0.0);
+            if (way_[i] > 0) least = std::max(least, -share / way_[i]);
+            if (way_[i] < 0) most = std::min(most, -share / way_[i]);
+        }
+        const double step = more > 0 ? most * more / (1 - kUsualBlack) : -least * more / kUsualBlack;
+        Shares result = shares;
+        for (std::size_t pen = 0; pen < kPens; ++pen)
+            result[pen] = std::clamp(static_cast<float>(shares[pen] + step * way_[pen]), 0.0f, 1.0f);
+        return result;
+    }
+
+    static constexpr std::size_t kPens = 4;
+
+ private:
+    std::size_t black_ = 0;
+    std::array<double, kPens + 1> way_{};  // the bare paper last; of black 0: there is none
+};
+
+}  // namespace
+
+Separation::Separation(std::span<const Pen> pens, glm::vec3 paper, double black) : mixer_(pens, paper) {
     darkest_ = lightest_ = mixer_.paper();
     for (const glm::vec3 pen : mixer_.pens()) {
         // Of a coloured pen, the grey as dark or as light: it is not to colour the whole picture.
@@ -166,6 +219,9 @@ Separation::Separation(std::span<const Pen> pens, glm::vec3 paper) : mixer_(pens
             for (int b = 0; b < kLattice; ++b)
                 lattice_[lattice_index(r, g, b)] = mixer_.solve(aim({light(r), light(g), light(b)}));
     });
+    if (black == kUsualBlack || pens.size() != SameLooks::kPens) return;
+    const SameLooks line(mixer_);
+    for (Shares& shares : lattice_) shares = line.moved(shares, black);
 }
 
 Shares Separation::shares(glm::vec3 colour) const {

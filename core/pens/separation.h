@@ -42,9 +42,13 @@ class PenMixer {
     glm::vec3 paper_;
 };
 
+/// Three coloured pens together make grey too, so that of four pens the black one has a choice: `black` is 0
+/// where it draws as little as possible, 1 where as much, kUsualBlack where the shares are as above; between
+/// them along the line of shares that look exactly the same. (Grey component replacement.) Other sets have
+/// no such line, or many.
 class Separation {
  public:
-    Separation(std::span<const Pen> pens, glm::vec3 paper);
+    Separation(std::span<const Pen> pens, glm::vec3 paper, double black = kUsualBlack);
 
     /// Of a colour of the picture, linear, 0..1; clamped. Between the solutions on a lattice of 33 colours
     /// along each axis, in tetrahedra.

@@ -448,6 +448,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     for (; job.next_block < job.blocks.size() && dots.size() < most; ++job.next_block) {
         const DotBlock& block = blocks_[job.blocks[job.next_block]];
         const Dots& from = dots_shown_->pieces[block.piece];
+        if (look.hidden_pens >> from.pen & 1) continue;
         const auto take_of = [&](FloatBuffer& to, const FloatBuffer& column) {
             if (job.every == 1)
                 take(to, column, block);
@@ -518,11 +519,12 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
     line_widths_handed_over_.clear();
     for (; job.next_block < job.blocks.size() && lines_handed_over_.size() < most; ++job.next_block) {
         const DotBlock& block = blocks_[job.blocks[job.next_block]];
-        for (std::size_t i = 0; i < block.count; i += job.every)
-            lines_handed_over_.push_back(strokes_->lines[block.first + i]);
-        for (std::size_t i = 0; has_colours_ && i < block.count; i += job.every) {
-            colours_handed_over_.push_back(colours_[block.first + i]);
-            line_widths_handed_over_.push_back(strokes_->widths[block.first + i]);
+        for (std::size_t i = block.first; i < block.first + block.count; i += job.every) {
+            if (!strokes_->pens.empty() && job.look.hidden_pens >> strokes_->pens[i] & 1) continue;
+            lines_handed_over_.push_back(strokes_->lines[i]);
+            if (!has_colours_) continue;
+            colours_handed_over_.push_back(colours_[i]);
+            line_widths_handed_over_.push_back(strokes_->widths[i]);
         }
     }
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));

@@ -43,13 +43,14 @@ struct CanvasLook {
     /// The sheet, page units; none: the picture's edges are the sheet's.
     std::optional<Rectangle<double>> sheet = {};
     PictureView picture_view = {};
-    double dot_radius = 0.002;  // page units; of dots that have none of their own
-    float picture_opacity = 0;  // 0: bare paper
-    float picture_gain = 1;     // its light is multiplied by this
-    bool dots = true;           // shown
-    bool tiles = false;         // outlines shown
-    double fade_scale = 0;      // dots fade in below this scale; 0: none does
-    float pixel_scale = 1;      // pixels of a line meant to be one pixel wide at 96 dpi
+    double dot_radius = 0.002;      // page units; of dots that have none of their own
+    float picture_opacity = 0;      // 0: bare paper
+    float picture_gain = 1;         // its light is multiplied by this
+    bool dots = true;               // shown
+    std::uint32_t hidden_pens = 0;  // whose dots or lines are not: a bit for each, see hidden_among()
+    bool tiles = false;             // outlines shown
+    double fade_scale = 0;          // dots fade in below this scale; 0: none does
+    float pixel_scale = 1;          // pixels of a line meant to be one pixel wide at 96 dpi
 
     bool operator==(const CanvasLook&) const = default;
 };

@@ -20,6 +20,7 @@
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
 #include "app/viewer/model/played_film.h"
+#include "app/viewer/model/shown_pens.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/model/viewer_settings.h"
 
@@ -109,6 +110,7 @@ class Session {
     // Tools, and so neither saved nor undone.
     bool cropping = false;  // all of the picture is shown, for a frame over it
     MaskBrush brush;
+    ShownPens shown_pens;
     std::optional<PlayedFilm> film;  // shown in the drawing's place
     Banner banner;
 

@@ -42,7 +42,8 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
                     .pens = pens,
                     .mm_per_page_unit = unit,
                     .pen_width_mm = what.settings.pen_width_mm,
-                    .pen_widths_mm = stroke_widths(what.settings.pens, what.settings.pen_width_mm, pens)};
+                    .pen_widths_mm = stroke_widths(what.settings.pens, what.settings.pen_width_mm, pens,
+                                                   pen_use(what.settings))};
         const DrawingToSave drawing{
             .dots = stream_of(sorted), .page = sheet, .pens = pens, .dot_radius_mm = radius * unit};
         if (const auto strokes = strokes_of(what.settings, drawing, DrawingFormat::svg))

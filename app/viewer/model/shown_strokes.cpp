@@ -65,6 +65,7 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
             const glm::vec3 colour = glm::round(pens[static_cast<std::size_t>(pen)].colour * 255.0f);
             shown.colours.emplace_back(colour, 255);
             shown.widths.push_back(static_cast<float>(strokes.width_of(pen) * unit));
+            shown.pens.push_back(static_cast<std::uint8_t>(pen));
         };
         if (points.size() == 1) add(points[0], points[0]);
         for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
@@ -76,7 +77,9 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
 ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
                            const PageSize& page, double dot_radius, LineWay way, std::stop_token stop) {
     const double unit = page.mm_per_page_unit;
-    const std::vector<double> widths = stroke_widths(choice.pens, choice.pen_width_mm, pens);
+    const bool touches = choice.style == DrawingStyle::dots && choice.mark.shape == DotShape::point;
+    const std::vector<double> widths =
+        stroke_widths(choice.pens, choice.pen_width_mm, pens, touches ? PenUse::touches : PenUse::lines);
     if (choice.style == DrawingStyle::dots)
         return on_screen(
             marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm, widths),

@@ -37,6 +37,7 @@ struct ShownStrokes {
     // Of each line, where several pens draw; empty: all in ink, all as wide.
     std::vector<glm::u8vec4> colours;  // sRGB-encoded
     std::vector<float> widths;         // page units
+    std::vector<std::uint8_t> pens;    // places in the drawing's palette
 };
 
 enum class LineWay {

@@ -197,6 +197,12 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
             changed = true;
         }
     }
+    if (has_pixels(format)) {
+        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        changed |= switch_row("Separations", settings.saving.separations,
+                              "A grey picture for each pen too, in a file of its own beside the drawing: for "
+                              "printers who make a screen or a plate for each ink.");
+    }
     if (has_order(format, settings.drawing.style))
         changed |= draw_order(settings.saving.order, usual_order(format, info.dots, settings.drawing.style));
     if (format == DrawingFormat::gcode) changed |= draw_gcode(settings.saving);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/pens/pen.h"
@@ -36,11 +37,26 @@ SliderRange gap_range(LengthUnit unit) {
                 "drawing is saved."};
 }
 
+SliderRange gain_range(LengthUnit unit) {
+    return {.min = 0,
+            .max = 0.5,
+            .neutral = 0,
+            .hard_max = kMostGainMm,
+            .typed = TypedKind::length,
+            .unit = unit,
+            .tip =
+                "Dot gain: how much wider than the tip its dots come out on your paper, as read off the "
+                "page that dapple testsheet makes. Wider dots are fewer."};
+}
+
 // What pens of one's own begin as: those that drew so far.
 Palette palette_to_begin_with(const DrawingSettings& settings) {
     if (settings.pens.set == PenSet::one) return {{.name = "Ink", .colour = settings.ink}};
     const Palette pens = palette_of(settings.pens);
-    return pens.empty() ? palette_of({.set = PenSet::cmyk, .width_mm = settings.pens.width_mm}) : pens;
+    return pens.empty() ? palette_of({.set = PenSet::cmyk,
+                                      .width_mm = settings.pens.width_mm,
+                                      .gain_mm = settings.pens.gain_mm})
+                        : pens;
 }
 
 bool draw_set(DrawingSettings& settings) {
@@ -71,12 +87,15 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
             changed = true;
         }
     }
-    const Greyed greyed(pens.set == PenSet::one
-                            ? "Of several pens only; one pen is as wide as its dots, or as "
-                              "Dots says."
-                        : pens.set == PenSet::own ? "Each pen of your own has its width below."
-                                                  : nullptr);
-    return slider_row("Tip width", pens.width_mm, width_range(unit)) || changed;
+    const char* const no_width = pens.set == PenSet::one
+                                     ? "Of several pens only; one pen is as wide as its dots, or as "
+                                       "Dots says."
+                                 : pens.set == PenSet::own ? "Each pen of your own has its width below."
+                                                           : nullptr;
+    const Greyed greyed(no_width);
+    changed |= slider_row("Tip width", pens.width_mm, width_range(unit));
+    const Greyed no_gain(no_width || pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
+    return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
 
 bool is_free(const Palette& pens, const std::string& name) {
@@ -117,6 +136,7 @@ bool draw_own_pen(Palette& pens, std::size_t place, LengthUnit unit, bool& remov
     {
         const Greyed greyed(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
+        changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
     removed =
@@ -149,12 +169,50 @@ bool draw_adding(PenChoice& pens) {
     return true;
 }
 
+void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
+    std::vector<std::string> names{"all pens"};
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        names.push_back(std::to_string(i + 1) + " " + drawn[i].name + " alone");
+    std::vector<const char*> entries;
+    for (const std::string& name : names) entries.push_back(name.c_str());
+    const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
+    int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
+    {
+        const Greyed greyed(drawn.empty() ? "Of several pens only." : nullptr);
+        if (choice_row("Look at", chosen, entries,
+                       "The dots of all pens or of one alone, as its layer has them. A way of looking: files "
+                       "have all pens."))
+            shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
+    }
+    const Greyed greyed(chosen > 0 ? "One pen is looked at alone, as the row above says." : nullptr);
+    for (const Pen& pen : drawn) {
+        bool seen = !shown.hidden.contains(pen.name);
+        if (!switch_row(("Show " + pen.name).c_str(), seen,
+                        "Whether this pen's dots are seen in the window; files have them all the same.",
+                        true))
+            continue;
+        if (seen)
+            shown.hidden.erase(pen.name);
+        else
+            shown.hidden.insert(pen.name);
+    }
+}
+
 }  // namespace
 
-bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit) {
+bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
     if (!section("Pens")) return false;
     bool changed = draw_set(settings);
     changed |= draw_made_set(settings.pens, unit);
+    {
+        const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Of CMYK only.");
+        changed |= slider_row("Black ink", settings.pens.black,
+                              {.min = 0,
+                               .max = 1,
+                               .neutral = kUsualBlack,
+                               .tip = "How much of greys is drawn in black instead of in three colours that "
+                                      "make grey: 0 as little as possible, 1 as much."});
+    }
     {
         const Greyed greyed(settings.pens.set == PenSet::one ? "Of several pens only." : nullptr);
         changed |=
@@ -171,6 +229,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit) {
                           "What lies under the dots; in a file only where you ask for it.", kWhite);
     changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens.own, unit);
+    if (seen.shown) draw_shown_pens(seen.drawn, *seen.shown);
     return changed;
 }
 

@@ -1,13 +1,23 @@
 #pragma once
 // The section "Pens": which pens draw, and the colours of ink and paper.
 
+#include <span>
+
 #include "app/drawing_settings.h"
+#include "app/viewer/model/shown_pens.h"
 #include "core/text/length.h"
 
 namespace dapple {
 
-/// True while something changes. Pens of one's own are listed at the end: each has a name, a colour, a width
-/// and a smallest gap, and can be removed while there is another.
-bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm);
+/// The pens that drew what is seen, several or none, and which of them are looked at.
+struct PensSeen {
+    std::span<const Pen> drawn = {};
+    ShownPens* shown = nullptr;  // none: no rows for it
+};
+
+/// True while a setting changes. Pens of one's own are listed near the end: each has a name, a colour, a
+/// width, a smallest gap and a dot gain, and can be removed while there is another. At the end one pen can be
+/// looked at alone, and each be hidden, which is no setting.
+bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm, const PensSeen& seen = {});
 
 }  // namespace dapple

@@ -97,7 +97,7 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     const DrawnInfo drawn = session.drawn(session.pane());
     draw_dots_panel(settings.drawing, drawn, settings.unit);
     draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
-    draw_pen_panel(settings.drawing, settings.unit);
+    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};
     if (open.method) {

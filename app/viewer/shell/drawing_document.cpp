@@ -505,6 +505,9 @@ SplitLook DrawingDocument::look(const CanvasPlace& place) const {
     look.sides[0] = look.sides[1] = look_of(session_, session_.pane(), zoom(), pixel_scale);
     if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
     if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
+    look.sides[0].hidden_pens = hidden_among(session_.pane().shown().pens, session_.shown_pens);
+    if (const Pane* right = session_.right())
+        look.sides[1].hidden_pens = hidden_among(right->shown().pens, session_.shown_pens);
     if (photograph_key_down()) {
         for (CanvasLook& side : look.sides) {
             side.picture_opacity = 1;

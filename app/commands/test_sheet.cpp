@@ -1,0 +1,113 @@
+#include "app/commands/test_sheet.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+#include "app/commands/gcode_options.h"
+#include "app/commands/options.h"
+#include "app/files/atomic_file.h"
+#include "app/files/gcode_choice.h"
+#include "app/files/save_drawing.h"
+#include "app/shown_text.h"
+#include "core/output/stroke_figures.h"
+#include "core/output/test_sheet.h"
+#include "core/text/number_words.h"
+
+namespace dapple {
+namespace {
+
+// In the order in which a drawing has them.
+Palette pens_to_test(const PenChoice& choice) {
+    if (choice.set == PenSet::one)
+        throw CLI::ValidationError("--pens", "one has no width or name; give a pen such as Black:#000:0.3");
+    if (choice.set == PenSet::automatic)
+        throw CLI::ValidationError("--pens", "auto chooses pens for a picture, and there is none; name them");
+    Palette pens = palette_of(choice);
+    sort_lightest_first(pens);
+    return pens;
+}
+
+glm::dvec2 size_of(const PageSetup& page) {
+    if (page.paper == Paper::custom) return {page.width_mm, page.height_mm.value_or(page.width_mm)};
+    return paper_size(page.paper);
+}
+
+}  // namespace
+
+TestSheetCommand::TestSheetCommand(CLI::App& program) {
+    drawing_.page.paper = Paper::a4;
+    drawing_.registration = true;
+    CLI::App* const command = program.add_subcommand(
+        "testsheet", "A page of dots and tones for pens to draw, which shows how wide their dots come out");
+    add_pens(*command, drawing_.pens,
+             "The pens, as dapple render takes them; each has a width, as in cmyk:0.3 or "
+             "Sky:#3aa0d8:0.3,Ochre:#c08a2e:0.5")
+        ->required();
+    command
+        ->add_option("-o,--output", output_,
+                     "The page; its name ends in .svg, .pdf, .png, .tif, .gcode, .nc, "
+                     ".hpgl, .plt or .dxf")
+        ->type_name("OUT")
+        ->required();
+    add_paper(*command, drawing_.page,
+              "A paper, a4 to a0, letter, legal, tabloid and so on, or a size such as 210x297")
+        ->default_str("a4");
+    add_gcode_options(*command, saving_);
+    command->footer(
+        "Each pen draws ten single dots, pairs of dots, and six tones. The number below a pair is the gap "
+        "in\n"
+        "millimetres that would be between its dots if they were as wide as the pen. They are wider: the "
+        "last\n"
+        "gap that is closed is the pen's dot gain. Give it behind the width, as in 0.3+0.06, or type it into "
+        "the\nwindow's row of that name; tones are then as dark as the picture's. The tones beside it are of "
+        "so\nmany per cent of ink: with the right gain, the one of 100 has just no paper left.\n\n"
+        "Examples:\n"
+        "  dapple testsheet --pens cmyk:0.3 -o sheet.svg\n"
+        "  dapple testsheet --pens 'Red:#c1121f:0.5,Black:#000:0.3' --page letter -o sheet.hpgl\n"
+        "  dapple render cat.jpg --pens cmyk:0.3+0.06 -o cat.svg      with the gain that it showed");
+    command->callback([this, command] {
+        if (drawing_format(output_) != DrawingFormat::gcode)
+            refuse(
+                *command,
+                {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
+                "applies to G-code only; let the name end in .gcode or .nc");
+        save();
+    });
+}
+
+void TestSheetCommand::save() const {
+    const DrawingFormat format = drawing_format(output_);
+    if (is_table(format))
+        throw CLI::ValidationError("--output",
+                                   output_.string() + ": a table has no lines; let it end in .svg or .pdf");
+    const Palette pens = pens_to_test(drawing_.pens);
+    const glm::dvec2 size = size_of(drawing_.page);
+    const PageSize page{size.x, size.y, std::max(size.x, size.y)};
+    const TestSheet sheet = [&] {
+        try {
+            return test_sheet(pens, page);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError("--pens", error.what());
+        }
+    }();
+    check_can_save(output_);
+    StrokeStream strokes = stream_of(sheet.strokes, drawing_.pen_width_mm);
+    for (const Pen& pen : pens) strokes.widths_mm.push_back(pen.width_mm);
+    DrawingToSave drawing{.dots = {}, .page = page, .pens = pens, .saving = saving_, .strokes = strokes};
+    drawing.dots.count = sheet.dots;
+    drawing.saving.order = DotOrder::recursion;  // each pen's as it was laid out
+    save_drawing(output_, drawing_, drawing);
+    const Machine machine = usual_machine(format, saving_.tool);
+    const PlottingTime time = figures_of(strokes, speeds_for(machine, format, saving_)).time;
+    fmt::print(stderr, "{}: {} {}, {} dots", printable(output_.string()), pens.size(),
+               pens.size() == 1 ? "pen" : "pens", grouped(sheet.dots));
+    if (is_plotted(format))
+        fmt::print(stderr, "; {} on {}", time_in_words(time.total_s()), words_for(machine));
+    fmt::print(stderr, "\n");
+}
+
+}  // namespace dapple
