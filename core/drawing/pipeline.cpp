@@ -196,9 +196,9 @@ PenDensities Pipeline::by_pen_under(const Mask& mask) const {
 
 PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
     if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper ||
-        separated_black_ != toned.black) {
-        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper, toned.black);
-        separated_black_ = toned.black;
+        separated_black_ != toned.pens_black) {
+        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper, toned.pens_black);
+        separated_black_ = toned.pens_black;
         separated_pens_ = toned.pens;
         separated_paper_ = toned.paper;
     }
@@ -229,7 +229,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                 0,
                 plan.pens,
                 plan.pens.empty() ? kWhite : request.paper};
-    if (request.pens.set == PenSet::cmyk) toned.black = request.pens.black;
+    if (request.pens.set == PenSet::cmyk) toned.pens_black = request.pens.black;
     if (request.size.sizing == DotSizing::by_tone)  // whose number follows from it; their black is solid
         plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;

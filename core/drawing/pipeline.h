@@ -120,7 +120,7 @@ class Pipeline {
         double detail_sigma = 0;  // pixels
         Palette pens = {};
         glm::vec3 paper = kWhite;
-        double black = kUsualBlack;  // see Separation
+        double pens_black = kUsualBlack;  // see Separation
         bool operator==(const Toned&) const = default;
     };
 
