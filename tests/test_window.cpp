@@ -377,6 +377,9 @@ TEST_CASE("a picture that looks like an environment map is opened as lights by a
     viewer.click("Open as lights");
     CHECK(viewer.shows([&] { return viewer.status().contains("samples"); }));
     CHECK(viewer.has("Exposure"));
+    viewer.click("Back to the drawing");
+    CHECK(viewer.shows([&] { return viewer.status().contains("dots"); }));
+    CHECK(viewer.is_titled("^bright.hdr - Dapple$"));
 }
 
 TEST_CASE("the wheel zooms into an environment map, F shows all of it again, and the title names it") {

@@ -54,6 +54,7 @@ constexpr Shortcut kLightShortcuts[] = {
     {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
     {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
     {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
+    {Action::back, "", "Back to the drawing that the map was opened from"},
     {Action::undo, "Ctrl+Z", "Undo"},
     {Action::redo, "Ctrl+Y", "Redo"},
     {Action::fit, "F", "Fit the map into the window"},

@@ -42,6 +42,7 @@ enum class Action {
     full_screen,
     lighter,
     darker,
+    back,  // from an environment map to the drawing that it was opened from
     help,
     palette,
     preferences,

@@ -30,6 +30,7 @@ struct Frame {
     glm::dvec2 pixels_per_point{1};
     const std::function<void(Action)>& act;  // for buttons
     double last_seconds = 0;                 // that the frame before took
+    bool can_go_back = false;                // to the drawing that this was opened from
 };
 
 class Document {

@@ -534,8 +534,7 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
 
 void DrawingDocument::show_changes(Window& window) {
     if (std::exchange(pictures_fitted_, session_.pictures()) != session_.pictures()) canvas_.fit();
-    const std::string title = (session_.has_changes() ? "*" : "") + name() + " - Dapple";
-    if (pictures_fitted_ > 0 && std::exchange(title_, title) != title) window.set_title(title);
+    if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
     show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
     show_changes(Side::right, session_.right());
 }

@@ -141,7 +141,6 @@ class DrawingDocument : public Document {
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
-    std::string title_;
     std::unique_ptr<Document> successor_;
 };
 

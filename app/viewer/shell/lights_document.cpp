@@ -149,6 +149,8 @@ void LightsDocument::draw_panels(const Frame& frame) {
     begin_side_panel({frame.canvas.x, 0}, frame.panels,
                      {session_.name(), size, {whether(session_.can_undo()), whether(session_.can_redo())}},
                      frame.act);
+    if (frame.can_go_back && wide_button("Back to the drawing", "It is as it was left."))
+        frame.act(Action::back);
     std::optional<LightsInfo> info;
     if (session_.samples().found) info = session_.samples().info;
     draw_lights_panel(session_.settings, info,
@@ -166,8 +168,8 @@ void LightsDocument::show_canvas(const Frame& frame) {
     const LightLayout layout = light_layout({0, 0}, frame.canvas);
     if (std::exchange(map_fitted_, session_.maps()) != session_.maps()) {
         camera_ = fitted_to_map(layout.map.size);
-        frame.window.set_title(session_.name() + " - Dapple");
     }
+    frame.window.set_title(session_.name() + " - Dapple");
     camera_ = resized_on_map(camera_, layout.map.size);
     mouse_.move(camera_, layout.map);
     camera_ =

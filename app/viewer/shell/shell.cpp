@@ -78,7 +78,7 @@ Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
 
 int Shell::run(std::unique_ptr<Document> document) {
     int frames_left = kFramesAfterEvent;
-    while (!may_close(*document)) {
+    while (!may_close(document)) {
         double wait_at_most = frames_left > 0 ? 0 : document->seconds_to_next_frame();
         wait_at_most = std::min(wait_at_most, seconds_until_kept(*document));
         if (ImGui::GetIO().WantTextInput) wait_at_most = std::min(wait_at_most, kCursorBlinks);
@@ -88,7 +88,9 @@ int Shell::run(std::unique_ptr<Document> document) {
         const double work_before = work_ms();
         const bool was_ready = ready_;  // the first frame makes everything ready
         frame(*document);
-        if (auto successor = document->take_successor()) document = std::move(successor);
+        if (std::exchange(goes_back_, false)) go_back(document);
+        if (auto successor = document->take_successor())
+            before_ = std::exchange(document, std::move(successor));
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
         last_seconds_ = passed.count() / 1e3;
         if (was_ready) {
@@ -105,9 +107,17 @@ int Shell::run(std::unique_ptr<Document> document) {
     return 0;
 }
 
-bool Shell::may_close(const Document& document) {
+void Shell::go_back(std::unique_ptr<Document>& document) {
+    if (before_)
+        document = std::move(before_);
+    else
+        document->say("There is no drawing to go back to: the map was opened by itself");
+}
+
+bool Shell::may_close(std::unique_ptr<Document>& document) {
     if (!window_.should_close()) return false;
-    if (closing_ || document.unsaved().empty()) return true;
+    if (before_ && !before_->unsaved().empty()) go_back(document);
+    if (closing_ || document->unsaved().empty()) return true;
     window_.stay_open();
     waiting_ = Waiting{};
     return false;
@@ -234,7 +244,8 @@ void Shell::frame(Document& document) {
                       .panels = {panels, screen.y},
                       .pixels_per_point = window_.pixels_per_point(),
                       .act = do_this,
-                      .last_seconds = last_seconds_};
+                      .last_seconds = last_seconds_,
+                      .can_go_back = before_ != nullptr};
     do_this = [&](Action action) { act(action, document, frame); };
     take_files(window_.take_dropped(), document);
     take_answers(document);
@@ -244,7 +255,7 @@ void Shell::frame(Document& document) {
     window_.end_frame();
     report_outside(document);
     remember(document);
-    keep_unsaved(document);
+    keep_unsaved(before_ ? *before_ : document);
 }
 
 void Shell::act(Action action, Document& document, const Frame& frame) {
@@ -290,6 +301,9 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             return toggle(preferences_shown_);
         case Action::about:
             return toggle(about_shown_);
+        case Action::back:
+            goes_back_ = true;
+            return;
         case Action::quit:
             return window_.close();
         default:

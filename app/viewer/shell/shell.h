@@ -33,7 +33,8 @@ class Shell {
  private:
     void frame(Document& document);
     /// Whether the window may go: what is not saved is asked about first.
-    bool may_close(const Document& document);
+    bool may_close(std::unique_ptr<Document>& document);
+    void go_back(std::unique_ptr<Document>& document);
     /// What the question about changes waits with; goes on with it once there are none, or not at all.
     void draw_changes_question(Document& document);
     void go_on(Document& document);
@@ -66,6 +67,8 @@ class Shell {
     std::filesystem::path folder_to_open() const;
 
     bool log_status_;
+    std::unique_ptr<Document> before_;  // that the one shown was opened from
+    bool goes_back_ = false;
     Memory memory_;
     WidgetPlaces widgets_;
     Window window_;

@@ -163,7 +163,7 @@ void Window::stay_open() {
     glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 void Window::set_title(const std::string& title) {
-    glfwSetWindowTitle(window_, title.c_str());
+    if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_, title.c_str());
 }
 
 void Window::toggle_full_screen() {

@@ -74,6 +74,7 @@ class Window {
 
     std::unique_ptr<Library> library_;
     GLFWwindow* window_ = nullptr;
+    std::string title_;
     std::vector<std::filesystem::path> dropped_;
     InputQueue input_;
     // As far as ImGui has heard.
