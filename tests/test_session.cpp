@@ -12,6 +12,7 @@
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
+#include "app/viewer/model/change_words.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
 #include "core/drawing/pipeline.h"
@@ -393,6 +394,24 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
           estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
 }
 
+TEST_CASE("a change is told by the row that makes it") {
+    const ViewerSettings before;
+    const auto words = [&](auto change) {
+        ViewerSettings after = before;
+        change(after);
+        return change_in_words(before, after);
+    };
+    CHECK(words([](ViewerSettings& s) { s.drawing.page.quarter_turns = 1; }) == "Rotate");
+    CHECK(words([](ViewerSettings& s) { s.picture_opacity = 0.5f; }) == "Photograph");
+    CHECK(words([](ViewerSettings& s) { s.drawing.page.paper = Paper::a4; }) == "Paper size");
+    CHECK(words([](ViewerSettings& s) { s.drawing.paper = kBlack; }) == "Paper");
+    CHECK(words([](ViewerSettings& s) { s.drawing.placing.count = 5; }) == "Dots");
+    CHECK(words([](ViewerSettings& s) { s.drawing.tone.black_point = 0.1f; }) == "Black point");
+    CHECK(words([](ViewerSettings& s) { s.drawing.page.margins = {1, 1, 1, 1}; }) == "Margins");
+    CHECK(words([](ViewerSettings& s) { s.drawing.pen_width_mm = 1; }) == "Pen width");
+    CHECK(words([](ViewerSettings&) {}).empty());
+}
+
 TEST_CASE("a drawing has changes until it is undone, or saved in what holds its settings") {
     const TemporaryFolder folder;
     Session session(DrawingSettings{}, [] {});
@@ -647,19 +666,19 @@ TEST_CASE("what undo and redo would change is said in a word or two") {
     session.remember(true);
     CHECK_FALSE(session.undo_words());
     session.remember(false);
-    CHECK(session.undo_words() == "contrast");
+    CHECK(session.undo_words() == "Contrast");
     session.settings.drawing.page.margins.left = 20;
     session.settings.drawing.dot_size.sizing = DotSizing::fixed;
     session.settings.density.source = DensitySource::grey;
     session.remember(false);
-    CHECK(session.undo_words() == "dot size and 2 more");
+    CHECK(session.undo_words() == "Dot size and 2 more");
     CHECK_FALSE(session.redo_words());
     session.undo();
-    CHECK(session.undo_words() == "contrast");
-    CHECK(session.redo_words() == "dot size and 2 more");
+    CHECK(session.undo_words() == "Contrast");
+    CHECK(session.redo_words() == "Dot size and 2 more");
     session.undo();
     CHECK_FALSE(session.undo_words());
-    CHECK(session.redo_words() == "contrast");
+    CHECK(session.redo_words() == "Contrast");
 }
 
 TEST_CASE(

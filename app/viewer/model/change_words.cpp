@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/settings/settings_text.h"
@@ -13,21 +16,54 @@
 namespace dapple {
 namespace {
 
-// The names of fields are words with low lines between; what is said of all of a group is its name.
+// What is said of all of a group is its name.
 constexpr std::array kGroupsOfGroups{"drawing", "saving", "view", "tone", "page"};
 
-std::string as_words(std::string name) {
-    if (name.ends_with("_mm")) name.resize(name.size() - 3);
-    std::ranges::replace(name, '_', ' ');
-    return name;
+// Fields whose row has another name than theirs.
+constexpr std::array kRows = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"automatic_tone", "Tone from"},
+    {"automatic_exposure", "Exposure"},
+    {"count", "Dots"},
+    {"page/paper", "Paper size"},
+    {"quarter_turns", "Rotate"},
+    {"sheet_overlap_mm", "Overlap"},
+    {"background", "Paper in SVG"},
+    {"show_tiles", "Tile boundaries"},
+    {"style", "Draw"},
+    {"order", "Dot order"},
+    {"dpi", "Dots per inch"},
+    {"gcode_tool", "G-code for"},
+    {"gcode_template", "Template"},
+    {"feed_mm_per_min", "Feed"},
+    {"dwell_s", "Dwell"},
+    {"acceleration_mm_per_s2", "Acceleration"},
+    {"gcode_pen_up", "Pen up"},
+    {"gcode_pen_down", "Pen down"},
+    {"picture_opacity", "Photograph"},
+    {"zoom_mode", "Zooming in"},
+    {"colouring", "Dots coloured"},
+    {"comparison", "Split view"},
+    {"origins", "Explain dots"},
+    {"unit", "Lengths in"},
+});
+
+std::string row_of(const std::string& group, const std::string& name) {
+    for (const auto& [field, row] : kRows)
+        if (field == name || field == group + "/" + name) return std::string(row);
+    std::string words = name;
+    if (words.ends_with("_mm")) words.resize(words.size() - 3);
+    std::ranges::replace(words, '_', ' ');
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
 }
 
-void collect_names(const nlohmann::ordered_json& changed, std::vector<std::string>& names) {
+void collect_rows(const std::string& group, const nlohmann::ordered_json& changed,
+                  std::vector<std::string>& rows) {
     for (const auto& [name, value] : changed.items()) {
         if (std::ranges::find(kGroupsOfGroups, name) != kGroupsOfGroups.end())
-            collect_names(value, names);
+            collect_rows(name, value, rows);
         else if (name != kVersionField)
-            names.push_back(as_words(name));
+            rows.push_back(row_of(group, name));
     }
 }
 
@@ -38,14 +74,14 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
     const auto all_of = [](ViewerSettings& settings) {
         return [&settings](Fields& fields) { describe(fields, settings); };
     };
-    std::vector<std::string> names;
+    std::vector<std::string> rows;
     try {
-        collect_names(nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from))), names);
+        collect_rows("", nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from))), rows);
     } catch (const std::exception&) {  // a tile's name that no text can hold
-        return "tile";
+        return "Tile";
     }
-    if (names.empty()) return {};
-    return names.size() == 1 ? names[0] : fmt::format("{} and {} more", names[0], names.size() - 1);
+    if (rows.empty()) return {};
+    return rows.size() == 1 ? rows[0] : fmt::format("{} and {} more", rows[0], rows.size() - 1);
 }
 
 }  // namespace dapple
