@@ -795,6 +795,35 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     CHECK(drawing == before);
 }
 
+TEST_CASE("what is wrong with an export is mended by a click, where there is one way to mend it") {
+    ViewerSettings settings;
+    settings.drawing.show_tiles = true;
+    settings.drawing.page.margins = {0, 7, 0, 0};
+    ExportInfo info{.dots = 400, .bytes = 1e4, .trouble = {}};
+    info.findings = {{FindingKind::hours, "plotting takes long", "8,400 dots take an hour", 8400},
+                     {FindingKind::overlap, "dots overlap", "fewer part them"},
+                     {FindingKind::joined, "dots are joined", "fewer part them"},
+                     {FindingKind::over_edge, "dots reach over", "a margin helps", 0.4},
+                     {FindingKind::fine_pixels, "dots are fine", "more pixels show them", 720},
+                     {FindingKind::tile_layer, "the layer is drawn", "leave it out"},
+                     {FindingKind::rings, "rings are drawn", "spirals fill them"}};
+    HeadlessUi ui([&] { draw_export_panel(settings, DrawingFormat::svg, info); });
+    ui.click("8,400 dots");
+    CHECK(settings.drawing.placing.count == 8400);
+    ui.click("Black 0.7");
+    CHECK(settings.drawing.tone.black == 0.7);
+    ui.frame();
+    CHECK_FALSE(ui.has("Black 0.7"));  // it would change nothing
+    ui.click("Margins of 0.4 mm");
+    CHECK(settings.drawing.page.margins == Margins{0.4, 7, 0.4, 0.4});
+    ui.click("720 dots per inch");
+    CHECK(settings.saving.dpi == 720);
+    ui.click("Leave the tile boundaries out");
+    CHECK_FALSE(settings.drawing.show_tiles);
+    ui.click("Fill the dots with spirals");
+    CHECK(settings.drawing.mark.shape == DotShape::spiral);
+}
+
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
     const TemporaryFolder folder;
     const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";

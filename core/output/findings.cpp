@@ -28,17 +28,18 @@ std::string dots_that(std::uint64_t count, const char* one, const char* many) {
 void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double seconds = facts.plotting.total_s();
     if (!facts.machine || seconds < kLongPlottingS) return;
-    std::string cure =
-        fmt::format("{} dots take about an hour", about(static_cast<double>(facts.dots) * 3600 / seconds));
+    double amount = in_two_digits(static_cast<double>(facts.dots) * 3600 / seconds);
+    std::string cure = fmt::format("{} dots take about an hour", about(amount));
     const bool lifts = facts.plotting.lifting_s > seconds / 2;
-    if (facts.ink.as == DotsAs::lines)
+    if (facts.ink.as == DotsAs::lines) {
         cure = "fewer dots make a shorter line";
-    else if (lifts)
+        amount = 0;
+    } else if (lifts)
         cure += ", and one line through all dots lifts the pen once";
     found.push_back({FindingKind::hours,
                      fmt::format("plotting takes {} on {}, {}", time_in_words(seconds),
                                  words_for(*facts.machine), what_takes_longest(facts.plotting)),
-                     std::move(cure)});
+                     std::move(cure), amount});
 }
 
 void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -49,7 +50,8 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     found.push_back({FindingKind::tone,
                      fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
                      fmt::format("{} dots {:.2g} mm wide would give its tone, or these dots {:.2g} mm wide",
-                                 about(facts.for_tone->dots), 2 * own, 2 * facts.for_tone->radius_mm)});
+                                 about(facts.for_tone->dots), 2 * own, 2 * facts.for_tone->radius_mm),
+                     in_two_digits(facts.for_tone->dots)});
 }
 
 void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -106,11 +108,11 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (measured.over_edge > 0)
         found.push_back({FindingKind::over_edge,
                          dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
-                         fmt::format("a margin of {:.1f} mm keeps them on it", reach)});
+                         fmt::format("a margin of {:.1f} mm keeps them on it", reach), reach});
     if (facts.has_margins && measured.outside_margins > 0)
         found.push_back({FindingKind::in_margins,
                          dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",
-                         fmt::format("margins wider by {:.1f} mm keep them out", reach)});
+                         fmt::format("margins wider by {:.1f} mm keep them out", reach), reach});
 }
 
 void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -160,10 +162,10 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double width = 2 * facts.ink.reach_mm(facts.ink.radius_mm, 0);
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
-    found.push_back(
-        {FindingKind::fine_pixels,
-         fmt::format("dots {:.2g} mm wide are finer than a pixel, and come out as greys", width),
-         fmt::format("{:.0f} dots per inch or more show each", std::ceil(2 * kMmPerInch / width / 10) * 10)});
+    const double dpi = std::ceil(2 * kMmPerInch / width / 10) * 10;
+    found.push_back({FindingKind::fine_pixels,
+                     fmt::format("dots {:.2g} mm wide are finer than a pixel, and come out as greys", width),
+                     fmt::format("{:.0f} dots per inch or more show each", dpi), dpi});
 }
 
 }  // namespace

@@ -62,6 +62,7 @@ std::string_view name_of(FindingKind kind);
 struct Finding {
     FindingKind kind{};
     std::string text, cure;  // each without a full stop, beginning small; "dots" may begin it
+    double amount = 0;       // that the cure speaks of: dots, millimetres or dots per inch; 0: none
 
     bool operator==(const Finding&) const = default;
 };

@@ -16,9 +16,13 @@ std::string grouped(std::uint64_t number) {
     return text;
 }
 
-std::string about(double number) {
+double in_two_digits(double number) {
     const double step = std::pow(10, std::max(std::floor(std::log10(std::max(number, 1.0))) - 1, 0.0));
-    return grouped(static_cast<std::uint64_t>(std::round(number / step) * step));
+    return std::round(number / step) * step;
+}
+
+std::string about(double number) {
+    return grouped(static_cast<std::uint64_t>(in_two_digits(number)));
 }
 
 bool far_from_tone(double ratio) {

@@ -9,6 +9,9 @@ namespace dapple {
 /// A number as people write it: 12345 -> "12,345".
 std::string grouped(std::uint64_t number);
 
+/// As about() says it: 12,345 -> 12,000.
+double in_two_digits(double number);
+
 /// In two digits, as more would promise too much: 12,345 -> "12,000".
 std::string about(double number);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "app/files/gcode_choice.h"
 #include "app/shown_text.h"
+#include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -171,6 +173,83 @@ std::string beginning_large(std::string text) {
     return text;
 }
 
+/// What a button beneath a finding does about it.
+struct Cure {
+    std::string label;
+    std::function<void(ViewerSettings& settings)> apply;
+};
+
+Margins widened(const Margins& margins, double least, double by) {
+    const auto wide = [&](double margin) { return std::max(margin + by, least); };
+    return {wide(margins.top), wide(margins.right), wide(margins.bottom), wide(margins.left)};
+}
+
+Cure with_dots(double dots) {
+    const auto count = static_cast<std::uint64_t>(dots);
+    return {fmt::format("{} dots", grouped(count)),
+            [count](ViewerSettings& settings) { settings.drawing.placing.count = count; }};
+}
+
+std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawing) {
+    constexpr double kOpenBlack = 0.7;  // of which hardly any dots overlap
+    const double amount = finding.amount;
+    const bool own_count = drawing.dot_size.sizing == DotSizing::by_tone;
+    switch (finding.kind) {
+        case FindingKind::hours:
+        case FindingKind::tone:
+            if (amount >= 1 && amount <= double(kMostDots) && !own_count) return with_dots(amount);
+            break;
+        case FindingKind::rings:
+            return Cure{"Fill the dots with spirals",
+                        [](ViewerSettings& settings) { settings.drawing.mark = {DotShape::spiral}; }};
+        case FindingKind::overlap:
+            if (drawing.style == DrawingStyle::dots && drawing.dot_size.sizing == DotSizing::automatic &&
+                drawing.tone.black.value_or(1) > kOpenBlack)
+                return Cure{fmt::format("Black {:g}", kOpenBlack),
+                            [](ViewerSettings& settings) { settings.drawing.tone.black = kOpenBlack; }};
+            break;
+        case FindingKind::over_edge:
+            return Cure{fmt::format("Margins of {:.1f} mm", amount), [amount](ViewerSettings& settings) {
+                            Margins& margins = settings.drawing.page.margins;
+                            margins = widened(margins, amount, 0);
+                        }};
+        case FindingKind::in_margins:
+            return Cure{fmt::format("Margins wider by {:.1f} mm", amount),
+                        [amount](ViewerSettings& settings) {
+                            Margins& margins = settings.drawing.page.margins;
+                            margins = widened(margins, 0, amount);
+                        }};
+        case FindingKind::fine_pixels:
+            return Cure{fmt::format("{:.0f} dots per inch", amount),
+                        [amount](ViewerSettings& settings) { settings.saving.dpi = amount; }};
+        case FindingKind::tile_layer:
+            return Cure{"Leave the tile boundaries out",
+                        [](ViewerSettings& settings) { settings.drawing.show_tiles = false; }};
+        default:  // a choice that is the person's
+            break;
+    }
+    return std::nullopt;
+}
+
+bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& settings) {
+    bool changed = false;
+    for (const Finding& finding : findings) {
+        // The time is told above, with its machine.
+        const std::string told = finding.kind == FindingKind::hours ? "To plot for less time: " + finding.cure
+                                                                    : sentence_of(finding);
+        hint((beginning_large(told) + ".").c_str());
+        note_place(("Finding " + std::string(name_of(finding.kind))).c_str());
+        const std::optional<Cure> cure = cure_of(finding, settings.drawing);
+        if (!cure) continue;
+        if (key_button(cure->label.c_str())) {
+            cure->apply(settings);
+            changed = true;
+        }
+        note_place(cure->label.c_str());
+    }
+    return changed;
+}
+
 }  // namespace
 
 std::string size_in_words(const ExportInfo& info) {
@@ -221,13 +300,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
                                   .c_str()
                             : size_in_words(info).c_str());
     note_place("File size");
-    for (const Finding& finding : info.findings) {
-        // The time is told above, with its machine.
-        const std::string told = finding.kind == FindingKind::hours ? "To plot for less time: " + finding.cure
-                                                                    : sentence_of(finding);
-        hint((beginning_large(told) + ".").c_str());
-        note_place(("Finding " + std::string(name_of(finding.kind))).c_str());
-    }
+    changed |= draw_findings(info.findings, settings);
     if (settings.drawing.show_tiles && format != DrawingFormat::svg)
         hint("Without the tile boundaries: only an SVG has layers.");
     return changed;
