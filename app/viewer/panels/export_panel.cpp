@@ -184,6 +184,8 @@ Margins widened(const Margins& margins, double least, double by) {
     return {wide(margins.top), wide(margins.right), wide(margins.bottom), wide(margins.left)};
 }
 
+constexpr double kOpenBlack = 0.7;  // of which hardly any dots overlap
+
 Cure with_dots(double dots) {
     const auto count = static_cast<std::uint64_t>(dots);
     return {fmt::format("{} dots", grouped(count)),
@@ -191,7 +193,6 @@ Cure with_dots(double dots) {
 }
 
 std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawing) {
-    constexpr double kOpenBlack = 0.7;  // of which hardly any dots overlap
     const double amount = finding.amount;
     const bool own_count = drawing.dot_size.sizing == DotSizing::by_tone;
     switch (finding.kind) {
