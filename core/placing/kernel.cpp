@@ -18,13 +18,14 @@ const Kernels& choose() {
     const std::vector<const Kernels*> kernels = runnable_kernels();
     const char* const wanted = std::getenv("DAPPLE_KERNELS");
     if (!wanted) return *kernels.back();
-    std::string names;
+    std::vector<std::string_view> names;
     for (const Kernels* each : kernels) {
         if (std::string_view(wanted) == each->name) return *each;
-        names += (names.empty() ? "" : ", ") + std::string(each->name);
+        names.emplace_back(each->name);
     }
     throw std::runtime_error(
-        fmt::format("DAPPLE_KERNELS: {} is not known, or not for this processor; it runs {}", wanted, names));
+        fmt::format("DAPPLE_KERNELS: {} is not known, or not for this processor; it runs {}", wanted,
+                    fmt::join(names, ", ")));
 }
 
 }  // namespace
