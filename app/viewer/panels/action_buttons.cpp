@@ -37,15 +37,12 @@ bool menu_button(ImVec2 size) {
 
 struct MenuEntry {
     const char* label;
-    const char* keys;
     Action action;
 };
 constexpr MenuEntry kMenu[] = {
-    {"All commands...", "Ctrl+P", Action::palette},
-    {"Keys", "F1", Action::help},
-    {"Full screen", "F11", Action::full_screen},
-    {"Preferences...", "Ctrl+,", Action::preferences},
-    {"About Dapple", "", Action::about},
+    {"All commands...", Action::palette}, {"Keys", Action::help},
+    {"Full screen", Action::full_screen}, {"Preferences...", Action::preferences},
+    {"About Dapple", Action::about},
 };
 
 // What was chosen, which is done once the menu is closed.
@@ -62,7 +59,8 @@ std::optional<Action> draw_menu() {
     storage->SetInt(mark, marked);
     std::optional<Action> chosen;
     for (int i = 0; i < kEntries; ++i) {
-        if (ImGui::MenuItem(kMenu[i].label, kMenu[i].keys, i == marked)) chosen = kMenu[i].action;
+        if (ImGui::MenuItem(kMenu[i].label, keys_of(kMenu[i].action).c_str(), i == marked))
+            chosen = kMenu[i].action;
         note_place(kMenu[i].label);
     }
     if (marked >= 0 && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter)))
@@ -83,13 +81,13 @@ bool action_button(const char* label, int column) {
     return pressed;
 }
 
-void undo_button(const char* label, const std::optional<std::string>& words, const char* keys, Action action,
-                 int column, const std::function<void(Action)>& act) {
+void undo_button(const char* label, const std::optional<std::string>& words, Action action, int column,
+                 const std::function<void(Action)>& act) {
     if (!words) ImGui::BeginDisabled();
     if (action_button(label, column)) act(action);
     if (!words) ImGui::EndDisabled();
     if (words)
-        tip((std::string(label) + ": " + (words->empty() ? "the last change" : *words) + "   " + keys)
+        tip(with_keys(std::string(label) + ": " + (words->empty() ? "the last change" : *words), action)
                 .c_str());
 }
 
@@ -118,16 +116,19 @@ void draw_title(const std::string& name, const std::function<void(Action)>& act)
 }
 
 void draw_action_buttons(const UndoInfo& info, bool has_project, const std::function<void(Action)>& act) {
-    if (action_button("Open...", 0)) act(Action::open);
-    tip("Opens a picture, a project or a map of light from a file.   Ctrl+O");
-    if (action_button("Export...", 1)) act(Action::save_as);
-    tip("Saves what is shown as a file that other programs and machines read.   Ctrl+E");
-    if (has_project && action_button("Project...", 2)) act(Action::save_project);
-    if (has_project) tip("Saves picture and settings together, to go on another day.   Ctrl+Shift+S");
-    undo_button("Undo", info.undo, "Ctrl+Z", Action::undo, 0, act);
-    undo_button("Redo", info.redo, "Ctrl+Y", Action::redo, 1, act);
-    if (action_button("Fit", 2)) act(Action::fit);
-    tip("Shows all of the page or the map again after zooming.   F");
+    const auto button = [&](const char* label, int column, Action action, const char* says) {
+        if (action_button(label, column)) act(action);
+        tip(with_keys(says, action).c_str());
+    };
+    button("Open...", 0, Action::open, "Opens a picture, a project or a map of light from a file.");
+    button("Export...", 1, Action::save_as,
+           "Saves what is shown as a file that other programs and machines read.");
+    if (has_project)
+        button("Project...", 2, Action::save_project,
+               "Saves picture and settings together, to go on another day.");
+    undo_button("Undo", info.undo, Action::undo, 0, act);
+    undo_button("Redo", info.redo, Action::redo, 1, act);
+    button("Fit", 2, Action::fit, "Shows all of the page or the map again after zooming.");
 }
 
 }  // namespace dapple

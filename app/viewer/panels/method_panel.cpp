@@ -111,8 +111,7 @@ void draw_film_buttons(const std::function<void(Action)>& act) {
         Action action;
         const char* tip;
     } kFilms[] = {
-        {"Watch it grow", Action::film_growth,
-         "From a few dots to all of them. None ever moves or goes.   Space"},
+        {"Watch it grow", Action::film_growth, "From a few dots to all of them. None ever moves or goes."},
         {"Levels", Action::film_levels, "The page divided into tiles, level by level, each in its colour."},
         {"Zoom", Action::film_zoom, "Into the middle of the view, where dots come in as the others part."},
     };
@@ -122,7 +121,7 @@ void draw_film_buttons(const std::function<void(Action)>& act) {
         const float share = &film == kFilms ? 0.5f : 0.25f;
         if (key_button(film.label, {(row - 2 * air) * share, 0})) act(film.action);
         note_place(film.label);
-        tip(film.tip);
+        tip(with_keys(film.tip, film.action == Action::film_growth ? Action::play : film.action).c_str());
     }
 }
 

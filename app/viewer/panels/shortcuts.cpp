@@ -1,6 +1,9 @@
 #include "app/viewer/panels/shortcuts.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
+
+#include <algorithm>
 
 #include "app/viewer/widgets/keys.h"
 
@@ -88,6 +91,18 @@ std::span<const Shortcut> shortcuts() {
 
 std::span<const Shortcut> light_shortcuts() {
     return kLightShortcuts;
+}
+
+std::string keys_of(Action action) {
+    for (const auto table : {shortcuts(), light_shortcuts()})
+        if (const auto found = std::ranges::find(table, action, &Shortcut::action); found != table.end())
+            return found->keys;
+    return {};
+}
+
+std::string with_keys(std::string_view tip, Action action) {
+    const std::string keys = keys_of(action);
+    return keys.empty() ? std::string(tip) : fmt::format("{}   {}", tip, keys);
 }
 
 bool photograph_key_down() {

@@ -2,6 +2,8 @@
 // The window's keys, in one table: what the help shows is what they do.
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace dapple {
@@ -58,6 +60,10 @@ struct Shortcut {
 /// Of the window of a drawing, and of an environment map's.
 std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
+/// An action's keys, in either window; empty: none.
+std::string keys_of(Action action);
+/// A tip, with them behind it.
+std::string with_keys(std::string_view tip, Action action);
 
 /// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. The
 /// arrows are the view's unless a row of the panels has them.

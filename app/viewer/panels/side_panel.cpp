@@ -73,8 +73,10 @@ void draw_export_section(const std::function<void(Action)>& act) {
         act(Action::film_plot);
     if (wide_button(
             "Export the drawing...",
-            "Saves it for plotters, laser cutters, printers or screens: SVG, PDF, PNG, G-code and more.   "
-            "Ctrl+E"))
+            with_keys(
+                "Saves it for plotters, laser cutters, printers or screens: SVG, PDF, PNG, G-code and more.",
+                Action::save_as)
+                .c_str()))
         act(Action::save_as);
 }
 
