@@ -592,6 +592,18 @@ TEST_CASE("what another program copied is opened: a picture, which is kept, and 
     REQUIRE(viewer.is_titled("^named.pgm - Dapple$"));
 }
 
+TEST_CASE("a drawing is exported beside its picture") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    const TemporaryFolder elsewhere;
+    Display display;
+    RunningViewer viewer(elsewhere.path(), {(folder / "grey.pgm").string()});
+    viewer.key("ctrl+e");
+    viewer.click("Accept");
+    CHECK(viewer.shows([&] { return fs::exists(folder / "grey.svg"); }));
+    CHECK(fs::is_empty(elsewhere.path()));
+}
+
 TEST_CASE("what is not saved is asked about before the window closes: it can stay, save, or let go of it") {
     TemporaryFolder folder;
     put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");

@@ -13,6 +13,7 @@
 
 #include "app/files/atomic_file.h"
 #include "app/files/child_output.h"
+#include "app/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {
@@ -69,6 +70,11 @@ fs::path new_file(const fs::path& folder, const char* ending) {
 }
 
 }  // namespace
+
+fs::path pasted_folder() {
+    const fs::path data = data_folder();
+    return data.empty() ? data : data / "pasted";
+}
 
 std::optional<fs::path> save_pasted_picture(const fs::path& folder, const std::stop_token& stop) {
     constexpr ChildLimits kKinds{.longest = std::chrono::seconds(5)},

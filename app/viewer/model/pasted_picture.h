@@ -7,6 +7,9 @@
 
 namespace dapple {
 
+/// Where pasted pictures are kept, so that projects find them again; empty: there is no home.
+std::filesystem::path pasted_folder();
+
 /// Writes the picture on the clipboard into a new file of that folder, which is made: PNG if it can be had as
 /// that, else as it is. Nothing if stopped. Throws std::runtime_error with one sentence for the person if
 /// there is none, if neither program is there, or if the file cannot be written.

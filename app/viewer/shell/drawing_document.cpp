@@ -25,6 +25,7 @@
 #include "app/viewer/canvas/pen_trail.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
+#include "app/viewer/model/pasted_picture.h"
 #include "app/viewer/model/small_drawing.h"
 #include "app/viewer/model/thumbnail.h"
 #include "app/viewer/panels/banner.h"
@@ -161,6 +162,12 @@ std::optional<KeptView> DrawingDocument::kept_view() const {
                     .drawing = with_preset(settings.drawing, DrawingSettings{})};
 }
 
+fs::path DrawingDocument::folder_to_save_in() const {
+    const fs::path& picture = session_.picture().file;
+    const fs::path folder = picture.empty() ? fs::path() : whole_path(picture).parent_path();
+    return folder.empty() || folder == pasted_folder() ? working_folder() : folder;
+}
+
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
     const fs::path& saved = session_.saved_path();
     const Sheet sheets = session_.settings.drawing.sheets;
@@ -170,19 +177,18 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
         formats.push_back({each.shown, each.ending, each.others});
     return SaveQuestion{.title = "Export the drawing",
                         .formats = std::move(formats),
-                        .start = saved.empty() ? working_folder() / name : saved,
+                        .start = saved.empty() ? folder_to_save_in() / name : saved,
                         .own_file = session_.saved_sheets() == sheets ? saved : fs::path(),
                         .has_options = true,
                         .files = [sheets](const fs::path& chosen) { return files_of(chosen, sheets); }};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
-    const fs::path &own = session_.project_path(), &picture = session_.picture().file;
+    const fs::path& own = session_.project_path();
     const fs::path name = fs::path(session_.picture().name).stem().concat(kProjectEnding);
-    const fs::path beside = picture.empty() ? working_folder() : whole_path(picture).parent_path();
     return SaveQuestion{.title = "Save the project",
                         .formats = {{"Project", kProjectEnding}},
-                        .start = own.empty() ? beside / name : own,
+                        .start = own.empty() ? folder_to_save_in() / name : own,
                         .own_file = own,
                         .button = "Save"};
 }
@@ -190,7 +196,7 @@ std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {
 std::optional<SaveQuestion> DrawingDocument::where_to_save_film() const {
     if (!session_.film) return std::nullopt;
     const fs::path& saved = session_.saved_path();
-    const fs::path folder = saved.empty() ? working_folder() : saved.parent_path();
+    const fs::path folder = saved.empty() ? folder_to_save_in() : saved.parent_path();
     return SaveQuestion{.title = "Save the film",
                         .formats = {{"Animated WebP", ".webp"}},
                         .start = folder / fs::path(session_.picture().name).stem().concat(".webp"),

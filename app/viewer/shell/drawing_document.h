@@ -96,6 +96,8 @@ class DrawingDocument : public Document {
     SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
     /// Of the project, or of the picture.
     std::string name() const;
+    /// Beside the picture, but for pasted ones, which nobody looks for.
+    std::filesystem::path folder_to_save_in() const;
     void take_mask();
     void show_changes(Window& window);
     void show_changes(Side side, const Pane* pane);

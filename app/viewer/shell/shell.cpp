@@ -53,12 +53,6 @@ void toggle(bool& value) {
     value = !value;
 }
 
-// Where pasted pictures are kept, so that projects find them again; empty: there is no home.
-std::filesystem::path pasted_folder() {
-    const std::filesystem::path data = data_folder();
-    return data.empty() ? data : data / "pasted";
-}
-
 }  // namespace
 
 Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
