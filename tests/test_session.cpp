@@ -466,6 +466,14 @@ TEST_CASE("a drawing has changes until it is undone, or saved in what holds its 
     session.open_sample();
     REQUIRE(brings([&] { return session.pictures() == 4; }));
     CHECK_FALSE(session.has_changes());
+
+    // One whose picture cannot be read is not taken for unsaved, or what was kept would be given up with it.
+    put_text(folder / "broken.png", "no picture");
+    put_text(folder / "kept.dapple", R"({"dapple": 1, "picture": {"file": "broken.png"}})");
+    session.bring_back(folder / "kept.dapple");
+    CHECK_FALSE(session.has_changes());
+    REQUIRE(brings([&] { return session.banner.kind == BannerKind::error; }));
+    CHECK_FALSE(session.has_changes());
 }
 
 TEST_CASE("several pens' files have about the size told before") {

@@ -246,7 +246,7 @@ void Session::bring_back(const fs::path& file) {
         load_project(file);
         source_.project_path.clear();  // which is not where it belongs
         source_.brought_back = true;
-        know_safe(std::nullopt);
+        if (readings_.empty()) know_safe(std::nullopt);  // else once its picture is there
     } catch (const std::exception& error) {
         banner = {BannerKind::error, error.what()};
     }
@@ -397,7 +397,7 @@ void Session::take(DotsPlaced& event) {
     } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
-        if (!source_.brought_back) know_safe(settings.drawing);
+        know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
         saved_path_.clear();                     // it shows another picture
         if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)

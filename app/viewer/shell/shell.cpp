@@ -118,12 +118,8 @@ bool Shell::may_close(std::unique_ptr<Document>& document) {
 }
 
 void Shell::open_answer(const FileQuestion::Answer& answer, Document& document) {
-    if (document.would_lose_changes(answer.file))
-        waiting_ = Waiting{.open = answer};
-    else if (answer.as_picture)
-        document.open_as_picture(answer.file);
-    else
-        document.take_dropped(answer.file);
+    waiting_ = Waiting{.open = answer};
+    if (!document.would_lose_changes(answer.file)) go_on(document);
 }
 
 void Shell::go_on(Document& document) {
