@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -11,7 +11,9 @@ namespace dapple {
 
 inline std::string text_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::ostringstream text;  // a piece at a time, where iterators take a character each
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+    return text.str();
 }
 
 inline void put_text(const std::filesystem::path& file, std::string_view text) {

@@ -19,6 +19,7 @@
 
 #include "tests/child_process.h"
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {
@@ -203,7 +204,7 @@ class RunningViewer {
         return text;
     }
     static std::vector<std::string> command(std::vector<std::string> arguments, const WindowMemory& memory) {
-        arguments.insert(arguments.begin(), {DAPPLE_PROGRAM, "--log-status"});
+        arguments.insert(arguments.begin(), {dapple_program(), "--log-status"});
         if (memory.folder.empty()) {
             // What a person's own windows remember is no test's business.
             arguments.insert(arguments.begin() + 1, "--fresh");

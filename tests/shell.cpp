@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {
@@ -16,7 +17,7 @@ int Outcome::sentences() const {
 }
 
 Outcome run_in_shell(const std::string& command) {
-    setenv("DAPPLE", DAPPLE_PROGRAM, 1);
+    setenv("DAPPLE", dapple_program().c_str(), 1);
     const TemporaryFolder folder;
     put_text(folder / "command", command);
     const std::string at = folder.path().string();

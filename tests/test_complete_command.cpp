@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/places.h"
 #include "tests/shell.h"
 
 using namespace dapple;
@@ -45,8 +46,8 @@ TEST_CASE("options are offered where they belong, and values where they have nam
 
 TEST_CASE("bash completes with the script that is installed") {
     const auto completed = [](const std::string& words, int last) {
-        return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec bash -c '. " DAPPLE_SOURCE
-                            "/install/dapple.bash; COMP_WORDS=(\"$DAPPLE\" " +
+        return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec bash -c '. " +
+                            source_folder().string() + "/install/dapple.bash; COMP_WORDS=(\"$DAPPLE\" " +
                             words + "); COMP_CWORD=" + std::to_string(last) +
                             "; _dapple \"$DAPPLE\"; echo \"${COMPREPLY[@]}\"'")
             .out;

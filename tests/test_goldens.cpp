@@ -15,6 +15,7 @@
 #include "app/files/picture.h"
 #include "app/files/png_file.h"
 #include "core/image/rectangle.h"
+#include "tests/places.h"
 #include "tests/running_viewer.h"
 #include "tests/screen.h"
 
@@ -24,7 +25,7 @@ namespace {
 using Pixels = Grid<glm::u8vec3>;
 
 // Other releases of Dear ImGui draw letters otherwise.
-const fs::path kGoldens = fs::path(DAPPLE_SOURCE) / "tests/goldens" / std::to_string(IMGUI_VERSION_NUM);
+const fs::path kGoldens = source_folder() / "tests/goldens" / std::to_string(IMGUI_VERSION_NUM);
 
 bool writes() {
     return std::getenv("DAPPLE_WRITE_GOLDENS") != nullptr;

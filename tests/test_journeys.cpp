@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/running_viewer.h"
 
 namespace dapple {
@@ -31,7 +32,7 @@ struct JourneyFolder {
     /// exports that opened it.
     void compare(const std::string& exported, const std::string& exported_later) const {
         const std::string command = (folder / "command.svg").string();
-        run({DAPPLE_PROGRAM, "render", (folder / "ramp.dapple").string(), "-o", command});
+        run({dapple_program(), "render", (folder / "ramp.dapple").string(), "-o", command});
         CHECK(exported.size() > 10'000);
         CHECK((exported == text_of(command)));
         CHECK((exported == exported_later));

@@ -20,6 +20,7 @@
 #include "app/viewer/model/viewer_fields.h"
 #include "core/image/brush.h"
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
@@ -29,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const fs::path kPaper16 = fs::path(DAPPLE_SOURCE) / "assets/tiles/paper16.tile";
+const fs::path kPaper16 = source_folder() / "assets/tiles/paper16.tile";
 
 /// No field is as it usually is: what is forgotten in a file comes back wrong.
 ViewerSettings nothing_usual() {
@@ -171,7 +172,7 @@ std::string rendered(const std::string& arguments, const fs::path& output) {
 
 TEST_CASE("the command draws a project byte for byte as the window exports it") {
     const TemporaryFolder folder;
-    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "cat.png");
+    fs::copy_file(source_folder() / "assets/icon_64.png", folder / "cat.png");
     const std::string project = (folder / "p.dapple").string();
     ProjectSession window;
     window.session.open(folder / "cat.png");
@@ -208,7 +209,7 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
 
 TEST_CASE("a drawing has its settings inside it, which the window and the command take from it") {
     const TemporaryFolder folder;
-    const std::string icon = (fs::path(DAPPLE_SOURCE) / "assets/icon_64.png").string();
+    const std::string icon = (source_folder() / "assets/icon_64.png").string();
     fs::copy_file(kPaper16, folder / "a&b<c>.tile");
     const std::string options = " --dots 300 --relax 0 --tone true --gamma 1.3 --ink '#1d3557' --tile '" +
                                 (folder / "a&b<c>.tile").string() + "'";
@@ -247,7 +248,7 @@ TEST_CASE("a drawing has its settings inside it, which the window and the comman
 
 TEST_CASE("opening a project brings picture and settings, and undo takes the settings back") {
     const TemporaryFolder folder;
-    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "icon.png");
+    fs::copy_file(source_folder() / "assets/icon_64.png", folder / "icon.png");
     ViewerSettings saved = nothing_usual();
     save_project(folder / "p.dapple", {folder / "icon.png"}, all_of(saved));
     ProjectSession window;
@@ -275,7 +276,7 @@ TEST_CASE("opening a project brings picture and settings, and undo takes the set
 
 TEST_CASE("of a project whose picture cannot be read nothing is taken, and the one before goes on") {
     const TemporaryFolder folder;
-    fs::copy_file(fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", folder / "icon.png");
+    fs::copy_file(source_folder() / "assets/icon_64.png", folder / "icon.png");
     put_text(folder / "damaged.png", "\x89PNG\r\n\x1a\n and no more");
     ViewerSettings usual, other;
     other.drawing.tone.gamma = 1.5f;
@@ -310,7 +311,7 @@ TEST_CASE("of a project whose picture cannot be read nothing is taken, and the o
 
 TEST_CASE("a project whose picture is missing opens, keeps its name when saved, and takes the one found") {
     const TemporaryFolder folder;
-    const fs::path icon = fs::path(DAPPLE_SOURCE) / "assets/icon_64.png", file = folder / "p.dapple";
+    const fs::path icon = source_folder() / "assets/icon_64.png", file = folder / "p.dapple";
     ViewerSettings saved;
     saved.drawing.tone.gamma = 1.5f;
     save_project(file, {folder / "gone.png"}, all_of(saved));

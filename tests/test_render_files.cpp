@@ -12,6 +12,7 @@
 #include "tests/child_process.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
+#include "tests/places.h"
 #include "tests/render_scene.h"
 #include "tests/shell.h"
 
@@ -174,7 +175,7 @@ TEST_CASE("Ctrl+C while saving leaves the old drawing and nothing else") {
     const Scene scene;
     write_picture(scene("black.png"), {.width = 64, .height = 64, .values = std::vector<float>(4096, 0.0f)});
     const std::size_t before = scene.folder.entries();
-    ChildProcess render({DAPPLE_PROGRAM, "render", scene("black.png"), "-o", scene("old.svg"), "--dots",
+    ChildProcess render({dapple_program(), "render", scene("black.png"), "-o", scene("old.svg"), "--dots",
                          "1000000", "--relax", "0"});
     // What is written so far lies beside the old drawing.
     REQUIRE(render.brings([&] { return scene.folder.entries() > before; }));

@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = DAPPLE_SOURCE;
+const fs::path kSource = source_folder();
 
 struct Include {
     std::string from, to;  // rooms

@@ -12,6 +12,7 @@
 #include "app/files/sheet_files.h"
 #include "app/viewer/model/session.h"
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double kDpi = 50;
 // Small, as each case reads it twice.
-const std::filesystem::path kPicture = std::filesystem::path(DAPPLE_SOURCE) / "assets/icon_64.png";
+const std::filesystem::path kPicture = source_folder() / "assets/icon_64.png";
 
 /// What the window is about, without it.
 class SavingWindow {

@@ -23,6 +23,7 @@
 #include "core/tile/tile_file.h"
 #include "tests/child_process.h"
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/shell.h"
 #include "tests/temporary_folder.h"
 
@@ -274,7 +275,7 @@ TEST_CASE("a search by radius is saved as it goes, and when it is stopped by wha
         CAPTURE(signal);
         const TemporaryFolder folder, said;
         const std::string state = folder / "dapple-search-60.txt";
-        ChildProcess search({DAPPLE_PROGRAM, "tile", "search", "--points", "60"},
+        ChildProcess search({dapple_program(), "tile", "search", "--points", "60"},
                             {.folder = folder.path(), .output = said / "out", .errors = said / "err"});
         REQUIRE(search.brings([&] { return std::filesystem::exists(state); }));
         CHECK(read_search_state(text_of(state)).points == 60);
@@ -321,7 +322,7 @@ TEST_CASE("a search by evenness saves its best tile as it goes, and whatever sto
         CAPTURE(signal);
         const TemporaryFolder folder, said;
         const std::string file = folder / "best.tile";
-        ChildProcess search({DAPPLE_PROGRAM, "tile", "search", "--points", "64", "--rule", "3760", "--moves",
+        ChildProcess search({dapple_program(), "tile", "search", "--points", "64", "--rule", "3760", "--moves",
                              "1e12", "-o", file},
                             {.output = said / "out", .errors = said / "err"});
         REQUIRE(search.brings([&] { return std::filesystem::exists(file); }));

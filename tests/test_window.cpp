@@ -13,6 +13,7 @@
 #include <string>
 
 #include "tests/file_text.h"
+#include "tests/places.h"
 #include "tests/running_viewer.h"
 #include "tests/screen.h"
 
@@ -158,7 +159,7 @@ TEST_CASE("what the window exports is what the command writes, to the byte") {
     viewer.key("ctrl+e");
     viewer.click("Accept");
     REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
-    run({DAPPLE_PROGRAM, "render", "-o", (folder / "command.svg").string()});
+    run({dapple_program(), "render", "-o", (folder / "command.svg").string()});
     CHECK(text_of(folder / "Still life.svg") == text_of(folder / "command.svg"));
 }
 
@@ -166,8 +167,8 @@ TEST_CASE(
     "a tile from a file is drawn with, whether it is chosen in the window or named on the command line") {
     TemporaryFolder folder;
     const std::string tile = (folder / "mine.tile").string(), command = (folder / "command.svg").string();
-    run({DAPPLE_PROGRAM, "tile", "rank", "aperiodic16", "--ranking", "farthest", "-o", tile});
-    run({DAPPLE_PROGRAM, "render", "-o", command, "--tile", tile, "--relax", "0"});
+    run({dapple_program(), "tile", "rank", "aperiodic16", "--ranking", "farthest", "-o", tile});
+    run({dapple_program(), "render", "-o", command, "--tile", tile, "--relax", "0"});
     const auto exports_the_same = [&](RunningViewer& viewer) {
         viewer.move(300, 300);
         viewer.key("ctrl+e");
@@ -402,7 +403,7 @@ TEST_CASE("the samples that the window exports are those of the command, to the 
     TemporaryFolder folder;
     const std::string map = (folder / "even.hdr").string(), command = (folder / "command.json").string();
     write_even_map(map);
-    ChildProcess program({DAPPLE_PROGRAM, "lights", map, "-n", "300", "-o", command});
+    ChildProcess program({dapple_program(), "lights", map, "-n", "300", "-o", command});
     REQUIRE(program.wait() == 0);
     Display display;
     RunningViewer viewer(folder.path(), {"lights", map, "-n", "300"});
@@ -430,11 +431,13 @@ TEST_CASE("on the canvas a hidden pen's dots are gone, and of one looked at alon
     for (const char* section : {"Page", "Picture"}) viewer.click(section);
     CHECK(count(is_magenta) > 300);
     viewer.click("Show Magenta");
+    viewer.move(300, 750);  // no tip of the row's lies over the canvas
     CHECK(viewer.shows([&] { return count(is_magenta) == 0; }));
     CHECK(count(is_yellow) > 300);
     CHECK(count(is_black) > 300);
     viewer.click("Look at");
     viewer.click("1 Yellow alone");
+    viewer.move(300, 750);  // no tip of the row's lies over the canvas
     CHECK(viewer.shows([&] { return count(is_black) == 0; }));
     CHECK(count(is_yellow) > 300);
     CHECK(viewer.dots() == 3000);
@@ -510,7 +513,7 @@ TEST_CASE("a window at rest uses no processor, and a key is still answered") {
 TEST_CASE("a picture that is not there ends the program with a sentence") {
     TemporaryFolder folder;
     Display display;
-    ChildProcess program({DAPPLE_PROGRAM, (folder / "missing.png").string()}, {.errors = folder / "errors"});
+    ChildProcess program({dapple_program(), (folder / "missing.png").string()}, {.errors = folder / "errors"});
     CHECK(program.wait() == 1);
     CHECK(text_of(folder / "errors").find("missing.png") != std::string::npos);
 }
@@ -519,7 +522,7 @@ TEST_CASE("without a display the program says so and what to do") {
     TemporaryFolder folder;
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
-    ChildProcess program({DAPPLE_PROGRAM}, {.errors = folder / "errors"});
+    ChildProcess program({dapple_program()}, {.errors = folder / "errors"});
     CHECK(program.wait() == 1);
     CHECK(text_of(folder / "errors").find("dapple render") != std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "app/files/picture.h"
+#include "tests/places.h"
 #include "tests/running_viewer.h"
 
 namespace dapple {
@@ -94,7 +95,7 @@ TEST_CASE("the film that is played is saved as the command writes it") {
     viewer.click("Save film...");
     viewer.click("Accept");
     REQUIRE(viewer.shows([&] { return fs::exists(folder / "strip.webp"); }));
-    run({DAPPLE_PROGRAM, "record", (folder / "strip.dapple").string(), "-o",
+    run({dapple_program(), "record", (folder / "strip.dapple").string(), "-o",
          (folder / "command.webp").string(), "--seconds", "2"});
     CHECK((text_of(folder / "strip.webp") == text_of(folder / "command.webp")));
 }

@@ -9,6 +9,7 @@
 #include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/mean_light.h"
+#include "tests/places.h"
 #include "tests/running_viewer.h"
 #include "tests/screen.h"
 
@@ -24,7 +25,7 @@ constexpr double kPictureSide = 1024;  // of the built-in sample, which is squar
 TEST_CASE("the window is as light as the PNG with the same settings, fitted and from afar") {
     TemporaryFolder folder;
     const std::string file = (folder / "file.png").string();
-    run({DAPPLE_PROGRAM, "render", "-o", file});
+    run({dapple_program(), "render", "-o", file});
     const Grid<glm::u8vec4> saved = decode_png(text_of(file)).preview;
     const glm::dvec3 light = mean_light(saved, {{0, 0}, {saved.width, saved.height}});
 

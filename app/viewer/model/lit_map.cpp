@@ -10,21 +10,22 @@
 namespace dapple {
 namespace {
 
-constexpr int kPreviewWidth = 2048;
+constexpr int kPreviewWidth = 2048, kLightsWidth = 512;
 
-// So many texels a side of a large map become one.
-int texels_in_one(const EnvironmentMap& map) {
-    return (map.width() + kPreviewWidth - 1) / kPreviewWidth;
+// So many texels a side of a map become one, for it to be about that wide.
+int texels_in_one(const EnvironmentMap& map, int width) {
+    return (map.width() + width - 1) / width;
 }
 
-// Every texel's own takes minutes and gigabytes where there are hundreds of millions.
+// Of every texel by itself it takes seconds, and minutes where there are hundreds of millions; no surface shows
+// the difference.
 std::vector<DistantLight> lights_of(const EnvironmentMap& map) {
-    const int times = texels_in_one(map);
+    const int times = texels_in_one(map, kLightsWidth);
     return times > 1 ? block_lights(map, times) : texel_lights(map);
 }
 
 Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
-    const int times = texels_in_one(map);
+    const int times = texels_in_one(map, kPreviewWidth);
     Grid<glm::vec3> preview(std::max(map.width() / times, 1), std::max(map.height() / times, 1));
     for (int y = 0; y < preview.height; ++y) {
         for (int x = 0; x < preview.width; ++x) {
