@@ -442,7 +442,7 @@ TEST_CASE("arrows mark an entry of the places and of the folder, and Enter opens
     f.key(Key::tab);
     for (int i = 0; i < 2; ++i) f.key(Key::down);
     CHECK(f.marked("ant.png"));
-    f.key(Key::down, GLFW_MOD_CONTROL);
+    f.key(Key::down, GLFW_MOD_SHIFT);
     CHECK(f.marked("notes.txt"));
     f.key(Key::space);  // takes its name
     CHECK(f.dialog.is_open());

@@ -89,18 +89,18 @@ TEST_CASE("Tab walks the rows in order, passes greyed ones over and comes round;
     CHECK(rows.row().empty());
 }
 
-TEST_CASE("arrows change the row that has the ring, with Shift a tenth and with Ctrl ten times as much") {
+TEST_CASE("arrows change the row that has the ring, with Shift ten times as much and with Alt a tenth") {
     KeyRows rows;
     rows.key(Key::right);
     CHECK(rows.tone == 0);  // no row has the keys yet
     rows.walk_to("Tone");
     rows.key(Key::right);
     CHECK(rows.tone == doctest::Approx(0.02));  // a hundredth of the track
-    rows.key(Key::down, GLFW_MOD_SHIFT);
+    rows.key(Key::down, GLFW_MOD_ALT);
     CHECK(rows.tone == doctest::Approx(0.018));
-    rows.key(Key::up, GLFW_MOD_CONTROL);
+    rows.key(Key::up, GLFW_MOD_SHIFT);
     CHECK(rows.tone == doctest::Approx(0.218));
-    for (int i = 0; i < 9; ++i) rows.key(Key::left, GLFW_MOD_CONTROL);
+    for (int i = 0; i < 9; ++i) rows.key(Key::left, GLFW_MOD_SHIFT);
     CHECK(rows.tone == -1);
     rows.key(Key::backspace);
     CHECK(rows.tone == 0);
@@ -154,6 +154,44 @@ TEST_CASE("Enter types into a row, Space and Enter press what can be pressed") {
     CHECK(rows.ui.has("Colour picker"));
     rows.key(Key::escape);
     CHECK_FALSE(rows.ui.has("Colour picker"));
+}
+
+TEST_CASE("a number being typed is taken wherever the focus goes, and Escape alone drops it") {
+    KeyRows rows;
+    const auto type_count = [&](const char* text) {
+        rows.ui.click("Count value");
+        rows.ui.frame();
+        rows.ui.type(text);
+    };
+    type_count("900");
+    rows.ui.click("Tone");  // drawn before it
+    CHECK(rows.count == 900);
+    type_count("2*100");
+    rows.ui.click("On");  // and after it; the click counts as well
+    CHECK(rows.count == 200);
+    CHECK(rows.on);
+    type_count("300");
+    rows.key(Key::tab);
+    CHECK(rows.count == 300);
+    CHECK(rows.row() == "On");
+    type_count("400");
+    rows.key(Key::tab, GLFW_MOD_SHIFT);
+    CHECK(rows.count == 400);
+    CHECK(rows.row() == "Tone");
+    type_count("500");
+    rows.key(Key::escape);
+    rows.ui.click("On");
+    CHECK(rows.count == 400);
+    type_count("a few");
+    rows.ui.click("On");
+    CHECK(rows.count == 400);
+    CHECK(rows.ui.has("Refusal"));
+    // What is only looked at keeps the digits that are not shown.
+    rows.tone = 0.12345;
+    rows.ui.click("Tone value");
+    rows.ui.frame();
+    rows.ui.click("On");
+    CHECK(rows.tone == 0.12345);
 }
 
 TEST_CASE("Enter opens a list, arrows walk it, Enter takes an entry and Escape leaves it as it was") {
@@ -280,6 +318,23 @@ TEST_CASE("words side by side have air between them, and become a list where the
     ui.click("Brush");
     ui.click("fewer");
     CHECK(chosen == 2);
+}
+
+TEST_CASE("of two greyed rows that say the same each tells it to a mouse that rests there") {
+    double value = 0;
+    HeadlessUi ui([&] {
+        for (const char* name : {"First", "Second"}) {
+            const Greyed greyed("Not now.");
+            slider_row(name, value, {});
+        }
+    });
+    for (const char* name : {"First", "Second"}) {
+        CAPTURE(name);
+        ui.move_to(ui.at(name, 0.5f));
+        CHECK_FALSE(ui.has("Tip"));
+        for (int i = 0; i < 3; ++i) ui.frame(1);
+        CHECK(ui.has("Tip"));
+    }
 }
 
 }  // namespace dapple

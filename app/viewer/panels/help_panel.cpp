@@ -44,7 +44,7 @@ void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts) {
         for (const Shortcut& shortcut : shortcuts)
             if (*shortcut.keys) row(shortcut.keys, shortcut.meaning);
         row("Tab, Shift+Tab", "The next row, the row before");
-        row("Arrows", "On a row: change it, finer with Shift, coarser with Ctrl");
+        row("Arrows", "On a row: change it, ten times as far with Shift, a tenth with Alt");
         row("Enter, Space", "On a row: type its value, press it, open its list");
         row("Backspace", "On a row: back to the usual value");
         row("Ctrl+click", "On a slider: type the number");

@@ -405,7 +405,7 @@ bool FileDialog::draw_path() {
         trouble_.clear();
         replaces_.clear();
     }
-    path_has_keys_ = field_keys("path", typing).focused;
+    path_has_keys_ = item_keys("path", typing).focused;
     if (typing && !path_has_keys_) ++path_turn_;
     // Enter also counts where the field has no keyboard: not yet, in the first frames, or no longer.
     const bool others_have_keys = !path_has_keys_ && a_row_has_keys();

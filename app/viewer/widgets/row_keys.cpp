@@ -70,7 +70,7 @@ double arrow_step() {
     const ImGuiIO& io = ImGui::GetIO();
     const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
     const int direction = down(Key::right) + down(Key::up) - down(Key::left) - down(Key::down);
-    return direction * (io.KeyShift ? 0.1 : io.KeyCtrl ? 10 : 1);
+    return direction * (io.KeyShift ? 10 : io.KeyAlt ? 0.1 : 1);
 }
 
 void show_ring(ImVec2 low, ImVec2 high) {
@@ -83,7 +83,9 @@ void show_ring(ImVec2 low, ImVec2 high) {
     if (a.y < top || b.y > bottom) ImGui::SetScrollFromPosY(a.y - top, 0.5f);
 }
 
-RowKeys keys_of_stop(const char* name, ImVec2 low, ImVec2 high, bool typing) {
+}  // namespace
+
+RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     // Greyed rows are paler.
     if (ImGui::GetStyle().Alpha < 1) return {};
     const ImGuiID id = ImGui::GetID(name);
@@ -106,22 +108,12 @@ RowKeys keys_of_stop(const char* name, ImVec2 low, ImVec2 high, bool typing) {
             .step = arrow_step()};
 }
 
-}  // namespace
-
-RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high) {
-    return keys_of_stop(name, low, high, false);
-}
-
-RowKeys field_keys(const char* name, bool typing) {
-    return keys_of_stop(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), typing);
-}
-
 bool a_row_has_keys() {
     return kept(kFocus) != 0;
 }
 
-RowKeys item_keys(const char* name) {
-    return row_keys(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+RowKeys item_keys(const char* name, bool typing) {
+    return row_keys(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), typing);
 }
 
 bool key_button(const char* label, ImVec2 size) {

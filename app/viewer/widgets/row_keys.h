@@ -2,8 +2,8 @@
 // The rows by keyboard: Tab and Shift+Tab walk them in the order in which they are drawn, a ring shows which
 // one has the keys, Escape or a press of the mouse lets go of it.
 //
-// Rows that are greyed are passed over. While a text is typed, and under an open dialog or list, no row has
-// the keys; nor has one that was not drawn in the frame before.
+// Rows that are greyed are passed over. While a text is typed elsewhere, and under an open dialog or list, no
+// row has the keys; nor has one that was not drawn in the frame before.
 
 #include <imgui.h>
 
@@ -15,19 +15,17 @@ struct RowKeys {
     bool press = false;  // Space or Enter
     bool enter = false;  // Enter alone: type the value
     bool reset = false;  // Backspace: the usual value again
-    double step = 0;     // arrows, 1 to the right or up; with Shift a tenth, with Ctrl ten
+    double step = 0;     // arrows, 1 to the right or up; with Shift ten, with Alt a tenth
 };
 
 /// Makes the place from `low` to `high`, in window coordinates, one stop on Tab's way through this ImGui
 /// window; called once a frame while it is drawn. `name` tells it from the others under the current ID.
-RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high);
+/// `typing`: a text in it has the keyboard. The stop then has the keys, and Tab walks on from it: to be
+/// focused is false, and the text is to be left.
+RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing = false);
 
 /// The same of the item drawn last.
-RowKeys item_keys(const char* name);
-
-/// The same of the text field drawn last, which has the keys while a text is typed into it. Tab then walks on
-/// from it: to be focused is false, and the field is to be left.
-RowKeys field_keys(const char* name, bool typing);
+RowKeys item_keys(const char* name, bool typing = false);
 
 /// Whether any row of this ImGui window has the keys.
 bool a_row_has_keys();

@@ -72,8 +72,8 @@ void end_row(const Row& row) {
     ImGui::SetCursorScreenPos({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
 }
 
-RowKeys keys_of(const char* label, const Row& row) {
-    return row_keys(label, row.start, {row.start.x + row.width, row.start.y + row.height});
+RowKeys keys_of(const char* label, const Row& row, bool typing = false) {
+    return row_keys(label, row.start, {row.start.x + row.width, row.start.y + row.height}, typing);
 }
 
 /// The value some hundredths of the track further; of whole numbers the next one at least.
@@ -181,35 +181,59 @@ bool show_refusal(const SliderRange& range, ImVec2 under) {
     return true;
 }
 
+// What was typed so far is kept from frame to frame: where the focus goes to a row drawn before this one,
+// ImGui has forgotten it by then.
+void remember_typed(const char* text) {
+    ImGuiID letter = ImGui::GetID("typed text");
+    do ImGui::GetStateStorage()->SetInt(letter++, *text);
+    while (*text++);
+}
+
+std::string typed_before() {
+    std::string text;
+    ImGuiID next = ImGui::GetID("typed text");
+    while (const int letter = ImGui::GetStateStorage()->GetInt(next++)) text += static_cast<char>(letter);
+    return text;
+}
+
+/// The box that a value is typed in: it is taken by Enter and where the focus leaves the box; Escape alone
+/// drops it. `left`: the focus leaves it by Tab.
+bool typing_box(double& value, const SliderRange& range, float width, bool left) {
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID typing = ImGui::GetID("typing");
+    const bool begins = storage->GetInt(typing) == 2;
+    const std::string shown = text_of(value, range);
+    if (begins) {
+        ImGui::SetKeyboardFocusHere();
+        storage->SetInt(typing, 1);
+        remember_typed(shown.c_str());
+    }
+    ImGui::SetNextItemWidth(width);
+    // ImGui's own copy is what is edited; this one is what it begins with.
+    char text[64];
+    std::snprintf(text, sizeof text, "%s", begins ? shown.c_str() : typed_before().c_str());
+    const bool edited = ImGui::InputText("##typed", text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive()) note_place("Typing");
+    const bool dropped = key_pressed(Key::escape);
+    if (edited && !dropped) remember_typed(text);
+    if (begins || !(left || ImGui::IsItemDeactivated())) return false;
+    storage->SetInt(typing, 0);
+    const std::string written = typed_before();
+    if (dropped || written == shown) return false;  // what was not changed is not rounded
+    const std::optional<double> typed = typed_value(written, range.typed, range.unit);
+    remember_refusal(refusal_of(typed, range));
+    if (!typed) return false;
+    value = std::clamp(*typed, range.hard_min, range.hard_max);
+    return true;
+}
+
 /// The value as text, or a box to type it in when it was clicked.
-bool value_box(double& value, const SliderRange& range, const Row& row, float width, bool start_typing) {
+bool value_box(double& value, const SliderRange& range, const Row& row, float width, bool left) {
     ImGuiStorage* storage = ImGui::GetStateStorage();
     ImGuiID typing = ImGui::GetID("typing");
-    if (start_typing) storage->SetInt(typing, 2);
     ImVec2 corner{row.start.x + row.width - width, row.start.y};
     ImGui::SetCursorScreenPos(corner);
-    if (int state = storage->GetInt(typing)) {
-        if (state == 2) {
-            ImGui::SetKeyboardFocusHere();
-            storage->SetInt(typing, 1);
-        }
-        ImGui::SetNextItemWidth(width);
-        // ImGui's own copy is what is edited; this one is what it begins with.
-        char text[64];
-        std::snprintf(text, sizeof text, "%s", text_of(value, range).c_str());
-        const bool entered =
-            ImGui::InputText("##typed", text, sizeof text,
-                             ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-        const bool left = state == 1 && ImGui::IsItemDeactivated();
-        if (ImGui::IsItemActive()) note_place("Typing");
-        if (left || entered) storage->SetInt(typing, 0);
-        if (!entered) return false;
-        const std::optional<double> typed = typed_value(text, range.typed, range.unit);
-        remember_refusal(refusal_of(typed, range));
-        if (!typed) return false;
-        value = std::clamp(*typed, range.hard_min, range.hard_max);
-        return true;
-    }
+    if (storage->GetInt(typing)) return typing_box(value, range, width, left);
     if (press_area("value", {width, row.height})) storage->SetInt(typing, 2);
     const std::string text = text_of(value, range);
     ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -227,12 +251,15 @@ void close_on_escape() {
 // Once the mouse has come to rest on what it is about; moving on must not make it flicker.
 // `beside`: a place left of which it stands, where there is room.
 void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {}) {
+    if (!hovered) return;  // rows that have the same to say leave each other's time alone
     ImGuiStorage* storage = ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID(text);
+    const ImGuiID id = ImGui::GetID(text), seen = ImGui::GetID("tip seen in");
     const ImGuiIO& io = ImGui::GetIO();
-    const bool rests = hovered && io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0];
+    const bool was_hovered = storage->GetInt(seen) + 1 == ImGui::GetFrameCount();
+    const bool rests = was_hovered && io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0];
     const float rested = rests ? storage->GetFloat(id) + io.DeltaTime : 0;
     storage->SetFloat(id, rested);
+    storage->SetInt(seen, ImGui::GetFrameCount());
     if (rested < kTipAfter || !may_have_tooltip()) return;
     const float width = kTipWidth * ImGui::GetFontSize(), air = ImGui::GetFontSize();
     if (beside && beside->x > width + 3 * air)
@@ -342,8 +369,12 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
     ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     bool typing = ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl;
-    const RowKeys keys = keys_of(label, row);
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    const ImGuiID types = ImGui::GetID("typing");
+    const bool left = storage->GetInt(types) == 1 && key_pressed(Key::tab);
+    const RowKeys keys = keys_of(label, row, left);
     typing |= keys.enter;
+    if (typing) storage->SetInt(types, 2);
     const double by_keys = keys.reset       ? range.neutral
                            : keys.step != 0 ? stepped(value, keys.step, range)
                                             : value;
@@ -359,7 +390,7 @@ bool slider_row(const char* label, double& value, const SliderRange& range) {
         }
     }
     draw_track(min, max, track_position(value, range), track_position(range.neutral, range), hot);
-    if (value_box(value, range, row, box_width, typing)) changed = true;
+    if (value_box(value, range, row, box_width, left)) changed = true;
     note_place((shown + " value").c_str());
     if (!show_refusal(range, {row.start.x + row.width, row.start.y + row.height}))
         show_row_tip(range.tip, row);
