@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/picture.h"
+#include "app/files/picture_builder.h"
 #include "app/files/sample.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
@@ -221,6 +222,27 @@ TEST_CASE("a camera held in any of the eight ways gives an upright picture") {
         CHECK(picture.light.at(e.x1, e.y1) == doctest::Approx(decoded(128 / 255.0)).epsilon(1e-4));
         CHECK(picture.preview.at(e.x0, e.y0) == glm::u8vec4(0, 0, 0, 255));
     }
+}
+
+TEST_CASE("of a picture with more pixels than are kept, each value is the mean of a square of them") {
+    // 5 x 3 pixels, of which 2 x 2 become one: at the right and lower edge there are fewer.
+    PictureBuilder builder(5, 3, ExifOrientation{6}, PictureColours::kept, 6);
+    const std::vector<std::vector<float>> light{{0, 1, 2, 3, 4}, {5, 6, 7, 8, 9}, {10, 11, 12, 13, 14}};
+    for (int y = 0; y < 3; ++y) {
+        std::vector<glm::vec3> row;
+        for (const float value : light[static_cast<std::size_t>(y)]) row.emplace_back(value);
+        builder.add_row(y, row);
+    }
+    const Picture picture = builder.finish("");
+    CHECK(picture.pixels_in_one == 2);
+    REQUIRE(picture.light.width == 2);  // held on its side
+    REQUIRE(picture.light.height == 3);
+    const std::vector<float> upright{10.5f, 3, 12.5f, 5, 14, 6.5f};
+    for (std::size_t i = 0; i < upright.size(); ++i) {
+        CHECK(picture.light.values[i] == doctest::Approx(upright[i]));
+        CHECK(unpacked(picture.colours.values[i]).g == doctest::Approx(upright[i]).epsilon(1e-3));
+    }
+    CHECK(PictureBuilder(5, 3).finish("").pixels_in_one == 1);
 }
 
 TEST_CASE("palette, bilevel, CMYK and interlaced pictures are what they look like") {

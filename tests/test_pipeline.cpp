@@ -111,6 +111,20 @@ TEST_CASE(
     CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}, .joined = true}) == 1);
 }
 
+TEST_CASE("a crop in pixels is one of the file's, of which several became one") {
+    const Crop crop{{{20, 10}, {100, 60}}, Crop::Unit::pixels}, in_light{{{10, 5}, {50, 30}}};
+    Pipeline pipeline = pipeline_of(ramp()), large = pipeline_of(ramp());
+    large.set_light(ramp(), 0, 2);
+    CHECK(large.pixels() == glm::ivec2(160, 80));
+    const auto dots_of = [](Pipeline& drawing, const Crop& part) {
+        return drawn_by(drawing, drawing.plan({.placing = {.count = 500}, .page = {.crop = part}}));
+    };
+    CHECK(same(dots_of(large, crop), dots_of(pipeline, in_light)));
+    CHECK(large.framing().pixels.high == glm::ivec2(100, 60));
+    // Of a value that the crop meets, all.
+    CHECK(same(dots_of(large, {{{21, 11}, {99, 59}}}), dots_of(pipeline, in_light)));
+}
+
 TEST_CASE("a scale draws with the black of as many dots, and so the same ones") {
     Pipeline pipeline = pipeline_of(dull());
     for (const std::uint64_t count : {10'000u, 26'000u, 40'000u, 60'000u, 200'000u}) {

@@ -162,8 +162,7 @@ Subject dots_of_picture(const std::optional<std::filesystem::path>& image, const
                         Topology topology, PictureLimit limit) {
     Subject subject{.name = image ? image->string() : "the sample", .domain = {}};
     Pipeline pipeline;
-    Picture picture = image ? read_picture(*image, limit) : sample_picture();
-    pipeline.set_light(std::move(picture.light), picture.exposure);
+    set_picture(pipeline, image ? read_picture(*image, limit) : sample_picture());
     const Placed placed = place(pipeline, settings);
     const Density& density = *placed.plan.density;
     if (density.mean() == 0) {

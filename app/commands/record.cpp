@@ -22,10 +22,8 @@ namespace {
 void show_picture(Pipeline& pipeline, const RecordOptions& options) {
     const PictureColours colours =
         options.drawing.pens.set == PenSet::one ? PictureColours::left_out : PictureColours::kept;
-    Picture picture =
-        options.image ? read_picture(*options.image, PictureLimit::usual, colours) : sample_picture(colours);
-    pipeline.set_light(std::move(picture.light), picture.exposure);
-    if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
+    set_picture(pipeline, options.image ? read_picture(*options.image, PictureLimit::usual, colours)
+                                        : sample_picture(colours));
 }
 
 }  // namespace

@@ -108,11 +108,6 @@ Picture picture_of(const RenderOptions& options) {
                                          : read_picture(*options.image, options.limit, colours);
 }
 
-void take_picture(Pipeline& pipeline, Picture picture) {
-    pipeline.set_light(std::move(picture.light), picture.exposure);
-    if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
-}
-
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
     DrawingRequest request = request_of(options.drawing);
@@ -228,8 +223,8 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.tile = stages.lap();
 
     stages.begin("reading the picture", 0, 0.1);
-    take_picture(pipeline, picture_of(options));
-    const glm::ivec2 picture(pipeline.light().width, pipeline.light().height);
+    set_picture(pipeline, picture_of(options));
+    const glm::ivec2 picture = pipeline.pixels();
     times.read = stages.lap();
 
     DrawnPage page = drawn_page(layout_for(picture, options), options);

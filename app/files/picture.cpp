@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "app/decoding/decoder_process.h"
 #include "app/files/picture_builder.h"
 #include "app/shown_text.h"
+#include "core/drawing/pipeline.h"
 
 namespace dapple {
 namespace {
@@ -55,6 +57,11 @@ std::optional<Picture> read_first_look(const std::filesystem::path& path, Pictur
         return std::nullopt;
     }
     return sink.finish();
+}
+
+void set_picture(Pipeline& pipeline, Picture picture) {
+    pipeline.set_light(std::move(picture.light), picture.exposure, picture.pixels_in_one);
+    if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
 }
 
 }  // namespace dapple

@@ -1,6 +1,7 @@
 #pragma once
 // A picture as light, whatever file it came in.
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/gtc/type_precision.hpp>
 #include <optional>
@@ -13,17 +14,25 @@
 
 namespace dapple {
 
+class Pipeline;
+
 /// The preview's longer side is at most this, in pixels.
 inline constexpr int kPreviewSide = 2048;
+
+/// Light has at most so many values: two a dot across, of the most dots that fit into memory.
+inline constexpr std::int64_t kMostLight = 128 << 20;
 
 struct Picture {
     Grid<float> light;  // linear luminance over white paper: 0 black, 1 paper, more in HDR pictures
     /// sRGB-encoded colours over white paper, opaque, same aspect as light; exposed by the stops below.
-    Grid<glm::u8vec4> preview;
+    Grid<glm::u8vec4> preview{};
     ColourGrid colours{};  // of the same pixels, if they were asked for
+    /// A value of the light is the mean of so many by so many of the file's pixels: 1, but of pictures with
+    /// more of them than kMostLight. At the right and lower edge it may be of fewer.
+    int pixels_in_one = 1;
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
-    std::string description;  // "512 x 512 pixels, 8-bit grey png"
+    std::string description{};  // "512 x 512 pixels, 8-bit grey png"
 };
 
 enum class PictureLimit {
@@ -36,8 +45,8 @@ enum class PictureColours { left_out, kept };
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise.
-/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a pixel, 10 with
-/// its colours.
+/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a value of the
+/// light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time.
 ///
@@ -53,6 +62,9 @@ std::optional<Picture> read_first_look(const std::filesystem::path& path,
                                        PictureColours colours = PictureColours::left_out,
                                        std::stop_token stop = {});
 inline constexpr int kFirstLookSide = 800;
+
+/// Draws the picture from now on.
+void set_picture(Pipeline& pipeline, Picture picture);
 
 /// A PNG in memory, such as the built-in sample. Throws std::runtime_error if it is none.
 Picture decode_png(std::string_view bytes, PictureColours colours = PictureColours::left_out);

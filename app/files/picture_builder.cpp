@@ -42,14 +42,26 @@ int preview_side(int side, int longer) {
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * kPreviewSide / longer)));
 }
 
+int pixels_in_one(int width, int height, std::int64_t most) {
+    const double pixels = static_cast<double>(width) * height;
+    return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most)))));
+}
+
 std::uint8_t encode(float light) {
     return static_cast<std::uint8_t>(std::lround(linear_to_srgb(std::clamp(light, 0.0f, 1.0f)) * 255.0f));
 }
 
 }  // namespace
 
-PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation, PictureColours colours)
-    : stored_width_(width), stored_height_(height), orientation_(orientation) {
+PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation, PictureColours colours,
+                               std::int64_t most_light)
+    : pixels_in_one_(pixels_in_one(width, height, most_light)),
+      rows_in_file_(height),
+      stored_width_((width + pixels_in_one_ - 1) / pixels_in_one_),
+      stored_height_((height + pixels_in_one_ - 1) / pixels_in_one_),
+      orientation_(orientation) {
+    width = stored_width_;
+    height = stored_height_;
     if (orientation.swaps_sides()) std::swap(width, height);
     light_ = Grid<float>(width, height);
     if (colours == PictureColours::kept) colours_ = ColourGrid(width, height);
@@ -58,6 +70,21 @@ PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientatio
 }
 
 void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
+    if (pixels_in_one_ == 1) return keep_row(y, colours);
+    sums_.resize(stored_width_);
+    means_.resize(stored_width_);
+    for (std::size_t x = 0; x < colours.size(); ++x) {
+        Sum& sum = sums_[x / pixels_in_one_];
+        sum.light += colours[x];
+        sum.count += 1;
+    }
+    if ((y + 1) % pixels_in_one_ != 0 && y + 1 < rows_in_file_) return;
+    std::ranges::transform(sums_, means_.begin(), [](const Sum& sum) { return sum.light / sum.count; });
+    keep_row(y / pixels_in_one_, means_);
+    sums_.clear();
+}
+
+void PictureBuilder::keep_row(int y, std::span<const glm::vec3> colours) {
     for (int x = 0; x < stored_width_; ++x) {
         const glm::vec3 colour = colours[x];
         const glm::ivec2 to = upright(orientation_, x, y, stored_width_, stored_height_);
@@ -75,6 +102,7 @@ void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
 
 Picture PictureBuilder::finish(std::string description, bool scene_light) {
     Picture picture;
+    picture.pixels_in_one = pixels_in_one_;
     if (scene_light) picture.exposure = usual_exposure(light_);
     const float gain = std::exp2(picture.exposure);
     picture.preview = Grid<glm::u8vec4>(preview_.width, preview_.height);

@@ -90,12 +90,13 @@ PageLayout DrawingPlan::layout(double scale) const {
                       .picture_units = size.sizing == DotSizing::automatic ? radius(scale) : 0});
 }
 
-void Pipeline::set_light(Grid<float> light, float usual_exposure) {
+void Pipeline::set_light(Grid<float> light, float usual_exposure, int pixels_in_one) {
     light_ = std::move(light);
     framed_.reset();
     colours_ = {};
     framed_colours_.reset();
-    framing_ = whole_picture({light_.width, light_.height});
+    pixels_in_one_ = pixels_in_one;
+    framing_ = whole_picture(pixels());
     usual_exposure_ = usual_exposure;
     histogram_.reset();
     toned_.reset();
@@ -105,8 +106,7 @@ void Pipeline::set_light(Grid<float> light, float usual_exposure) {
 void Pipeline::set_colours(ColourGrid colours) {
     colours_ = std::move(colours);
     framed_colours_.reset();
-    if (framing_ != whole_picture({light_.width, light_.height}))
-        framed_colours_ = framed(colours_, framing_);
+    if (framing_ != whole_picture(pixels())) framed_colours_ = framed(colours_, framing_of_light());
     toned_.reset();
     density_.reset();
 }
@@ -118,19 +118,24 @@ void Pipeline::set_plain(std::optional<Density> density) {
 
 void Pipeline::frame(const PageSetup& setup) {
     if (light_.empty()) return;
-    const glm::ivec2 size(light_.width, light_.height);
-    const Framing framing = framing_of(setup, size);
-    if (framing == framing_) return;
+    const Framing framing = framing_of(setup, pixels());
+    if (std::exchange(framing_, framing) == framing) return;
     framed_.reset();
     framed_colours_.reset();
-    if (framing != whole_picture(size)) {
-        framed_ = framed(light_, framing);
-        if (!colours_.empty()) framed_colours_ = framed(colours_, framing);
+    if (framing != whole_picture(pixels())) {
+        framed_ = framed(light_, framing_of_light());
+        if (!colours_.empty()) framed_colours_ = framed(colours_, framing_of_light());
     }
-    framing_ = framing;
     histogram_.reset();
     toned_.reset();
     density_.reset();
+}
+
+Framing Pipeline::framing_of_light() const {
+    Framing framing = framing_;
+    framing.pixels.low /= pixels_in_one_;
+    framing.pixels.high = (framing.pixels.high + pixels_in_one_ - 1) / pixels_in_one_;
+    return framing;
 }
 
 std::shared_ptr<const Histogram> Pipeline::histogram(float exposure) {
@@ -175,7 +180,7 @@ std::shared_ptr<const Density> Pipeline::density_for(const Toned& toned, const M
     if (masked_ && unmasked_ == density && mask_ == mask) return masked_;
     const auto start = Clock::now();
     masked_ = std::make_shared<const Density>(
-        masked(density->values(), mask, framing_, {light_.width, light_.height}));
+        masked(density->values(), mask, framing_of_light(), {light_.width, light_.height}));
     unmasked_ = density;
     mask_ = mask;
     tone_ms_ += milliseconds_since(start);
@@ -187,7 +192,7 @@ PenDensities Pipeline::by_pen_under(const Mask& mask) const {
     if (mask.empty()) return result;
     const auto under = [&](const std::shared_ptr<const Density>& density) {
         return std::make_shared<const Density>(
-            masked(density->values(), mask, framing_, {light_.width, light_.height}));
+            masked(density->values(), mask, framing_of_light(), {light_.width, light_.height}));
     };
     result.all = masked_;
     std::ranges::transform(result.each, result.each.begin(), under);

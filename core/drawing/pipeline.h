@@ -75,8 +75,9 @@ struct DrawingWatch {
 class Pipeline {
  public:
     /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
-    /// exposure comes to, in stops.
-    void set_light(Grid<float> light, float usual_exposure = 0);
+    /// exposure comes to, in stops. Crops are in pixels of the file, so many by so many of which became a
+    /// value of the light.
+    void set_light(Grid<float> light, float usual_exposure = 0, int pixels_in_one = 1);
     /// The same picture's colours, for several pens; without them it is drawn as a grey one.
     void set_colours(ColourGrid colours);
     /// A density in the picture's place, which no tone changes; none: the picture again.
@@ -84,6 +85,8 @@ class Pipeline {
     bool has_picture() const { return plain_ || !light_.empty(); }
     /// Of the picture as it was opened; as it was framed by the last plan().
     const Grid<float>& light() const { return light_; }
+    /// Of that light, in pixels of the file. It may end beyond the file's last pixel by less than a value.
+    glm::ivec2 pixels() const { return pixels_in_one_ * glm::ivec2(light_.width, light_.height); }
     const Framing& framing() const { return framing_; }
     const Grid<float>& framed_light() const { return framed_ ? *framed_ : light_; }
 
@@ -133,6 +136,8 @@ class Pipeline {
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
     void frame(const PageSetup& setup);
+    /// The framing in values of the light: those that have a pixel of it.
+    Framing framing_of_light() const;
 
     const ColourGrid& framed_colours() const { return framed_colours_ ? *framed_colours_ : colours_; }
 
@@ -146,6 +151,7 @@ class Pipeline {
     glm::vec3 separated_paper_ = kWhite;
     double separated_black_ = kUsualBlack;
     Framing framing_;
+    int pixels_in_one_ = 1;
     float usual_exposure_ = 0;
     float histogram_exposure_ = 0;  // what histogram_ was made with
     std::shared_ptr<const Histogram> histogram_;

@@ -316,8 +316,7 @@ void Session::save_film(const fs::path& path) {
     const auto draw = [choice, path, read = picture_.read, drawing = settings.drawing,
                        density = settings.density](const SavingWatch& watch) {
         Workbench bench;
-        Picture picture = read();
-        bench.set_picture(std::move(picture.light), picture.exposure, std::move(picture.colours));
+        bench.set_picture(read());
         const DrawingSettings filmed = film_settings(drawing, choice.kind);
         static_cast<void>(bench.plan(dots_request(filmed, density)));
         const FilmFrame frame =

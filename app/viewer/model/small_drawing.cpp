@@ -12,14 +12,14 @@ namespace dapple {
 namespace {
 
 void show_to(Workbench& bench, const SmallPicture& picture) {
-    Grid<float> light(picture.width, picture.height);
-    ColourGrid colours(picture.width, picture.height);
+    Picture shown{.light = Grid<float>(picture.width, picture.height),
+                  .colours = ColourGrid(picture.width, picture.height)};
     for (std::size_t i = 0; i < picture.values.size(); ++i) {
         const glm::vec3 colour = linear_of(glm::vec3(picture.values[i]) / 255.0f);
-        light.values[i] = luminance(colour);
-        colours.values[i] = packed(colour);
+        shown.light.values[i] = luminance(colour);
+        shown.colours.values[i] = packed(colour);
     }
-    bench.set_picture(std::move(light), 0, std::move(colours));
+    bench.set_picture(std::move(shown));
 }
 
 }  // namespace

@@ -32,11 +32,6 @@ bool same_tile(const DotsRequest& a, const DotsRequest& b) {
 
 }  // namespace
 
-void Workbench::set_picture(Grid<float> light, float usual_exposure, ColourGrid colours) {
-    pipeline_.set_light(std::move(light), usual_exposure);
-    if (!colours.empty()) pipeline_.set_colours(std::move(colours));
-}
-
 DrawingPlan Workbench::plan(const DotsRequest& request) {
     if (std::exchange(choice_, request.density) != request.density) {
         if (choice_.source == DensitySource::photograph)
@@ -149,7 +144,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
         placed.layout = made.layout(placed.stippling.scale);
         placed.framing = pipeline_.framing();
-        placed.picture_pixels = {pipeline_.light().width, pipeline_.light().height};
+        placed.picture_pixels = pipeline_.pixels();
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.dot_radius = made.radius(placed.stippling.scale);
         const StrokeChoice& strokes = request.strokes;
@@ -187,9 +182,9 @@ void Workbench::open(Picture picture, OpenedPicture about) {
     about.longer_side = std::max(picture.light.width, picture.light.height);
     about.exposure = picture.exposure;
     about.looks_like_environment = looks_like_environment(picture.light);
-    set_picture(std::move(picture.light), picture.exposure, std::move(picture.colours));
     about.preview =
         std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(std::move(picture.preview)));
+    set_picture(std::move(picture));
     arrived_ = std::move(about);
 }
 

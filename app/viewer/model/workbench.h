@@ -10,6 +10,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,7 +70,7 @@ class Workbench {
     using Task = Background<Result>::Task;
 
     /// Shows another picture from now on.
-    void set_picture(Grid<float> light, float usual_exposure = 0, ColourGrid colours = {});
+    void set_picture(Picture picture) { dapple::set_picture(pipeline_, std::move(picture)); }
     /// The same, and comes with its first dots on the screen: of `about`, file, name and way to read it are
     /// told.
     void open(Picture picture, OpenedPicture about);
