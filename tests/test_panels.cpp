@@ -80,24 +80,24 @@ TEST_CASE("exposure is the picture's own until it is moved, and again once it is
     ToneInfo facts{.usual_exposure = -3.2f};
     bool changed = false;
     HeadlessUi ui([&] { changed |= draw_tone_panel(settings, facts); });
-    CHECK(ui.has("Exposure chosen"));
     CHECK_FALSE(changed);
+    const float below = ui.place("Black point").min.y;
     ui.enter("Exposure", "1.5");
     CHECK_FALSE(settings.automatic_exposure);
     CHECK(settings.tone.exposure == 1.5f);
     CHECK(settings.automatic_tone);  // black, white and gamma still follow
-    ui.frame();
-    CHECK_FALSE(ui.has("Exposure chosen"));
     ui.click("true");
     CHECK(settings.tone.exposure == 1.5f);
     ui.enter("Exposure", "-3.2");
     CHECK(settings.automatic_exposure);
 
-    // A picture that needs none says nothing.
+    ui.enter("Exposure", "2");
+    ui.double_click("Exposure name");
+    CHECK(settings.automatic_exposure);
     facts.usual_exposure = 0;
     ui.frame();
     ui.frame();
-    CHECK_FALSE(ui.has("Exposure chosen"));
+    CHECK(ui.place("Black point").min.y == below);  // no row moves meanwhile
 }
 
 TEST_CASE("a slider goes on following a mouse that leaves its row") {
@@ -387,9 +387,30 @@ TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") 
     CHECK(settings.automatic_tone);
 }
 
+TEST_CASE("a double-click under a tone of one's own brings what automatic tone chose, and all of it makes it auto") {
+    DrawingSettings settings;
+    const Tone chosen{.black_point = 0.1f, .white_point = 0.8f, .gamma = 2, .detail = 0.5f, .black = 0.95};
+    HeadlessUi ui([&] { draw_tone_panel(settings, {.drawn = chosen, .usual = chosen}); });
+    ui.double_click("Gamma name");  // which has moved nothing
+    CHECK(settings.automatic_tone);
+    ui.drag("Gamma", 0.5f, 0.0f);
+    ui.enter("Black point", "0.3");
+    ui.enter("Black", "0.6");
+    CHECK_FALSE(settings.automatic_tone);
+    ui.double_click("Gamma name");
+    CHECK(settings.tone.gamma == 2);
+    ui.double_click("Black name");
+    CHECK(settings.tone.black == 0.95);
+    CHECK_FALSE(settings.automatic_tone);
+    ui.double_click("Black point name");
+    const DrawingSettings fresh;
+    CHECK(settings.automatic_tone);
+    CHECK(settings.tone == fresh.tone);
+}
+
 TEST_CASE("black is as solid as the dots allow until its row is moved, and again once that is put back") {
     DrawingSettings settings;
-    ToneInfo facts{.usual_black = 0.95};
+    ToneInfo facts{.usual = {.black = 0.95}};
     HeadlessUi ui([&] { draw_tone_panel(settings, facts); });
     ui.enter("Black", "0.7");
     CHECK(settings.tone.black == 0.7);
@@ -411,7 +432,26 @@ TEST_CASE("where nearly all dots would go into black, one click brings white ink
     CHECK(settings.tone.invert);
     CHECK(settings.ink == kWhite);
     CHECK(settings.paper == kBlack);
-    CHECK_FALSE(ui.has("White ink on black paper"));
+    ui.click("Black ink on white paper");
+    CHECK_FALSE(settings.tone.invert);
+    CHECK(settings.ink == kBlack);
+    CHECK(settings.paper == kWhite);
+}
+
+TEST_CASE("a picture's arrival and a tone that is moved leave every row of the picture where it is") {
+    DrawingSettings settings;
+    ToneInfo info;
+    HeadlessUi ui([&] {
+        draw_tone_panel(settings, info);
+        draw_rotate_row(settings.page.quarter_turns);
+    });
+    const WidgetPlaces before = ui.places();
+    info.histogram.counts[300] = info.histogram.total = 1000;
+    info.usual_exposure = 5;
+    info.mostly_black = true;
+    for (int i = 0; i < 2; ++i) ui.frame();
+    for (const char* row : {"Exposure", "Black point", "Gamma", "Invert", "White ink on black paper", "90"})
+        CHECK(ui.place(row) == before.at(row));
 }
 
 TEST_CASE("another tile and ranking can be chosen from their lists") {

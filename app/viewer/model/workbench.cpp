@@ -143,7 +143,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;
-        placed.usual_black = made.usual_black;
+        placed.usual_tone = made.usual_tone;
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());

@@ -30,7 +30,9 @@ void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& ti
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     draw_title(title.name, act);
-    if (!title.description.empty()) hint(title.description.c_str());
+    // One line, whatever there is to say: nothing moves when a picture arrives.
+    ImGui::TextDisabled("%s", title.description.c_str());
+    if (ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x) tip(title.description.c_str());
     ImGui::Dummy({0, 0});
     draw_action_buttons(title.undo, title.has_project, act);
 }
@@ -53,7 +55,7 @@ void draw_picture_section(Session& session) {
     draw_tone_panel(drawing, {.histogram = histogram,
                               .drawn = page.tone,
                               .usual_exposure = session.picture().exposure,
-                              .usual_black = page.usual_black,
+                              .usual = page.usual_tone,
                               .mostly_black = mostly_black(histogram, page.tone)});
     draw_rotate_row(drawing.page.quarter_turns);
     slider_row(

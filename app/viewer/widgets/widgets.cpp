@@ -214,12 +214,11 @@ bool typing_box(double& value, const SliderRange& range, float width, bool left)
     std::snprintf(text, sizeof text, "%s", begins ? shown.c_str() : typed_before().c_str());
     const bool edited = ImGui::InputText("##typed", text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) note_place("Typing");
-    const bool dropped = key_pressed(Key::escape);
-    if (edited && !dropped) remember_typed(text);
+    if (edited) remember_typed(text);  // Escape brings back what it began with
     if (begins || !(left || ImGui::IsItemDeactivated())) return false;
     storage->SetInt(typing, 0);
     const std::string written = typed_before();
-    if (dropped || written == shown) return false;  // what was not changed is not rounded
+    if (written == shown) return false;  // what was not changed is not rounded
     const std::optional<double> typed = typed_value(written, range.typed, range.unit);
     remember_refusal(refusal_of(typed, range));
     if (!typed) return false;
