@@ -57,11 +57,6 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
 
 namespace {
 
-double dots_of(const DrawingPlan& plan) {
-    return plan.placing.count ? static_cast<double>(*plan.placing.count)
-                              : expected_dots(*plan.density, plan.placing.scale);
-}
-
 // Mean over a window by so many samples along each side, times the window's area.
 double density_in(const Density& page, const PageWindow& window) {
     constexpr int kSamples = 64;
@@ -133,9 +128,7 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& 
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
     DrawingPlan made = plan(request);
-    if (request.in_part && request.drawing.placer == PlacerKind::exact &&
-        dots_of(made) >= static_cast<double>(kShownInPart))
-        made.placing.thresholds = true;
+    if (request.in_part) made.placing.thresholds = true;
     pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
