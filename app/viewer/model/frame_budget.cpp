@@ -42,7 +42,8 @@ std::size_t DotCost::every(std::size_t dots, double radius, double seconds) cons
     const double all = this->seconds(count, radius);
     if (all <= seconds || dots <= kFewestDots) return 1;
     const double covering = slowness_ * kPerSample * samples_of(count, radius);
-    const double room = std::max(seconds - covering, covering / 8);
+    // Fewer dots than those would gain little.
+    const double room = std::max(seconds - covering, covering);
     const double most = std::max(room / (slowness_ * kPerDot), double{kFewestDots});
     const double every = std::ceil(count / most);
     const bool worth_it = this->seconds(count / every, radius * std::sqrt(every)) < kWorthIt * all;

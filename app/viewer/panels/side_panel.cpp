@@ -68,6 +68,20 @@ void draw_picture_section(Session& session) {
     draw_mask_panel(drawing.mask, session.brush);
 }
 
+void draw_settings(Session& session) {
+    ViewerSettings& settings = session.settings;
+    draw_picture_section(session);
+    const DrawnInfo drawn = session.drawn(session.pane());
+    draw_dots_panel(settings.drawing, drawn, settings.unit);
+    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
+    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
+}
+
+void draw_method(Session& session, const std::function<void()>& open_tile) {
+    draw_method_rows(session.settings, {session.tiles(), open_tile});
+    draw_compare_panel(session.settings, {session.tiles()});
+}
+
 void draw_export_section(const std::function<void(Action)>& act) {
     if (!section("Export")) return;
     if (wide_button("Watch it being plotted",
@@ -84,6 +98,12 @@ void draw_export_section(const std::function<void(Action)>& act) {
 
 }  // namespace
 
+void SidePanel::draw_rows(Session& session) {
+    draw_settings(session);
+    section("The method");
+    draw_method(session, [] {});
+}
+
 OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
                              const PresetRow::Preview& preview, const std::function<void(Action)>& act,
                              glm::vec2 corner, glm::vec2 size) {
@@ -97,17 +117,12 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     presets_.draw(
         {settings.drawing, settings.saving},
         [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
-    draw_picture_section(session);
-    const DrawnInfo drawn = session.drawn(session.pane());
-    draw_dots_panel(settings.drawing, drawn, settings.unit);
-    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
-    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
+    draw_settings(session);
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};
     if (open.method) {
         draw_film_buttons(act);
-        draw_method_rows(settings, {session.tiles(), [&act] { act(Action::open_tile); }});
-        draw_compare_panel(settings, {session.tiles()});
+        draw_method(session, [&act] { act(Action::open_tile); });
         open.spectrum = draw_spectrum_panel(spectrum);
         const Pane& pane = session.pane();
         if (tiles_seen_ != pane.tiles()) tile_ = {};
