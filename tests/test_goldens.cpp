@@ -42,7 +42,7 @@ struct Section {
     std::string name, file;
 };
 // From the top, by what they begin with; what is above the first is "title".
-const std::vector<Section> kSections{{"Picture", "picture"}, {"scale", "dots"},    {"Page", "page"},
+const std::vector<Section> kSections{{"Picture", "picture"}, {"tone", "dots"},    {"Page", "page"},
                                      {"Pens", "pens"},       {"Export", "export"}, {"The method", "method"}};
 
 // Shares of the pixels that differ at all, and that do so plainly.

@@ -80,24 +80,24 @@ TEST_CASE("exposure is the picture's own until it is moved, and again once it is
     ToneInfo facts{.usual_exposure = -3.2f};
     bool changed = false;
     HeadlessUi ui([&] { changed |= draw_tone_panel(settings, facts); });
-    CHECK(ui.has("Exposure chosen"));
     CHECK_FALSE(changed);
+    const float below = ui.place("Black point").min.y;
     ui.enter("Exposure", "1.5");
     CHECK_FALSE(settings.automatic_exposure);
     CHECK(settings.tone.exposure == 1.5f);
     CHECK(settings.automatic_tone);  // black, white and gamma still follow
-    ui.frame();
-    CHECK_FALSE(ui.has("Exposure chosen"));
     ui.click("true");
     CHECK(settings.tone.exposure == 1.5f);
     ui.enter("Exposure", "-3.2");
     CHECK(settings.automatic_exposure);
 
-    // A picture that needs none says nothing.
+    ui.enter("Exposure", "2");
+    ui.double_click("Exposure name");
+    CHECK(settings.automatic_exposure);
     facts.usual_exposure = 0;
     ui.frame();
     ui.frame();
-    CHECK_FALSE(ui.has("Exposure chosen"));
+    CHECK(ui.place("Black point").min.y == below);  // no row moves meanwhile
 }
 
 TEST_CASE("a slider goes on following a mouse that leaves its row") {
@@ -154,19 +154,19 @@ TEST_CASE("the invert switch toggles") {
 TEST_CASE("going from count to scale and back keeps the drawing") {
     DotsUi f;
     REQUIRE(f.settings.placing.count == kDefaultDots);
-    f.ui.click("scale");
+    f.ui.click("tone");
     CHECK_FALSE(f.settings.placing.count);
     CHECK(f.settings.placing.scale == 777);
-    f.ui.click("count");
+    f.ui.click("number");
     CHECK(f.settings.placing.count == 12'345);
 }
 
 TEST_CASE("the scale slider is logarithmic") {
     DotsUi f;
-    f.ui.click("scale");
-    f.ui.drag("Scale", 0.3f, 0.5f);
+    f.ui.click("tone");
+    f.ui.drag("Fineness", 0.3f, 0.5f);
     CHECK(f.settings.placing.scale == doctest::Approx(1000).epsilon(0.05));
-    f.ui.drag("Scale", 0.5f, 1.0f);
+    f.ui.drag("Fineness", 0.5f, 1.0f);
     CHECK(f.settings.placing.scale == 100'000);
 }
 
@@ -200,10 +200,10 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
 TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
     DotsUi f;
     f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
-    f.ui.click("scale");
-    f.ui.enter("Scale", "99999999999");
+    f.ui.click("tone");
+    f.ui.enter("Fineness", "99999999999");
     CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
-    f.ui.drag("Scale", 0.5f, 1.0f);
+    f.ui.drag("Fineness", 0.5f, 1.0f);
     CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Relax", "exact", "Tile", "Ranking"})
+        for (const char* row : {"Dots", "Even out", "exact", "Tile", "Ranking"})
             places.push_back(f.ui.place(row));
         return places;
     };
@@ -242,11 +242,11 @@ TEST_CASE("what Figure 8 does not know is greyed, says why and cannot be used") 
     DotsUi f;
     f.ui.click("Figure 8");
     const DrawingSettings before = f.settings;
-    f.ui.drag("Relax", 0.1f, 0.9f);
+    f.ui.drag("Even out", 0.1f, 0.9f);
     f.ui.click("Ranking");
     CHECK_FALSE(f.ui.has("farthest point"));
     CHECK(f.settings == before);
-    f.ui.move_to(f.ui.at("Relax", 0.5f));
+    f.ui.move_to(f.ui.at("Even out", 0.5f));
     f.ui.frame(1);
     CHECK(f.ui.has("Tip"));
 }
@@ -363,9 +363,9 @@ TEST_CASE("the relax row shows the usual steps until it is moved") {
     f.drawn.steps = 4;
     f.ui.frame();
     CHECK_FALSE(f.settings.relax);
-    f.ui.drag("Relax", 0.2f, 1.0f);
+    f.ui.drag("Even out", 0.2f, 1.0f);
     CHECK(f.settings.relax == 20);
-    f.ui.drag("Relax", 1.0f, 0.0f);
+    f.ui.drag("Even out", 1.0f, 0.0f);
     CHECK(f.settings.relax == 0);
 }
 
@@ -387,9 +387,30 @@ TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") 
     CHECK(settings.automatic_tone);
 }
 
+TEST_CASE("a double-click under a tone of one's own brings what automatic tone chose, and all of it makes it auto") {
+    DrawingSettings settings;
+    const Tone chosen{.black_point = 0.1f, .white_point = 0.8f, .gamma = 2, .detail = 0.5f, .black = 0.95};
+    HeadlessUi ui([&] { draw_tone_panel(settings, {.drawn = chosen, .usual = chosen}); });
+    ui.double_click("Gamma name");  // which has moved nothing
+    CHECK(settings.automatic_tone);
+    ui.drag("Gamma", 0.5f, 0.0f);
+    ui.enter("Black point", "0.3");
+    ui.enter("Black", "0.6");
+    CHECK_FALSE(settings.automatic_tone);
+    ui.double_click("Gamma name");
+    CHECK(settings.tone.gamma == 2);
+    ui.double_click("Black name");
+    CHECK(settings.tone.black == 0.95);
+    CHECK_FALSE(settings.automatic_tone);
+    ui.double_click("Black point name");
+    const DrawingSettings fresh;
+    CHECK(settings.automatic_tone);
+    CHECK(settings.tone == fresh.tone);
+}
+
 TEST_CASE("black is as solid as the dots allow until its row is moved, and again once that is put back") {
     DrawingSettings settings;
-    ToneInfo facts{.usual_black = 0.95};
+    ToneInfo facts{.usual = {.black = 0.95}};
     HeadlessUi ui([&] { draw_tone_panel(settings, facts); });
     ui.enter("Black", "0.7");
     CHECK(settings.tone.black == 0.7);
@@ -411,7 +432,26 @@ TEST_CASE("where nearly all dots would go into black, one click brings white ink
     CHECK(settings.tone.invert);
     CHECK(settings.ink == kWhite);
     CHECK(settings.paper == kBlack);
-    CHECK_FALSE(ui.has("White ink on black paper"));
+    ui.click("Black ink on white paper");
+    CHECK_FALSE(settings.tone.invert);
+    CHECK(settings.ink == kBlack);
+    CHECK(settings.paper == kWhite);
+}
+
+TEST_CASE("a picture's arrival and a tone that is moved leave every row of the picture where it is") {
+    DrawingSettings settings;
+    ToneInfo info;
+    HeadlessUi ui([&] {
+        draw_tone_panel(settings, info);
+        draw_rotate_row(settings.page.quarter_turns);
+    });
+    const WidgetPlaces before = ui.places();
+    info.histogram.counts[300] = info.histogram.total = 1000;
+    info.usual_exposure = 5;
+    info.mostly_black = true;
+    for (int i = 0; i < 2; ++i) ui.frame();
+    for (const char* row : {"Exposure", "Black point", "Gamma", "Invert", "White ink on black paper", "90"})
+        CHECK(ui.place(row) == before.at(row));
 }
 
 TEST_CASE("another tile and ranking can be chosen from their lists") {
@@ -950,6 +990,9 @@ TEST_CASE("the status line tells dots, paper and zoom; scale and times only wher
         return all;
     };
     CHECK(words() == "40,000 dots; 68 %; ");
+    facts.as_dense_as = 2.56e6;
+    CHECK(words() == "40,000 dots, here as dense as 2.56 million; 68 %; ");
+    facts.as_dense_as = 0;
     facts.paper = paper_in_words({210, 297, 297}, LengthUnit::mm);
     CHECK(words() == "40,000 dots; 210 x 297 mm; 68 %; ");
     CHECK(paper_in_words({215.9, 279.4, 279.4}, LengthUnit::inch) == "8.5 x 11 in");
@@ -1077,9 +1120,9 @@ TEST_CASE("the method's rows show tiles, colour dots, let new ones come in and l
     ui.click("Dots coloured");
     ui.click("by rank");
     CHECK(settings.colouring == DotColouring::rank);
-    ui.drag("Deepest level", 1.0f, 0.0f);
+    ui.drag("Divided up to", 1.0f, 0.0f);
     CHECK(settings.deepest_level == 0);
-    ui.drag("Deepest level", 0.0f, 1.0f);
+    ui.drag("Divided up to", 0.0f, 1.0f);
     CHECK(settings.deepest_level == kDeepestStep);
     ui.click("Every frame");
     CHECK(settings.every_frame);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,88 @@ TEST_CASE("the command palette finds what has every word typed, and Enter does i
     ui.frame();
     ui.click("Undo");  // of what was typed before nothing is left
     CHECK(asked.back() == Action::undo);
+}
+
+namespace {
+
+/// Rows of each kind in two sections, of which the first is folded.
+struct RowsOfSections {
+    bool invert = false;
+    double gamma = 1, width = 200;
+    int paper = 0;
+    void draw() {
+        if (section("Picture", false)) {
+            switch_row("Invert", invert, "Whether.");
+            slider_row("Gamma", gamma, {.min = 0, .max = 4, .neutral = 1});
+        }
+        if (!section("Page")) return;
+        choice_row("Paper size", paper, std::array{"as the picture", "A4", "A3"}, "Which.");
+        const Greyed greyed("Not now.");
+        slider_row("Width", width, {});
+    }
+    std::vector<ListedRow> listed(const ListedRow* taken = nullptr, int value = -1) {
+        std::vector<ListedRow> rows;
+        const RowListing listing(rows, taken, value);
+        draw();
+        return rows;
+    }
+};
+
+std::vector<std::string> words_of(const std::vector<FoundRow>& found) {
+    std::vector<std::string> words;
+    for (const FoundRow& each : found) words.push_back(each.words());
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("the command palette finds rows and their values in folded sections too, and brings them") {
+    RowsOfSections rows;
+    CommandPalette palette;
+    std::vector<ListedRow> listed;
+    std::optional<ListedRow> taken;
+    int value = 7;
+    HeadlessUi ui([&] {
+        rows.draw();
+        listed = rows.listed();
+        palette.draw(shortcuts(), [](Action) {}, {}, {listed, [&](const ListedRow& row, int chosen) {
+                                                          taken = row;
+                                                          value = chosen;
+                                                          if (chosen >= 0) rows.listed(&row, chosen);
+                                                      }});
+    });
+    using Words = std::vector<std::string>;
+    CHECK(words_of(rows_with("a4", listed)) == Words{"Paper size: A4"});
+    CHECK(words_of(rows_with("invert", listed)) == Words{"Invert", "Invert: off", "Invert: on"});
+    CHECK(words_of(rows_with("picture gam", listed)) == Words{"Gamma"});
+    CHECK(words_of(rows_with("width", listed)) == Words{"Width"});
+    CHECK(rows_with(" ", listed).empty());
+
+    const auto choose = [&](const char* text) {
+        palette.toggle();
+        for (int i = 0; i < 3; ++i) ui.frame();
+        const WidgetPlace field = ui.place("Commands");
+        ui.type(text);
+        ui.frame();
+        CHECK(ui.place("Commands") == field);  // it stays under the eyes
+        ui.key(Key::enter);
+        ui.frame();
+    };
+    choose("a4");
+    CHECK(rows.paper == 1);
+    choose("invert: on");
+    CHECK(rows.invert);
+    choose("width");
+    CHECK(rows.width == 200);
+    CHECK(value == -1);
+
+    CHECK_FALSE(ui.has("Gamma"));
+    choose("gamma");
+    REQUIRE(taken);
+    ui.reveal(*taken);
+    REQUIRE(ui.has("Gamma"));
+    ui.key(Key::right);
+    CHECK(rows.gamma > 1);
 }
 
 TEST_CASE("by mouse alone a menu beside the title reaches all commands, keys, preferences and about") {

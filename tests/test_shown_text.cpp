@@ -61,7 +61,7 @@ TEST_CASE("numbers of any size are told in words that can be read") {
     CHECK(in_round_words(1.74e7) == "17.4 million");
     CHECK(in_round_words(9.996e8) == "1.00 billion");
     CHECK(in_round_words(2.2e12) == "2.20 trillion");
-    CHECK(in_round_words(1.5e16) == "1.5e+16");
+    CHECK(in_round_words(1.5e16) == "1.5 x 10^16");
 }
 
 TEST_CASE("what is UTF-8 is told from what is not") {

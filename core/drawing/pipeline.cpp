@@ -248,8 +248,9 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                                                (longer * longer);
     const bool has_black = !plain_ && !request.joined && request.size.sizing != DotSizing::by_tone;
     const auto take_black = [&](double for_dots) {
-        plan.usual_black = has_black && request.automatic_tone ? usual_black(for_dots) : 1;
-        plan.tone.black = has_black ? request.tone.black.value_or(plan.usual_black) : 1;
+        plan.usual_tone.black = has_black ? usual_black(for_dots) : 1;
+        const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
+        plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
         toned.tone.black = toned.ink.black = *plan.tone.black;
     };
     take_black(dots);
@@ -292,12 +293,15 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     if (pens_width && plan.size.sizing == DotSizing::automatic)
         plan.size = {.sizing = DotSizing::fixed, .radius_mm = *pens_width / 2};
     plan.histogram = histogram(plan.tone.exposure);
-    if (request.automatic_tone && !plain_) {
-        plan.tone = auto_tone(*plan.histogram, plan.tone);
+    plan.usual_tone = plan.tone;
+    if (!plain_) {
+        plan.usual_tone = auto_tone(*plan.histogram, plan.tone);
         // Colours that are made much lighter get pale, as few of them are both light and strong: half the
         // way.
-        if (has_colour(plan.pens) && !framed_colours().empty()) plan.tone.gamma = std::sqrt(plan.tone.gamma);
+        if (has_colour(plan.pens) && !framed_colours().empty())
+            plan.usual_tone.gamma = std::sqrt(plan.usual_tone.gamma);
     }
+    if (request.automatic_tone) plan.tone = plan.usual_tone;
 
     const bool moves = request.placer == PlacerKind::exact;
     plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;

@@ -28,7 +28,7 @@ namespace dapple {
 /// What a request comes to on a picture: all that is known before a dot is placed.
 struct DrawingPlan {
     Tone tone;                                   // as drawn, with the values that were chosen automatically
-    double usual_black = 1;                      // that tone.black is where none was asked for
+    Tone usual_tone;                             // as it is with automatic tone, black and all; without a picture neutral
     std::shared_ptr<const Density> density;      // shared with streams; never changes
     std::shared_ptr<const Histogram> histogram;  // of the light as exposed; none without a picture
     PlacerKind placer = PlacerKind::exact;

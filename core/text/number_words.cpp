@@ -35,7 +35,8 @@ std::string in_round_words(double number) {
     for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}}) {
         if (number < 999.5 * unit) return fmt::format("{:#.3g} {}", number / unit, name);
     }
-    return fmt::format("{:.2g}", number);
+    const int digits = static_cast<int>(std::floor(std::log10(number)));
+    return fmt::format("{:.1f} x 10^{}", number / std::pow(10.0, digits), digits);
 }
 
 std::string bytes_in_words(double bytes) {

@@ -19,7 +19,7 @@ std::string about(double number);
 bool far_from_tone(double ratio);
 
 /// A number of any size, in three digits or as people say it: "1,234", "17.4 million", "2.20 trillion", and
-/// from 10^15 on "1.5e+16". From 1 up.
+/// from 10^15 on "1.5 x 10^16". From 1 up.
 std::string in_round_words(double number);
 
 /// "24 MB": two digits, or a whole number below a hundred thousand bytes.

@@ -14,7 +14,7 @@ namespace {
 // Between two turns of a wheel, or two moves of a slider, there is less.
 constexpr double kRestSeconds = 0.15;
 // Of dots, in a frame while something moves, and in a frame in which it rests: at most, see FrameBudget.
-constexpr double kQuickSeconds = 0.015, kStepSeconds = 0.025;
+constexpr double kQuickSeconds = 0.025, kStepSeconds = 0.025;
 // Of a picture's pixels, in a frame.
 constexpr double kUploadSeconds = 0.01;
 

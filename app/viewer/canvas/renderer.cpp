@@ -112,7 +112,7 @@ std::string with_define(std::string_view source, std::initializer_list<const cha
 
 // About so long is what is drawn between two looks at the clock.
 constexpr double kSliceSeconds = 0.008;
-constexpr std::size_t kFewestDots = 2048, kMostDotsAtOnce = 1 << 19;
+constexpr std::size_t kFewestDots = DotCost::kFewestDots, kMostDotsAtOnce = 1 << 19;
 constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
 }  // namespace
@@ -243,8 +243,7 @@ Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& came
     dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
-    const auto most = std::max(static_cast<std::size_t>(seconds / seconds_per_quick_dot_), kFewestDots);
-    job.every = std::max<std::size_t>((job.in_view + most - 1) / most, 1);
+    job.every = quick_cost_.every(job.in_view, mean_radius(camera, look) * job.grid.samples, seconds);
     job.tiles = std::min(job.tiles, kTilesAtOnce);
     const bool as_good =
         job.grid.samples == finest.grid.samples && job.every == 1 && job.tiles == finest.tiles;
@@ -343,8 +342,11 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     if (!in_steps && job.next_block > from) {
         glFinish();
         dots_seconds_ = passed(dots_begin);
-        const double drawn = static_cast<double>(job.in_view) / static_cast<double>(job.every);
-        if (drawn > 1000) measured(seconds_per_quick_dot_, std::max(dots_seconds_ / drawn, 1e-9));
+        const auto every = static_cast<double>(job.every);
+        const double drawn = static_cast<double>(job.in_view) / every,
+                     radius = mean_radius(job.camera, job.look) * job.grid.samples * std::sqrt(every);
+        if (drawn > 1000 && job.fineness == Fineness::quick)
+            quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
     picture.bind();
@@ -376,11 +378,15 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     return leave(job.next_row >= height && (job.tiles == 0 || job.columns.first >= job.columns.end));
 }
 
+double Renderer::mean_radius(const Camera& camera, const CanvasLook& look) const {
+    return camera.pixels_per_unit * (strokes_     ? strokes_->width / 2
+                                     : has_radii_ ? mean_radius_
+                                                  : look.dot_radius);
+}
+
 Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
                                      Columns columns) const {
-    const double radius = camera.pixels_per_unit * (strokes_     ? strokes_->width / 2
-                                                    : has_radii_ ? mean_radius_
-                                                                 : look.dot_radius);
+    const double radius = mean_radius(camera, look);
     const glm::dvec2 canvas_low(columns.first, 0), canvas_high(columns.end, camera.canvas.y);
     const Rectangle<double> sheet = sheet_on_canvas(camera, look);
     const glm::dvec2 low = glm::floor(sheet.low), high = glm::ceil(sheet.high);

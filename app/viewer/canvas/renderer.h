@@ -21,6 +21,7 @@
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/even_part.h"
+#include "app/viewer/model/frame_budget.h"
 #include "app/viewer/model/shown_strokes.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
@@ -91,7 +92,7 @@ class Renderer {
 
     /// The same quickly: of more dots than can be drawn in about that time (seconds), one in n, so much
     /// larger that the page is as dark as with all of them: an EvenPart, or every n-th where the dots do not
-    /// say when they appear.
+    /// say when they appear. All, where that is about as quick.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                           Columns columns, double seconds);
 
@@ -128,6 +129,8 @@ class Renderer {
     };
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
+    /// Of the dots that are looked at, pixels.
+    double mean_radius(const Camera& camera, const CanvasLook& look) const;
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     bool go_on(Job& job, const GlFramebuffer& picture, double seconds);
     GlFramebuffer& dots_of(const Job& job);
@@ -165,7 +168,7 @@ class Renderer {
     std::optional<Job> job_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
-    double seconds_per_quick_dot_ = 1e-6;  // they are larger
+    DotCost quick_cost_;
     double dots_seconds_ = 0;              // of the last quick drawing
     bool has_critical_ = false;
     bool has_colours_ = false;

@@ -8,9 +8,6 @@
 
 namespace dapple {
 
-/// From so many dots on, those on the screen say when they appear.
-inline constexpr std::size_t kShownInPart = 100'000;
-
 /// A drawing's dots that appear first are the lighter drawing. Relaxing moves dots by less than the lighter
 /// drawing has between them, so that theirs are about as even.
 class EvenPart {

@@ -1,5 +1,7 @@
 #pragma once
-// How long a frame may draw, learnt from how long frames take.
+// How long a frame may draw and what it can draw in that time, learnt from how long frames take.
+
+#include <cstddef>
 
 namespace dapple {
 
@@ -20,6 +22,27 @@ class FrameBudget {
 
  private:
     double other_ = 0.03;  // that the rest of a frame takes
+};
+
+/// How long dots take to be drawn: so much for each of them, and so much for each sample that they cover, by
+/// how fast the computer is. A part of them, each so much larger that it is as dark, saves time for the dots
+/// alone.
+class DotCost {
+ public:
+    static constexpr std::size_t kFewestDots = 2048;
+
+    /// In seconds; the radius in samples.
+    double seconds(double dots, double radius) const;
+
+    /// So many dots took `seconds`.
+    void learn(double dots, double radius, double seconds);
+
+    /// One dot in how many is drawn, times sqrt(that) as large, to be ready within about `seconds`; 1: all
+    /// are, as they are few or a part would take about as long.
+    std::size_t every(std::size_t dots, double radius, double seconds) const;
+
+ private:
+    double slowness_ = 1;
 };
 
 }  // namespace dapple

@@ -19,7 +19,7 @@ namespace dapple {
 struct PlacedDrawing {
     Stippling stippling;
     Tone tone;                                   // as drawn, with the values that were chosen automatically
-    double usual_black = 1;                      // see DrawingPlan
+    Tone usual_tone;                             // see DrawingPlan
     std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
     int steps = 0, all_steps = 0;                // of relaxation: done, and to be done
     double dot_radius = 0;                       // page units: of all, or of the largest ones

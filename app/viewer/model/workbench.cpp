@@ -52,11 +52,6 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
 
 namespace {
 
-double dots_of(const DrawingPlan& plan) {
-    return plan.placing.count ? static_cast<double>(*plan.placing.count)
-                              : expected_dots(*plan.density, plan.placing.scale);
-}
-
 // Mean over a window by so many samples along each side, times the window's area.
 double density_in(const Density& page, const PageWindow& window) {
     constexpr int kSamples = 64;
@@ -128,9 +123,7 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& 
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
     DrawingPlan made = plan(request);
-    if (request.in_part && request.drawing.placer == PlacerKind::exact &&
-        dots_of(made) >= static_cast<double>(kShownInPart))
-        made.placing.thresholds = true;
+    if (request.in_part) made.placing.thresholds = true;
     pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
     // Figure 8 turns no tile.
@@ -138,7 +131,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;
-        placed.usual_black = made.usual_black;
+        placed.usual_tone = made.usual_tone;
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());

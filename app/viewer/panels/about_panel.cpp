@@ -1,7 +1,6 @@
 #include "app/viewer/panels/about_panel.h"
 
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
@@ -13,20 +12,16 @@
 namespace dapple {
 namespace {
 
-constexpr float kWidth = 30;  // letters' heights
+constexpr float kWidth = 30, kNamesWidth = 21;  // letters' heights
 
-struct Library {
-    const char* name;
+struct Libraries {
     const char* licence;
-    const char* version;
+    std::string names;
 };
 
 }  // namespace
 
-bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog) {
-    const Dialog dialog("Preferences", open);
-    if (!dialog) return false;
-    ImGui::Dummy({kWidth * ImGui::GetTextLineHeight(), 0});
+bool draw_preferences(Appearance& appearance, bool& desktop_dialog) {
     int theme = static_cast<int>(appearance.theme);
     bool changed = segmented_row("Theme", theme, std::array{"light", "dark", "high contrast"},
                                  "How the window looks; the drawing and its files stay as they are.");
@@ -51,6 +46,13 @@ bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_di
     return changed;
 }
 
+bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog) {
+    const Dialog dialog("Preferences", open);
+    if (!dialog) return false;
+    ImGui::Dummy({kWidth * ImGui::GetTextLineHeight(), 0});
+    return draw_preferences(appearance, desktop_dialog);
+}
+
 void draw_about_panel(bool& open) {
     const Dialog dialog("About Dapple", open);
     if (!dialog) return;
@@ -65,25 +67,25 @@ void draw_about_panel(bool& open) {
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, ImGui::GetTextLineHeight() / 2});
     const std::string all = glfwGetVersionString(), glfw = all.substr(0, all.find(' '));
-    const std::array kLibraries{
-        Library{"Dear ImGui", "MIT", IMGUI_VERSION},
-        Library{"GLFW", "zlib", glfw.c_str()},
-        Library{"OpenImageIO", "BSD", "reads pictures, in a process of its own"},
-        Library{"GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb", "MIT", ""},
-        Library{"oneTBB, qpdf", "Apache 2.0", ""},
-        Library{"Cairo", "LGPL or MPL", "draws PDF files"},
-        Library{"libwebp, KISS FFT", "BSD", ""},
-        Library{"libpng, libjpeg-turbo, libtiff, zlib, fontconfig", "their own, free", ""}};
-    if (ImGui::BeginTable("libraries", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const Library& library : kLibraries) {
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(fmt::format("{} {}", library.name, library.version).c_str());
-            ImGui::TableNextColumn();
-            ImGui::TextDisabled("%s", library.licence);
-        }
-        ImGui::EndTable();
+    const std::array all_of_a_licence{
+        Libraries{"MIT", "Dear ImGui " IMGUI_VERSION ", GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb"},
+        Libraries{"zlib", "GLFW " + glfw + ", zlib"},
+        Libraries{"BSD", "OpenImageIO, libwebp, KISS FFT"},
+        Libraries{"Apache 2.0", "oneTBB, qpdf"},
+        Libraries{"LGPL or MPL", "Cairo"},
+        Libraries{"their own, free", "libpng, libjpeg-turbo, libtiff, fontconfig"}};
+    ImGui::TextUnformatted("It is built on these libraries, by licence:");
+    if (!ImGui::BeginTable("libraries", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const auto& [licence, names] : all_of_a_licence) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", licence);
+        ImGui::TableNextColumn();
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kNamesWidth * ImGui::GetTextLineHeight());
+        ImGui::TextUnformatted(names.c_str());
+        ImGui::PopTextWrapPos();
     }
+    ImGui::EndTable();
 }
 
 }  // namespace dapple

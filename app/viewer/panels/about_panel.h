@@ -7,6 +7,8 @@ namespace dapple {
 
 /// Theme and size of the text, and whether the desktop's own dialog asks for files to open. True when
 /// something was changed.
+bool draw_preferences(Appearance& appearance, bool& desktop_dialog);
+/// The same in a dialog.
 bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog);
 
 /// Version, licence, and the libraries it stands on with theirs.

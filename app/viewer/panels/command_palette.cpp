@@ -18,7 +18,7 @@ namespace dapple {
 namespace {
 
 constexpr float kPaletteWidth = 34;     // letters' heights, where the window is as wide
-constexpr float kPaletteHeight = 0.7f;  // of the window's, at most; what is more is scrolled to
+constexpr float kPaletteHeight = 0.6f;  // of the window's, at most; what is more is scrolled to
 
 bool has_all_words(const std::string& entry, std::string_view text) {
     std::istringstream words(lower_case(std::string(text)));
@@ -39,6 +39,15 @@ void at_the_end_of_the_entry(const char* words) {
     const float air = ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(words).x - air);
     ImGui::TextDisabled("%s", words);
+}
+
+// "Picture, Mask", and whether it is so already.
+std::string where_in_words(const FoundRow& found) {
+    std::string words;
+    for (const std::string& section : found.row->sections) words += (words.empty() ? "" : ", ") + section;
+    if (found.value >= 0 && found.value == found.row->chosen) words += ", as it is";
+    if (found.row->greyed) words += ", greyed";
+    return words;
 }
 
 int steps_by_arrows() {
@@ -66,13 +75,35 @@ std::vector<Shortcut> shortcuts_with(std::string_view text, std::span<const Shor
     return found;
 }
 
+std::string FoundRow::words() const {
+    return value < 0 ? row->label : row->label + ": " + row->values[static_cast<std::size_t>(value)];
+}
+
+std::vector<FoundRow> rows_with(std::string_view text, std::span<const ListedRow> rows) {
+    std::vector<FoundRow> found, values;
+    if (text.find_first_not_of(' ') == text.npos) return found;
+    for (const ListedRow& row : rows) {
+        std::string sections;
+        for (const std::string& section : row.sections) sections += section + ' ';
+        const auto wanted = [&](const FoundRow& each) {
+            return has_all_words(sections + each.words(), text);
+        };
+        if (wanted({&row})) found.push_back({&row});
+        for (int i = 0; !row.greyed && i < static_cast<int>(row.values.size()); ++i)
+            if (wanted({&row, i})) values.push_back({&row, i});
+    }
+    found.insert(found.end(), values.begin(), values.end());
+    return found;
+}
+
 void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::function<void(Action)>& act,
-                          const RecentFiles& recent) {
+                          const RecentFiles& recent, const RowsToFind& rows) {
     constexpr std::size_t kMostFiles = 8;  // of all that are remembered
     std::optional<Action> asked;
     std::optional<std::filesystem::path> file;
+    std::optional<FoundRow> row;
     {
-        const Dialog dialog("Commands", open_);
+        const Dialog dialog("Commands", open_, DialogPlace::top);
         if (!dialog) return;
         if (ImGui::IsWindowAppearing()) {
             typed_[0] = 0;
@@ -89,8 +120,10 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
         const std::vector<Shortcut> found = shortcuts_with(typed_, shortcuts);
         std::vector<std::filesystem::path> files = recent_with(typed_, recent.files);
         if (files.size() > kMostFiles) files.resize(kMostFiles);
+        const std::vector<FoundRow> settings = rows_with(typed_, rows.rows);
         const int actions = static_cast<int>(found.size());
-        const int entries = actions + static_cast<int>(files.size());
+        const int before_files = actions + static_cast<int>(settings.size());
+        const int entries = before_files + static_cast<int>(files.size());
         const int steps = steps_by_arrows();
         chosen_ = std::clamp(chosen_ + steps, 0, std::max(entries - 1, 0));
         const float all = static_cast<float>(entries) * ImGui::GetTextLineHeightWithSpacing();
@@ -108,22 +141,30 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
             if (entry(each.meaning, i)) asked = each.action;
             at_the_end_of_the_entry(each.keys);
         }
-        for (int i = actions; i < entries; ++i) {
-            const std::filesystem::path& each = files[static_cast<std::size_t>(i - actions)];
+        for (int i = actions; i < before_files; ++i) {
+            const FoundRow& each = settings[static_cast<std::size_t>(i - actions)];
+            if (entry(each.words(), i)) row = each;
+            at_the_end_of_the_entry(where_in_words(each).c_str());
+        }
+        for (int i = before_files; i < entries; ++i) {
+            const std::filesystem::path& each = files[static_cast<std::size_t>(i - before_files)];
             if (entry(printable(each.filename().native()), i)) file = each;
             tip(printable(each.native()).c_str());
             at_the_end_of_the_entry("opened before");
         }
         ImGui::EndChild();
         note_place("Found");
-        if (found.empty() && files.empty()) hint("Nothing matches; try one word of it.");
+        if (entries == 0) hint("Nothing matches; try one word of it.");
         if (entered && chosen_ < actions)
             asked = found[static_cast<std::size_t>(chosen_)].action;
+        else if (entered && chosen_ < before_files)
+            row = settings[static_cast<std::size_t>(chosen_ - actions)];
         else if (entered && !files.empty())
-            file = files[static_cast<std::size_t>(chosen_ - actions)];
-        if (asked || file) open_ = false;
+            file = files[static_cast<std::size_t>(chosen_ - before_files)];
+        if (asked || row || file) open_ = false;
     }
     if (asked) act(*asked);
+    if (row) rows.take(*row->row, row->value);
     if (file) recent.open(*file);
 }
 

@@ -1,13 +1,15 @@
 #pragma once
-// All that the window can do, to be found by typing a few letters of it.
+// All that the window can do and all that can be set in it, to be found by typing a few letters of it.
 
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/viewer/panels/shortcuts.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 
@@ -24,13 +26,30 @@ struct RecentFiles {
 std::vector<std::filesystem::path> recent_with(std::string_view text,
                                                std::span<const std::filesystem::path> files);
 
+/// The rows of the panels, and what shows one of them, with one of its values if that is not -1.
+struct RowsToFind {
+    std::span<const ListedRow> rows{};
+    std::function<void(const ListedRow&, int value)> take{};
+};
+/// A row, or one of its values.
+struct FoundRow {
+    const ListedRow* row = nullptr;
+    int value = -1;
+
+    std::string words() const;  // "Paper size", "Paper size: A4"
+};
+/// Those whose section, label and value have every word of the text: rows first, then values, of rows that
+/// are not greyed. None if there is no word.
+std::vector<FoundRow> rows_with(std::string_view text, std::span<const ListedRow> rows);
+
 class CommandPalette {
  public:
     void toggle() { open_ = !open_; }
+    bool is_open() const { return open_; }
 
     /// The chosen one is done once the palette is closed.
     void draw(std::span<const Shortcut> shortcuts, const std::function<void(Action)>& act,
-              const RecentFiles& recent = {});
+              const RecentFiles& recent = {}, const RowsToFind& rows = {});
 
  private:
     bool open_ = false;

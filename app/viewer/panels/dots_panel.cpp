@@ -53,8 +53,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
         grouped(drawn.most_dots));
     int by = request.count ? 1 : 0;
-    if (segmented_row("Set by", by, std::array{"scale", "count"},
-                      "count: so many dots, whatever the picture. scale: a darker picture gets more dots.",
+    if (segmented_row("Dots by", by, std::array{"tone", "number"},
+                      "number: so many dots, whatever the picture. tone: a darker picture gets more dots.",
                       1)) {
         if (by == 0)
             use_scale(request, drawn);
@@ -78,8 +78,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         if (drawn.dots > 0)
             range.hard_max = std::min(most / static_cast<double>(drawn.dots) * drawn.scale, range.hard_max);
         range.max = std::min(range.max, range.hard_max);
-        range.tip = why.c_str();
-        changed |= slider_row("Scale", request.scale, range);
+        range.tip = "How many dots black gets, on the same paper: four times as many at four times the value.";
+        changed |= slider_row("Fineness", request.scale, range);
     }
     if (static_cast<double>(drawn.dots) > 0.99 * most) {
         hint(("More than " + grouped(drawn.most_dots) + " dots do not fit into this computer's memory.")
@@ -196,13 +196,14 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
 
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     double steps = relax.value_or(drawn.steps);
-    if (!slider_row("Relax", steps,
+    if (!slider_row("Even out", steps,
                     {.min = 0,
                      .max = 20,
                      .neutral = kUsualSteps,
                      .format = "%.0f",
                      .hard_max = kMostRelaxingSteps,
-                     .tip = "Steps that move each dot to the middle of the ink around it: more even."}))
+                     .tip = "So many steps move each dot to the middle of the ink around it: more of them make the dots "
+                            "more even, and take longer."}))
         return false;
     relax = static_cast<int>(std::lround(steps));
     return true;

@@ -73,7 +73,7 @@ bool draw_shown(ViewerSettings& settings) {
 bool draw_levels(int& deepest) {
     double levels = deepest;
     if (!slider_row(
-            "Deepest level", levels,
+            "Divided up to", levels,
             {.min = 0,
              .max = kDeepestStep,
              .neutral = kDeepestStep,

@@ -30,7 +30,9 @@ void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& ti
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     draw_title(title.name, act);
-    if (!title.description.empty()) hint(title.description.c_str());
+    // One line, whatever there is to say: nothing moves when a picture arrives.
+    ImGui::TextDisabled("%s", title.description.c_str());
+    if (ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x) tip(title.description.c_str());
     ImGui::Dummy({0, 0});
     draw_action_buttons(title.undo, title.has_project, act);
 }
@@ -53,7 +55,7 @@ void draw_picture_section(Session& session) {
     draw_tone_panel(drawing, {.histogram = histogram,
                               .drawn = page.tone,
                               .usual_exposure = session.picture().exposure,
-                              .usual_black = page.usual_black,
+                              .usual = page.usual_tone,
                               .mostly_black = mostly_black(histogram, page.tone)});
     draw_rotate_row(drawing.page.quarter_turns);
     slider_row(
@@ -64,6 +66,20 @@ void draw_picture_section(Session& session) {
          .tip = "How much of the photograph shows through under the dots; holding P shows all of it."});
     draw_crop_rows(drawing.page.crop, page.picture_pixels, session.cropping);
     draw_mask_panel(drawing.mask, session.brush);
+}
+
+void draw_settings(Session& session) {
+    ViewerSettings& settings = session.settings;
+    draw_picture_section(session);
+    const DrawnInfo drawn = session.drawn(session.pane());
+    draw_dots_panel(settings.drawing, drawn, settings.unit);
+    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
+    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
+}
+
+void draw_method(Session& session, const std::function<void()>& open_tile) {
+    draw_method_rows(session.settings, {session.tiles(), open_tile});
+    draw_compare_panel(session.settings, {session.tiles()});
 }
 
 void draw_export_section(const std::function<void(Action)>& act) {
@@ -82,6 +98,12 @@ void draw_export_section(const std::function<void(Action)>& act) {
 
 }  // namespace
 
+void SidePanel::draw_rows(Session& session) {
+    draw_settings(session);
+    section("The method");
+    draw_method(session, [] {});
+}
+
 OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
                              const PresetRow::Preview& preview, const std::function<void(Action)>& act,
                              glm::vec2 corner, glm::vec2 size) {
@@ -95,17 +117,12 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     presets_.draw(
         {settings.drawing, settings.saving},
         [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
-    draw_picture_section(session);
-    const DrawnInfo drawn = session.drawn(session.pane());
-    draw_dots_panel(settings.drawing, drawn, settings.unit);
-    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
-    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
+    draw_settings(session);
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};
     if (open.method) {
         draw_film_buttons(act);
-        draw_method_rows(settings, {session.tiles(), [&act] { act(Action::open_tile); }});
-        draw_compare_panel(settings, {session.tiles()});
+        draw_method(session, [&act] { act(Action::open_tile); });
         open.spectrum = draw_spectrum_panel(spectrum);
         const Pane& pane = session.pane();
         if (tiles_seen_ != pane.tiles()) tile_ = {};

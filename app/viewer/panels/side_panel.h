@@ -37,6 +37,9 @@ class SidePanel {
     /// `presets` is the folder of the person's own: see preset_row.h.
     explicit SidePanel(std::filesystem::path presets = {}) : presets_(std::move(presets)) {}
 
+    /// Its rows alone, to be listed: see RowListing.
+    static void draw_rows(Session& session);
+
     /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`.
     OpenSections draw(Session& session, const SpectrumInfo& spectrum, const PresetRow::Preview& preview,
                       const std::function<void(Action)>& act, glm::vec2 corner, glm::vec2 size);

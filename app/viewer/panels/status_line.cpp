@@ -27,6 +27,7 @@ float width_of(const std::vector<StatusItem>& items) {
 
 std::string dots_in_words(const StatusInfo& info) {
     std::string words = grouped(info.dots) + (info.dots == 1 ? " dot" : " dots");
+    if (info.as_dense_as > 0) words += ", here as dense as " + in_round_words(info.as_dense_as);
     if (info.figure8)
         words += fmt::format(
             ", {} of them duplicates ({:.0f} %)", grouped(info.duplicates),

@@ -17,8 +17,9 @@ namespace dapple {
 inline constexpr double kLongPlacing = 0.5;
 
 struct StatusInfo {
-    std::uint64_t dots = 0;
+    std::uint64_t dots = 0;        // of the whole page
     std::uint64_t duplicates = 0;  // among them
+    double as_dense_as = 0;        // where a zoom brings more of them: so many on the page; 0: it does not
     bool figure8 = false;          // duplicates are worth a word
     double scale = 0;
     double tone_ms = 0, place_ms = 0, relax_ms = 0;
@@ -28,7 +29,7 @@ struct StatusInfo {
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
     std::string paper = {};     // "210 x 297 mm"
-    double zoom = 1;            // screen pixels a picture pixel
+    double zoom = 1;            // of the paper: 1 is as large as it is in the hand
     bool method = false;        // whether its scale and its times are told too
     std::string plotting = {};  // how long a machine plots it: "plots about 31 min"; none: empty
     /// The right side of the split view, for which the line has no room: its captions tell.
@@ -41,7 +42,7 @@ struct StatusInfo {
     std::optional<LoupeInfo> loupe{};  // while it shows something
 };
 
-/// "40,000 dots", with how many of them lie on another: for Figure 8 only.
+/// "40,000 dots", with how many there would be where a zoom brings more, and how many of them lie on another: for Figure 8 only.
 std::string dots_in_words(const StatusInfo& info);
 
 /// "210 x 297 mm", "8.5 x 11 in".

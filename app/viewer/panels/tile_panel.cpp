@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::size_t kMostNumbered = 24;
 constexpr float kLargestSide = 300;  // at 96 dpi
+// It is paper in each theme, as its points have colours of ink.
+constexpr ImU32 kPaperColour = IM_COL32_WHITE, kLetters = IM_COL32(222, 217, 207, 255),
+                kLines = IM_COL32(190, 185, 175, 255);
 
 ImU32 colour_of_rank(std::size_t rank, std::size_t count) {
     const double last = std::max(1.0, static_cast<double>(count) - 1);
@@ -35,8 +38,7 @@ struct Square {
 
 void draw_quadrants(const Square& square, const Rule& rule, float unit) {
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 line = colour_of(ThemeColour::line);
-    list->AddRectFilled(square.at({0, 0}), square.at({1, 1}), IM_COL32_WHITE);
+    list->AddRectFilled(square.at({0, 0}), square.at({1, 1}), kPaperColour);
     for (int q = 0; q < 4; ++q) {
         const glm::dvec2 centre(0.25 + 0.5 * (q & 1), 0.25 + 0.5 * (q >> 1));
         for (const Stroke& stroke : letter_f(rule.child[q])) {
@@ -45,11 +47,11 @@ void draw_quadrants(const Square& square, const Rule& rule, float unit) {
             const float half = square.side * 0.014f;
             list->AddRectFilled({std::min(from.x, to.x) - half, std::min(from.y, to.y) - half},
                                 {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half},
-                                colour_of(ThemeColour::track));
+                                kLetters);
         }
     }
-    list->AddLine(square.at({0.5, 0}), square.at({0.5, 1}), line, unit);
-    list->AddLine(square.at({0, 0.5}), square.at({1, 0.5}), line, unit);
+    list->AddLine(square.at({0.5, 0}), square.at({0.5, 1}), kLines, unit);
+    list->AddLine(square.at({0, 0.5}), square.at({1, 0.5}), kLines, unit);
     list->AddRect(square.at({0, 0}), square.at({1, 1}), colour_of(ThemeColour::quiet), 0, 0, unit);
 }
 

@@ -47,13 +47,13 @@ bool draw_source(DrawingSettings& settings, const Tone& drawn) {
     return true;
 }
 
-bool draw_levels(Tone& tone) {
+bool draw_levels(Tone& tone, const Tone& usual) {
     constexpr float kGap = 0.01f;  // black stays below white
     bool changed = false;
     if (slider_row("Black point", tone.black_point,
                    {.min = 0,
                     .max = 1,
-                    .neutral = 0,
+                    .neutral = usual.black_point,
                     .tip = "Light up to this becomes as dark as dots can make it."})) {
         tone.black_point = std::min(tone.black_point, 1 - kGap);
         tone.white_point = std::max(tone.white_point, tone.black_point + kGap);
@@ -61,7 +61,10 @@ bool draw_levels(Tone& tone) {
     }
     if (slider_row(
             "White point", tone.white_point,
-            {.min = 0, .max = 1, .neutral = 1, .tip = "Light from this on is left to the bare paper."})) {
+            {.min = 0,
+             .max = 1,
+             .neutral = usual.white_point,
+             .tip = "Light from this on is left to the bare paper."})) {
         tone.white_point = std::max(tone.white_point, kGap);
         tone.black_point = std::min(tone.black_point, tone.white_point - kGap);
         changed = true;
@@ -77,7 +80,7 @@ bool draw_levels(Tone& tone) {
     changed |= slider_row("Gamma", tone.gamma,
                           {.min = 0.25,
                            .max = 4,
-                           .neutral = 1,
+                           .neutral = usual.gamma,
                            .curve = SliderCurve::logarithmic,
                            .hard_min = 0.1,
                            .hard_max = 10,
@@ -97,15 +100,10 @@ bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
                     .hard_min = -kMostStops,
                     .hard_max = kMostStops,
                     .tip = "How much of the light is taken, in stops: +1 EV is twice as light. HDR pictures "
-                           "open with what shows most of them."});
+                           "open with what shows most of them; a double-click on the name brings it back."});
     if (changed) {
         settings.automatic_exposure = stops == info.usual_exposure;
         settings.tone.exposure = settings.automatic_exposure ? 0 : stops;
-    }
-    if (info.usual_exposure != 0) {
-        hint(settings.automatic_exposure ? "Chosen for this HDR picture's light."
-                                         : "Yours; a double-click on its name brings the picture's back.");
-        if (settings.automatic_exposure) note_place("Exposure chosen");
     }
     return changed;
 }
@@ -117,40 +115,60 @@ const char* why_no_black(const DrawingSettings& settings) {
                                                           : nullptr;
 }
 
-// The usual one follows the number of dots.
-bool draw_black(DrawingSettings& settings, double usual) {
+// True light draws the picture as it is.
+bool is_true_light(const DrawingSettings& settings) {
+    return !settings.automatic_tone && settings.tone == without_curve(settings.tone);
+}
+
+// Where none is chosen it follows the number of dots, with automatic tone, or is solid.
+bool draw_black(DrawingSettings& settings, const ToneInfo& info) {
     const Greyed greyed(why_no_black(settings));
     std::optional<double>& black = settings.tone.black;
-    double shown = black.value_or(usual);
+    const double automatic = info.usual.black.value_or(1), none = settings.automatic_tone ? automatic : 1;
+    double shown = black.value_or(none);
     if (!slider_row(
             "Black", shown,
             {.min = kLeastBlack,
              .max = 1,
-             .neutral = usual,
+             .neutral = is_true_light(settings) ? 1 : automatic,
              .tip = "How solid black gets. At 1 dots cover the paper; with less they stand apart, and "
                     "more of them are left for the rest of the picture."}))
         return false;
     black = shown;
-    if (shown == usual) black.reset();
+    if (shown == none) black.reset();
     return true;
 }
 
-// True light draws the picture as it is; else what is faint is brought out.
-float usual_detail(const DrawingSettings& settings) {
-    const bool true_light = !settings.automatic_tone && settings.tone == without_curve(settings.tone);
-    return true_light ? 0 : kAutoDetail;
+// Light ink, or dark ink again; in colour where dots would go into a black ground.
+bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
+    const bool light = !settings.tone.invert;
+    if (mostly_black) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+    const bool pressed = wide_button(
+        light ? "White ink on black paper" : "Black ink on white paper",
+        mostly_black ? "Nearly all dots go into black: this draws the light of the picture instead."
+        : light      ? "Draws the light of a dark picture instead of its darkness."
+                     : "Draws the darkness of the picture again.");
+    if (mostly_black) ImGui::PopStyleColor();
+    if (!pressed) return false;
+    settings.tone.invert = light;
+    settings.ink = light ? kWhite : kBlack;
+    settings.paper = light ? kBlack : kWhite;
+    return true;
 }
 
-// One quiet line where dots would go into a black ground.
-bool offer_light_ink(DrawingSettings& settings) {
-    hint("Nearly all dots go into black.");
-    if (!wide_button("White ink on black paper",
-                     "Draws the light of a dark picture instead of its darkness."))
-        return false;
-    settings.tone.invert = true;
-    settings.ink = kWhite;
-    settings.paper = kBlack;
-    return true;
+// The tone with what automatic tone chooses in the place of its curve.
+Tone as_chosen(const Tone& tone, const Tone& usual) {
+    Tone chosen = without_curve(tone);
+    chosen.black_point = usual.black_point;
+    chosen.white_point = usual.white_point;
+    chosen.gamma = usual.gamma;
+    return chosen;
+}
+
+void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usual) {
+    settings.automatic_tone = tone == as_chosen(tone, usual);
+    settings.tone = settings.automatic_tone ? without_curve(tone) : tone;
+    if (settings.automatic_tone && tone.black == usual.black) settings.tone.black.reset();
 }
 
 }  // namespace
@@ -159,20 +177,17 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     bool changed = draw_source(settings, info.drawn);
     changed |= draw_exposure(settings, info);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
-    bool own = info.histogram.total > 0 && draw_histogram(info.histogram, shown);
-    own |= draw_levels(shown);
-    if (own) {
-        settings.automatic_tone = false;
-        settings.tone = shown;
-    }
+    bool own = draw_histogram(info.histogram, shown);
+    own |= draw_levels(shown, info.usual);
+    if (own) take_own_tone(settings, shown, info.usual);
     changed |= own;
     Tone& tone = settings.tone;
     changed |= slider_row("Detail", tone.detail,
                           {.min = 0,
                            .max = 1,
-                           .neutral = usual_detail(settings),
+                           .neutral = is_true_light(settings) ? 0 : kAutoDetail,
                            .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
-    changed |= draw_black(settings, info.usual_black);
+    changed |= draw_black(settings, info);
     changed |= slider_row("Blur", tone.blur,
                           {.min = 0,
                            .max = 20,
@@ -183,8 +198,7 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
                            .tip = "Smooths grain and noise away, over so many of the picture's pixels."});
     changed |=
         switch_row("Invert", tone.invert, "Dots where the picture is light: for light ink on dark paper.");
-    if (info.mostly_black) changed |= offer_light_ink(settings);
-    return changed;
+    return draw_light_ink(settings, info.mostly_black) || changed;
 }
 
 }  // namespace dapple

@@ -92,6 +92,9 @@ class Document {
     /// to show first cannot be read.
     virtual void draw(const Frame& frame) = 0;
 
+    /// The rows of its panels alone, to be listed: see RowListing.
+    virtual void draw_rows() = 0;
+
     /// Seconds without an event after which it is to be drawn all the same; 0: at once.
     virtual double seconds_to_next_frame() const = 0;
 

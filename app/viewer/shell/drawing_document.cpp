@@ -326,6 +326,8 @@ void DrawingDocument::draw(const Frame& frame) {
     canvas_.learn(frame.last_seconds);
     canvas_.show(place, look(place), redraw);
     // What it says of the view is of the one that is seen now.
+    paper_zoom_ = canvas_.camera().pixels_per_unit / session_.pane().page().layout.page.mm_per_page_unit *
+                  kMmPerInch / frame.window.pixels_per_inch();
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
@@ -584,9 +586,12 @@ std::optional<double> DrawingDocument::placed_share() const {
 
 StatusInfo DrawingDocument::info() const {
     const Pane& pane = session_.pane();
-    const Stippling& stippling = pane.shown().stippling;
-    return {.dots = stippling.dots.size(),
-            .duplicates = stippling.duplicates,
+    const Stippling &stippling = pane.shown().stippling, &page = pane.page().stippling;
+    const double enlarged = canvas_.enlargement();
+    const bool more_dots = pane.shows_close() && zoom().mode == ZoomMode::constant_density && enlarged > 1;
+    return {.dots = page.dots.size(),
+            .duplicates = page.duplicates,
+            .as_dense_as = more_dots ? static_cast<double>(page.dots.size()) * enlarged * enlarged : 0,
             .figure8 = session_.settings.drawing.placer == PlacerKind::figure8,
             .scale = stippling.scale,
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
@@ -599,7 +604,7 @@ StatusInfo DrawingDocument::info() const {
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
             .paper = paper_in_words(pane.page().layout.page, session_.settings.unit),
-            .zoom = canvas_.camera().pixels_per_unit / session_.picture().longer_side,
+            .zoom = paper_zoom_,
             .method = open_.method,
             .plotting = plotting_,
             .right = right_info(),

@@ -64,6 +64,7 @@ class DrawingDocument : public Document {
     std::string draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
+    void draw_rows() override { SidePanel::draw_rows(session_); }
     double seconds_to_next_frame() const override;
     std::unique_ptr<Document> take_successor() override { return std::move(successor_); }
     std::optional<nlohmann::ordered_json> status() const override;
@@ -127,6 +128,7 @@ class DrawingDocument : public Document {
     Background<Mask> mask_reading_;
     FrameRate frame_rate_;
     ExportEstimate estimate_;
+    double paper_zoom_ = 1;  // see StatusInfo
     PlottingClock plotting_clock_;
     std::string plotting_;  // what it says
     ShownPlot plot_;

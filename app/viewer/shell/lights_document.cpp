@@ -158,6 +158,10 @@ void LightsDocument::draw_panels(const Frame& frame) {
     end_side_panel();
 }
 
+void LightsDocument::draw_rows() {
+    draw_lights_panel(session_.settings, {}, {session_.tiles()});
+}
+
 void LightsDocument::show_canvas(const Frame& frame) {
     const LitMap* const lit = session_.lit();
     if (!lit) {

@@ -28,6 +28,7 @@ class LightsDocument : public Document {
     std::string draw_saving_options(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
+    void draw_rows() override;
     double seconds_to_next_frame() const override;
     std::optional<nlohmann::ordered_json> status() const override;
 

@@ -223,8 +223,8 @@ void Shell::save_memory() {
 
 void Shell::frame(Document& document) {
     window_.begin_frame();
-    const bool row_has_keys = widgets_.contains(kRowWithKeys);  // in the last frame
-    widgets_.clear();
+    const bool row_has_keys = widgets_.places.contains(kRowWithKeys);  // in the last frame
+    widgets_.places.clear();
     const float scale = ImGui::GetFontSize() / 15;
     const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
     const float panels = panels_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
@@ -368,23 +368,59 @@ EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
                           [file](const std::stop_token& stop) { return thumbnail_of(file, stop); });
 }
 
+// In a window beyond the screen: what panels draw beside rows has to be in one.
+void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken, int value) {
+    ImGui::SetNextWindowPos({-9999, -9999});
+    ImGui::SetNextWindowSize({300, 300});
+    ImGui::Begin("##listed", nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    {
+        const RowListing listing(rows, taken, value);
+        document.draw_rows();
+        section("Preferences");
+        bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
+        if (draw_preferences(memory_.preferences.appearance, desktop)) take_preferences(desktop);
+    }
+    ImGui::End();
+}
+
+void Shell::take_row(const ListedRow& row, int value, Document& document) {
+    const bool in_panels = row.sections.empty() || row.sections.front() != "Preferences";
+    if (value >= 0) {
+        std::vector<ListedRow> rows;
+        list_rows(document, rows, &row, value);
+    } else if (!in_panels) {
+        preferences_shown_ = true;
+    }
+    if (!in_panels) return;
+    panels_shown_ = true;
+    widgets_.reveal = row;
+}
+
+void Shell::take_preferences(bool desktop) {
+    memory_.preferences.dialog = desktop ? DialogChoice::desktop : DialogChoice::own;
+    window_.set_appearance(memory_.preferences.appearance);
+    save_memory();
+}
+
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
     // Alone: two dialogs would take turns in each other's place.
     const bool waits = waiting_ && !waiting_->saving;
     if (waiting_) draw_changes_question(document);
     if (!waits && asks_about_left_ && ready_) draw_kept_question(document);
     if (waits || (asks_about_left_ && ready_)) return;
-    palette_.draw(document.shortcuts(), act, {memory_.state.recent, [&](const std::filesystem::path& file) {
-                                                  open_again(file, document);
-                                              }});
+    std::vector<ListedRow> rows;
+    if (palette_.is_open()) list_rows(document, rows);
+    palette_.draw(document.shortcuts(), act,
+                  {memory_.state.recent,
+                   [&](const std::filesystem::path& file) { open_again(file, document); }},
+                  {rows, [&](const ListedRow& row, int value) { take_row(row, value, document); }});
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
     bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop)) {
-        memory_.preferences.dialog = desktop ? DialogChoice::desktop : DialogChoice::own;
-        window_.set_appearance(memory_.preferences.appearance);
-        save_memory();
-    }
+    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop))
+        take_preferences(desktop);
     draw_file_question(document);
     // Not in the frame in which it closes: that frame still shows them.
     if (!dialog_.is_open()) thumbnails_.forget();
@@ -429,7 +465,7 @@ void Shell::report_outside(const Document& document) {
         health_.gl_errors += Window::gl_errors();
         const ImGuiIO& io = ImGui::GetIO();
         add_input(*status, {{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]}, health_,
-                  widgets_);
+                  widgets_.places);
         std::string line = status->dump();
         if (line != logged_) std::puts(line.c_str());
         logged_ = std::move(line);

@@ -60,6 +60,11 @@ class Shell {
     void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
     EntryPicture thumbnail(const std::filesystem::path& file);
     void draw_dialogs(Document& document, const std::function<void(Action)>& act);
+    // Of the panels and the preferences; one of them takes a value of its own.
+    void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
+                   int value = -1);
+    void take_row(const ListedRow& row, int value, Document& document);
+    void take_preferences(bool desktop);
     void report_outside(const Document& document);
     /// What is to be there on the next day, and what went wrong with it.
     void remember(Document& document);
@@ -70,7 +75,7 @@ class Shell {
     std::unique_ptr<Document> before_;  // that the one shown was opened from
     bool goes_back_ = false;
     Memory memory_;
-    WidgetPlaces widgets_;
+    WidgetNotes widgets_;
     Window window_;
     FileDialog dialog_;
     EntryPictures thumbnails_;  // of its entries

@@ -48,7 +48,7 @@ struct LightStatus {
 nlohmann::ordered_json status_json(const LightStatus& status);
 
 /// Adds what both have: {"longest_frame_ms": .., "longest_work_ms": .., "gl_errors": .., "mouse": [x, y],
-/// "mouse_down": .., "widgets": {"Scale": [x0, y0, x1, y1], ..}}, places in window coordinates.
+/// "mouse_down": .., "widgets": {"Fineness": [x0, y0, x1, y1], ..}}, places in window coordinates.
 void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetPlaces& widgets);
 

@@ -64,6 +64,8 @@ class Window {
     glm::ivec2 pixels() const;  // of the framebuffer
     /// ImGui's units (the mouse's) to framebuffer pixels.
     glm::dvec2 pixels_per_point() const;
+    /// As the desktop has it: 96 at content scale 1.
+    double pixels_per_inch() const { return 96 * double{content_scale_} * pixels_per_point().x; }
 
  private:
     struct Library;  // GLFW itself

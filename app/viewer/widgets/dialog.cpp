@@ -7,9 +7,13 @@
 
 namespace dapple {
 
-bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags) {
+bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags, DialogPlace place) {
     if (open && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    constexpr float kTop = 0.08f;  // of the window's height
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const bool top = place == DialogPlace::top;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y * (top ? kTop : 0.5f)}, ImGuiCond_Always,
+                            {0.5f, top ? 0 : 0.5f});
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.PopupBorderSize);
     // Of the title alone, which would else begin left of all that is below it.
@@ -23,8 +27,8 @@ bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags) {
     return true;
 }
 
-Dialog::Dialog(const char* title, bool& open)
-    : open_(open), drawn_(begin_dialog(title, open, ImGuiWindowFlags_AlwaysAutoResize)) {}
+Dialog::Dialog(const char* title, bool& open, DialogPlace place)
+    : open_(open), drawn_(begin_dialog(title, open, ImGuiWindowFlags_AlwaysAutoResize, place)) {}
 
 Dialog::~Dialog() {
     if (!drawn_) return;

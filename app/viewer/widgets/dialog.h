@@ -5,9 +5,13 @@
 
 namespace dapple {
 
-/// ImGui::BeginPopupModal() as all dialogs have it: opened if it is not, in the middle, with a line around,
-/// its title above what it holds.
-bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags);
+/// Where a dialog is: one that grows and shrinks stays at the top.
+enum class DialogPlace { middle, top };
+
+/// ImGui::BeginPopupModal() as all dialogs have it: opened if it is not, with a line around, its title above
+/// what it holds.
+bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags,
+                  DialogPlace place = DialogPlace::middle);
 
 /// Open while it lives and is true:
 ///
@@ -16,7 +20,7 @@ bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags);
 /// Its cross, Escape and a click beside it set `open` to false.
 class Dialog {
  public:
-    Dialog(const char* title, bool& open);
+    Dialog(const char* title, bool& open, DialogPlace place = DialogPlace::middle);
     ~Dialog();
     Dialog(const Dialog&) = delete;
     Dialog& operator=(const Dialog&) = delete;

@@ -86,13 +86,19 @@ void show_ring(ImVec2 low, ImVec2 high) {
 }  // namespace
 
 RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
+    const ImGuiID id = ImGui::GetID(name);
+    auto* const notes = static_cast<WidgetNotes*>(ImGui::GetIO().UserData);
+    const bool revealed = notes && notes->reveal && notes->reveal->label == name;
+    if (revealed) {
+        notes->reveal.reset();
+        ImGui::SetScrollFromPosY(low.y - ImGui::GetWindowPos().y, 0.5f);
+    }
     // Greyed rows are paler.
     if (ImGui::GetStyle().Alpha < 1) return {};
-    const ImGuiID id = ImGui::GetID(name);
     const bool here = typing || rows_have_keyboard();
     const bool tab = here && !ImGui::GetIO().KeyCtrl && key_pressed(Key::tab);
     begin_walk(here, tab);
-    if (typing) keep(kFocus, id);
+    if (typing || revealed) keep(kFocus, id);
     const bool had = kept(kFocus) == id;
     walk(id, tab);
     keep(kLast, id);

@@ -163,7 +163,8 @@ void apply_theme(const Appearance& appearance, float content_scale) {
     style.WindowRounding = 8;
     style.ScrollbarRounding = 6;
     style.ScrollbarSize = 10;
-    style.WindowBorderSize = 0;
+    // Where colours do not tell the panels from the canvas a line does.
+    style.WindowBorderSize = appearance.theme == Theme::high_contrast ? 1 : 0;
     style.PopupBorderSize = 1;
     style.WindowTitleAlign = {0, 0.5f};
     style.ScaleAllSizes(content_scale);

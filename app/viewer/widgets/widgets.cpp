@@ -31,6 +31,30 @@ constexpr float kTipWidth = 24;
 constexpr float kTipAfter = 0.5f;  // seconds
 constexpr double kRefusalSeconds = 4;
 
+WidgetNotes* notes() {
+    return static_cast<WidgetNotes*>(ImGui::GetIO().UserData);
+}
+
+/// Where rows are listed, whether the row took another value; none: it is to be drawn.
+std::optional<bool> as_listed(const char* label, std::span<const char* const> names, int& chosen) {
+    WidgetNotes* const list = notes();
+    if (!list || !list->listed) return std::nullopt;
+    const ListedRow row{.sections = list->sections,
+                        .label = label,
+                        .values = {names.begin(), names.end()},
+                        .chosen = chosen,
+                        .greyed = ImGui::GetStyle().Alpha < 1};
+    list->listed->push_back(row);
+    const ListedRow* const taken = list->taken;
+    if (!taken || row.greyed || taken->label != row.label || taken->sections != row.sections) return false;
+    return std::exchange(chosen, list->value) != list->value;
+}
+
+std::optional<bool> as_listed(const char* label) {
+    int none = -1;
+    return as_listed(label, {}, none);
+}
+
 struct Row {
     ImVec2 start;
     float width, height, control_x;
@@ -214,12 +238,11 @@ bool typing_box(double& value, const SliderRange& range, float width, bool left)
     std::snprintf(text, sizeof text, "%s", begins ? shown.c_str() : typed_before().c_str());
     const bool edited = ImGui::InputText("##typed", text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) note_place("Typing");
-    const bool dropped = key_pressed(Key::escape);
-    if (edited && !dropped) remember_typed(text);
+    if (edited) remember_typed(text);  // Escape brings back what it began with
     if (begins || !(left || ImGui::IsItemDeactivated())) return false;
     storage->SetInt(typing, 0);
     const std::string written = typed_before();
-    if (dropped || written == shown) return false;  // what was not changed is not rounded
+    if (written == shown) return false;  // what was not changed is not rounded
     const std::optional<double> typed = typed_value(written, range.typed, range.unit);
     remember_refusal(refusal_of(typed, range));
     if (!typed) return false;
@@ -284,11 +307,19 @@ void show_row_tip(const char* text, const Row& row) {
 enum class FoldKind { section, within };
 
 bool fold(const char* title, bool open_at_first, FoldKind kind) {
+    WidgetNotes* const told = notes();
+    if (told && told->listed) {
+        told->sections.resize(kind == FoldKind::section ? 0 : std::min<std::size_t>(told->sections.size(), 1));
+        told->sections.emplace_back(title);
+        return true;
+    }
     float unit = ImGui::GetTextLineHeight() / 15;
     ImGui::Dummy({0, 2 * unit});
     ImGui::PushID(title);
     ImGuiStorage* storage = ImGui::GetStateStorage();
     ImGuiID state = ImGui::GetID("open");
+    if (told && told->reveal && std::ranges::count(told->reveal->sections, title) > 0)
+        storage->SetBool(state, true);
     bool open = storage->GetBool(state, open_at_first);
     ImVec2 start = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight() + 3 * unit;
@@ -315,8 +346,16 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
 
 }  // namespace
 
+RowListing::RowListing(std::vector<ListedRow>& rows, const ListedRow* taken, int value)
+    : notes_{.listed = &rows, .taken = taken, .value = value},
+      before_(std::exchange(ImGui::GetIO().UserData, &notes_)) {}
+
+RowListing::~RowListing() {
+    ImGui::GetIO().UserData = before_;
+}
+
 void note_place(const char* label, const WidgetPlace& place) {
-    if (auto* places = static_cast<WidgetPlaces*>(ImGui::GetIO().UserData)) (*places)[label] = place;
+    if (WidgetNotes* const noted = notes()) noted->places[label] = place;
 }
 
 void note_place(const char* label) {
@@ -355,6 +394,7 @@ double track_value(double position, const SliderRange& range) {
 }
 
 bool slider_row(const char* label, double& value, const SliderRange& range) {
+    if (const auto listed = as_listed(label)) return *listed;
     Row row;
     bool changed = false;
     const std::string shown = shown_label(label, range);
@@ -406,6 +446,11 @@ bool slider_row(const char* label, float& value, const SliderRange& range) {
 }
 
 bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
+    int on = value ? 1 : 0;
+    if (const auto listed = as_listed(label, std::array{"off", "on"}, on)) {
+        value = on == 1;
+        return *listed;
+    }
     Row row;
     const bool before = value;
     float height = std::floor(ImGui::GetTextLineHeight() * 1.1f), width = std::floor(height * 1.8f);
@@ -474,6 +519,9 @@ void open_list(const char* combo) {
 bool choice_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
                 const ListLook& look) {
     constexpr char kCombo[] = "##choice";
+    const auto values = static_cast<std::size_t>(look.by_arrows);
+    if (const auto listed = as_listed(label, names.first(std::min(values, names.size())), chosen))
+        return *listed;
     Row row;
     const int before = chosen;
     const bool reset = begin_row(label, row);
@@ -545,6 +593,7 @@ float segments_width(const char* label, std::span<const char* const> names) {
 
 bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
                    int usual) {
+    if (const auto listed = as_listed(label, names, chosen)) return *listed;
     if (!have_room(names)) return choice_row(label, chosen, names, tip, usual);
     Row row;
     const int before = chosen;
@@ -592,6 +641,7 @@ bool segmented_row(const char* label, int& chosen, std::span<const char* const> 
 
 bool text_row(const char* label, std::string& text, const std::function<bool(const std::string&)>& is_good,
               const char* wrong, const char* tip, const char* usual) {
+    if (const auto listed = as_listed(label)) return *listed;
     Row row;
     bool reset = begin_row(label, row);
     ImGui::SetNextItemWidth(row.start.x + row.width - row.control_x);
@@ -648,6 +698,7 @@ void typed_colour(glm::vec3& colour, bool begin) {
 
 bool colour_row(const char* label, glm::vec3& colour, const char* tip,
                 const std::optional<glm::vec3>& usual) {
+    if (const auto listed = as_listed(label)) return *listed;
     Row row;
     const glm::vec3 before = colour;
     const float width = std::floor(ImGui::GetFrameHeight() * 1.8f);

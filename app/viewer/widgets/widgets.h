@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/viewer/widgets/typed_value.h"
 
@@ -28,8 +29,44 @@ struct WidgetPlace {
     bool operator==(const WidgetPlace&) const = default;
 };
 
-/// Collects the places of the widgets drawn in a frame, by label, when ImGui's io.UserData points to one.
+/// Of the widgets drawn in a frame, by label.
 using WidgetPlaces = std::map<std::string, WidgetPlace>;
+
+/// A row as a list of all of them tells it.
+struct ListedRow {
+    std::vector<std::string> sections{};  // that it is in, the outer one first
+    std::string label{};
+    std::vector<std::string> values{};  // one of which can be chosen; none: it takes more than a choice
+    int chosen = -1;                    // of these, at present
+    bool greyed = false;
+
+    bool operator==(const ListedRow&) const = default;
+};
+
+/// What rows tell of themselves, and are asked for, beside being drawn: ImGui's io.UserData points to one, or
+/// to nothing.
+struct WidgetNotes {
+    WidgetPlaces places{};
+    std::vector<ListedRow>* listed = nullptr;  // see RowListing
+    std::vector<std::string> sections{};       // that listed rows are in
+    const ListedRow* taken = nullptr;          // the listed row that is to have `value`
+    int value = -1;
+    std::optional<ListedRow> reveal{};  // is to be shown: its sections unfold, and it gets the keys
+};
+
+/// While it lives rows are not drawn and folds are open: each adds itself to a list. One of them, as such a
+/// list has it, may be told to take one of its values.
+class RowListing {
+ public:
+    RowListing(std::vector<ListedRow>& rows, const ListedRow* taken = nullptr, int value = -1);
+    ~RowListing();
+    RowListing(const RowListing&) = delete;
+    RowListing& operator=(const RowListing&) = delete;
+
+ private:
+    WidgetNotes notes_{};
+    void* before_ = nullptr;
+};
 
 /// Notes the item drawn last under a label, or a place.
 void note_place(const char* label);
