@@ -22,7 +22,7 @@ TEST_CASE("the ramp rises evenly from left to right") {
 
 TEST_CASE("a workbench places on the density that was chosen and goes back to the photograph") {
     Workbench bench;
-    bench.set_picture(Grid<float>(64, 32, 0.25f));
+    bench.set_picture({.light = Grid<float>(64, 32, 0.25f)});
     DrawingSettings settings;
     settings.placing.count = 3000;
     PlacedDrawing drawing;

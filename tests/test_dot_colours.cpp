@@ -131,7 +131,7 @@ TEST_CASE("the eight orientations have eight colours") {
 
 TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in ink") {
     Workbench bench;
-    bench.set_picture(Grid<float>(32, 32, 0.25f));
+    bench.set_picture({.light = Grid<float>(32, 32, 0.25f)});
     DotsRequest request;
     request.tile = "aperiodic64";
     request.drawing.placing.count = 3000;

@@ -111,7 +111,7 @@ TEST_CASE(
 
 TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whatever tile it lies in now") {
     Workbench bench;
-    bench.set_picture(Grid<float>(30, 20, 0.5f));
+    bench.set_picture({.light = Grid<float>(30, 20, 0.5f)});
     for (const auto& [name, placer] :
          {std::pair{"aperiodic64", PlacerKind::exact}, std::pair{"aperiodic4096", PlacerKind::exact}}) {
         CAPTURE(name);
@@ -189,7 +189,7 @@ TEST_CASE("of a relaxed dot no tile is made up, and without thresholds nothing i
 
 TEST_CASE("with the switch every dot of the window's drawing can be explained, with or without relaxing") {
     Workbench bench;
-    bench.set_picture(Grid<float>(40, 30, 0.3f));
+    bench.set_picture({.light = Grid<float>(40, 30, 0.3f)});
     for (const int steps : {0, 2}) {
         CAPTURE(steps);
         ViewerSettings settings;
@@ -213,7 +213,7 @@ TEST_CASE("where nothing of the page is in view, the pointer is on no dot, howev
     constexpr std::int64_t kPage = std::int64_t{1} << 62;
     constexpr auto kFurthest = std::numeric_limits<std::int64_t>::min();
     Workbench bench;
-    bench.set_picture(Grid<float>(40, 30, 0.3f));
+    bench.set_picture({.light = Grid<float>(40, 30, 0.3f)});
     ViewerSettings settings;
     settings.origins = true;
     PlacedDrawing drawing;

@@ -17,7 +17,7 @@ namespace {
 PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_part = true,
                      PlacerKind placer = PlacerKind::exact) {
     Workbench bench;
-    bench.set_picture(Grid<float>(8, 8, 0.5f));
+    bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
     request.tile = kDefaultTile;
     request.density.source = DensitySource::grey;

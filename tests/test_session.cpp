@@ -80,7 +80,7 @@ std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
 /// Those of the whole page at a scale that lie in a window, on the page; in the same order.
 std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, const PageWindow& window) {
     Workbench bench;
-    bench.set_picture(Grid<float>(8, 8, 0.5f));
+    bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
     request.tile = tile;
     request.density.source = DensitySource::grey;

@@ -466,13 +466,13 @@ TEST_CASE("another order of a tile's points draws other dots, those that it draw
         return found;
     };
     Workbench bench;
-    bench.set_picture(Grid<float>(8, 8, 0.5f));
+    bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     std::vector<std::pair<float, float>> before;
     for (const RankingMethod ranking :
          {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy, RankingMethod::paper}) {
         CAPTURE(static_cast<int>(ranking));
         Workbench alone;
-        alone.set_picture(Grid<float>(8, 8, 0.5f));
+        alone.set_picture({.light = Grid<float>(8, 8, 0.5f)});
         const auto found = places(bench, ranking);
         CHECK(found == places(alone, ranking));
         CHECK(found != before);

@@ -23,7 +23,7 @@ inline constexpr int kPreviewSide = 2048;
 inline constexpr std::int64_t kMostLight = 128 << 20;
 
 struct Picture {
-    Grid<float> light;  // linear luminance over white paper: 0 black, 1 paper, more in HDR pictures
+    Grid<float> light{};  // linear luminance over white paper: 0 black, 1 paper, more in HDR pictures
     /// sRGB-encoded colours over white paper, opaque, same aspect as light; exposed by the stops below.
     Grid<glm::u8vec4> preview{};
     ColourGrid colours{};  // of the same pixels, if they were asked for
