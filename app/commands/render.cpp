@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <future>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -280,6 +281,15 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
         measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);
     if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
+    const SavedDrawing saved{.picture = picture,
+                             .plan = plan,
+                             .page = page,
+                             .format = format,
+                             .file = file,
+                             .dots = dots,
+                             .by_pen = measured ? &held->by_pen : nullptr};
+    // Writing waits for the disk, or for one thread that compresses.
+    std::future<Rendered> figures = std::async(std::launch::async, [&] { return figures_of(saved, options); });
     save_drawing(options.output, settings, file,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
@@ -288,14 +298,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     for (const auto& separation : separations) names.push_back(printable(separation.string()));
     if (!names.empty()) stages.say(fmt::format("separations: {}", fmt::join(names, ", ")));
 
-    Rendered rendered = figures_of({.picture = picture,
-                                    .plan = plan,
-                                    .page = page,
-                                    .format = format,
-                                    .file = file,
-                                    .dots = dots,
-                                    .by_pen = measured ? &held->by_pen : nullptr},
-                                   options);
+    Rendered rendered = figures.get();
     times.check = stages.lap();
     rendered.order = order;
     if (held) rendered.curve_way_m = held->curve_way_m;

@@ -25,7 +25,7 @@ struct RenderTimes {
     double place = 0;  // and relax
     double order = 0;  // sort, and find the pen's way
     double write = 0;
-    double check = 0;  // measure what is told before plotting
+    double check = 0;  // measure what is told before plotting, as far as that outlasts the writing
 };
 
 /// What was drawn.
