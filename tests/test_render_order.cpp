@@ -289,8 +289,8 @@ TEST_CASE(
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " --relax 0 -o " + scene("a.hpgl");
     const std::string curve = " (so many dots follow a curve; --order shortest finds a shorter way)";
-    CHECK(run_dapple(from + " --dots 50,001").err.find(curve) != std::string::npos);
-    CHECK(run_dapple(from + " --dots 50,001 --order space").err.find(curve) == std::string::npos);
+    CHECK(run_dapple(from + " --dots 1,000,001").err.find(curve) != std::string::npos);
+    CHECK(run_dapple(from + " --dots 900 --order space").err.find(curve) == std::string::npos);
     CHECK(run_dapple(from + " --dots 900 --dot-shape point")
               .err.find("; the pen touches the paper 900 times, and moves ") != std::string::npos);
 }

@@ -63,6 +63,14 @@ TEST_CASE("the way through two thousand dots is shorter than by plain 2-opt, and
     CHECK(way < 0.8 * way_length(dots.x, dots.y));
 }
 
+TEST_CASE("the way through a hundred thousand dots is within 6 % of the shortest that so many have") {
+    const Dots dots = random_way_dots(100'000, 7);
+    const std::vector<std::uint32_t> order = short_way(dots.x, dots.y);
+    CHECK(is_permutation_of_all(order, dots.size()));
+    // 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006).
+    CHECK(way_length(dots.x, dots.y, order) < 1.06 * 0.7124 * std::sqrt(100'000.0));
+}
+
 TEST_CASE("a way is the same with any number of threads, and its progress never goes back") {
     const Dots dots = random_way_dots(25'000, 4);
     double last = 0;

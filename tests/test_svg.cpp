@@ -178,6 +178,11 @@ TEST_CASE("numbers are rounded to their decimals and end in no zeros") {
     CHECK(fixed(0.05, 2) == "0.05");
     CHECK(fixed(0.999, 2) == "1");
     CHECK(fixed(123456.0625, 4) == "123456.0625");
+    CHECK(fixed(999'999'999, 9) == "999999999");
+    CHECK(fixed(0.125, 2) == "0.13");
+    CHECK(fixed(-0.125, 2) == "-0.13");
+    CHECK(fixed(2.5, 0) == "3");
+    CHECK(fixed(0.49999999999999994, 0) == "0");
 }
 
 TEST_CASE("colours are read in the two ways people write them, and refused in words otherwise") {

@@ -401,12 +401,11 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
     add_choice(
         app, "--order", order, {DotOrder::shortest, DotOrder::space, DotOrder::recursion, DotOrder::priority},
         "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
-        "route, which takes some seconds to find; space, each near the one before, found at once; "
-        "recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly the "
-        "drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and DXF of "
-        "up to 50,000 "
-        "dots, space of up to 5 million, else recursion. shortest, space, priority and --placer figure8 hold "
-        "all dots in memory");
+        "route, which for a million dots takes some seconds to find; space, each near the one before, found "
+        "at once; recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly "
+        "the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and "
+        "DXF of up to a million dots, space of up to 5 million, else recursion. shortest, space, priority "
+        "and --placer figure8 hold all dots in memory");
     const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
         return [name, parse, &target](const std::string& text) {
             try {

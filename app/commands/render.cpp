@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <future>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -152,20 +153,27 @@ struct HeldDots {
 };
 
 // None if they are too many, and need not be sorted.
-std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const PageSize& page,
-                                  Stages& stages) {
+std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const PageSize& page, Stages& stages,
+                                  RenderTimes& times) {
     if (dots.count > kMostSortedDots && order == DotOrder::recursion) return std::nullopt;
-    if (order != DotOrder::shortest) return HeldDots{sorted_by_pen(dots, order), {}};
-    // The curve's own way first, to tell what the shorter one saves.
-    HeldDots held{sorted_by_pen(dots, DotOrder::space), 0.0};
-    stages.begin("shortening the pen's way", 0.4, 0.7);
+    HeldDots held{sorted_by_pen(dots, DotOrder::recursion), {}};
+    times.place = stages.lap();
+    const bool shortens = order == DotOrder::shortest;
+    if (shortens) {
+        stages.begin("shortening the pen's way", 0.4, 0.7);
+        held.curve_way_m = 0;
+    }
     const auto pens = static_cast<double>(held.by_pen.pieces.size());
     double done = 0;
     for (Dots& own : held.by_pen.pieces) {
+        sort_dots(own, order);
+        if (!shortens) continue;
+        // The curve's own way first, to tell what the shorter one saves.
         *held.curve_way_m += way_length(own.x, own.y) * page.mm_per_page_unit / 1000;
         shorten_way(own, {.stop = {}, .progress = [&](double share) { stages.show((done + share) / pens); }});
         ++done;
     }
+    times.order = stages.lap();
     return held;
 }
 
@@ -241,12 +249,12 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     check_fits(format, page.part.size, dots.count, options.saving);
     const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count, settings.style));
     const bool shows_order = has_order(format, settings.style);
-    const auto held = held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages);
+    const auto held =
+        held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages, times);
     const DotStream drawn = held ? stream_of(held->by_pen, dots.scale) : dots;
     std::vector<PlacedTile> tiles;
     if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
     move_to(page.part.part, tiles);
-    times.place = stages.lap();
 
     const std::vector<CutMark> marks = cut_marks(page.layout.page, options.sheet);
     DrawingToSave file{.dots = drawn,
@@ -268,6 +276,15 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
         measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);
     if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
+    const SavedDrawing saved{.picture = picture,
+                             .plan = plan,
+                             .page = page,
+                             .format = format,
+                             .file = file,
+                             .dots = dots,
+                             .by_pen = measured ? &held->by_pen : nullptr};
+    // Writing waits for the disk, or for one thread that compresses.
+    std::future<Rendered> figures = std::async(std::launch::async, [&] { return figures_of(saved, options); });
     save_drawing(options.output, settings, file,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
@@ -276,14 +293,8 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     for (const auto& separation : separations) names.push_back(printable(separation.string()));
     if (!names.empty()) stages.say(fmt::format("separations: {}", fmt::join(names, ", ")));
 
-    Rendered rendered = figures_of({.picture = picture,
-                                    .plan = plan,
-                                    .page = page,
-                                    .format = format,
-                                    .file = file,
-                                    .dots = dots,
-                                    .by_pen = measured ? &held->by_pen : nullptr},
-                                   options);
+    Rendered rendered = figures.get();
+    times.check = stages.lap();
     rendered.order = order;
     if (held) rendered.curve_way_m = held->curve_way_m;
     rendered.times = times;

@@ -1,5 +1,5 @@
 #pragma once
-// What can be told of a drawing that `dapple render` has saved: measured, timed, and found worth knowing
+// What can be told of a drawing that `dapple render` saves: measured, timed, and found worth knowing
 // before it is plotted.
 
 #include "app/commands/render_page.h"

@@ -237,7 +237,9 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"read_ms", drawn.times.read},
         {"tone_ms", drawn.times.tone},
         {"place_ms", drawn.times.place},
+        {"order_ms", drawn.times.order},
         {"write_ms", drawn.times.write},
+        {"check_ms", drawn.times.check},
     };
     // File names need not be UTF-8, JSON has to be.
     return stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';

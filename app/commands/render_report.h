@@ -19,9 +19,13 @@
 
 namespace dapple {
 
-/// Milliseconds.
+/// Milliseconds of wall time. Dots that are not held in memory are placed while they are written.
 struct RenderTimes {
-    double tile = 0, read = 0, tone = 0, place = 0, write = 0;
+    double tile = 0, read = 0, tone = 0;
+    double place = 0;  // and relax
+    double order = 0;  // sort, and find the pen's way
+    double write = 0;
+    double check = 0;  // measure what is told before plotting, as far as that outlasts the writing
 };
 
 /// What was drawn.

@@ -15,15 +15,16 @@ namespace {
 double nearest_distance(const PointGrid& grid, const PointGrid::Entry& point) {
     const Domain& domain = grid.domain();
     const double diagonal = std::hypot(domain.width, domain.height);
-    for (double radius = grid.cell_size();; radius *= 2) {
+    // Evenly spread points have their nearest within the first radius, a little more than their spacing.
+    for (double radius = 0.75 * grid.cell_size();; radius *= 2) {
         double best = std::numeric_limits<double>::infinity();
-        grid.for_each_within(point.position, radius, [&](std::uint32_t index, glm::dvec2 offset) {
+        grid.for_each_around(point.position, radius, [&](const PointGrid::Entry& other, glm::dvec2 offset) {
             const double squared = offset.x * offset.x + offset.y * offset.y;
-            if (index == point.index && squared == 0) return;  // the point itself, not an image of it
+            if (squared == 0 && &other == &point) return;  // the point itself, not an image of it
             best = std::min(best, squared);
         });
-        if (best < std::numeric_limits<double>::infinity()) return std::sqrt(best);
-        if (domain.topology == Topology::window && radius > diagonal) return best;
+        if (best <= radius * radius) return std::sqrt(best);
+        if (domain.topology == Topology::window && radius > diagonal) return std::sqrt(best);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <array>
@@ -128,6 +129,34 @@ double rounded_down(double value) {
 
 }  // namespace
 
+void hand_over_bands(const Bands& bands, const std::function<Grid<float>(int band, std::size_t pen)>& draw,
+                     const std::function<void(int band, std::span<const Grid<float>>)>& sink) {
+    const int at_once = bands.threads > 0 ? bands.threads : tbb::info::default_concurrency();
+    std::vector<std::vector<Grid<float>>> drawn(static_cast<std::size_t>(at_once),
+                                                std::vector<Grid<float>>(bands.pens)),
+        ready = drawn;
+    const auto draw_from = [&](int first) {
+        tbb::parallel_for(0, std::min(at_once, bands.count - first), [&](int i) {
+            for (std::size_t pen = 0; pen < bands.pens; ++pen) drawn[i][pen] = draw(first + i, pen);
+        });
+    };
+    tbb::task_arena(at_once).execute([&] {
+        draw_from(0);
+        for (int first = 0; first < bands.count; first += at_once) {
+            drawn.swap(ready);
+            tbb::task_group group;
+            if (first + at_once < bands.count) group.run([&] { draw_from(first + at_once); });
+            try {
+                for (int i = 0; i < std::min(at_once, bands.count - first); ++i) sink(first + i, ready[i]);
+            } catch (...) {
+                group.wait();
+                throw;
+            }
+            group.wait();
+        }
+    });
+}
+
 RasterSize raster_size(const PageSize& page, double dpi) {
     const double width = std::round(page.width_mm / 25.4 * dpi),
                  height = std::round(page.height_mm / 25.4 * dpi);
@@ -160,23 +189,14 @@ void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterReq
                         .radius = request.dot_radius_mm * px_per_mm,
                         .band_rows = rows_of_a_band(size.width)};
     const std::vector<std::uint64_t> counts = dots_in_bands(canvas);
-
-    const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
-    tbb::task_arena arena(threads);
-    std::vector<std::vector<Grid<float>>> drawn(static_cast<std::size_t>(threads),
-                                                std::vector<Grid<float>>(pens));
     for (int next_band = 0; next_band < canvas.bands();) {
         const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
-        for (int first = 0; first < stretch.bands(); first += threads) {
-            const int count = std::min(threads, stretch.bands() - first);
-            arena.execute([&] {
-                tbb::parallel_for(0, count, [&](int i) {
-                    for (std::size_t pen = 0; pen < pens; ++pen)
-                        drawn[i][pen] = draw_band(canvas, stretch, first + i, pen);
-                });
+        hand_over_bands(
+            {.count = stretch.bands(), .pens = pens, .threads = request.threads},
+            [&](int i, std::size_t pen) { return draw_band(canvas, stretch, i, pen); },
+            [&](int i, std::span<const Grid<float>> band) {
+                sink((next_band + i) * canvas.band_rows, band);
             });
-            for (int i = 0; i < count; ++i) sink((next_band + first + i) * canvas.band_rows, drawn[i]);
-        }
         next_band += stretch.bands();
     }
 }
@@ -205,7 +225,7 @@ Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 i
     }
     Grid<glm::vec<3, Channel>> result(coverage.width, coverage.height);
     std::ranges::transform(coverage.values, result.values.begin(), [&](float share) {
-        return colours[static_cast<std::size_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * steps))];
+        return colours[static_cast<std::size_t>(std::clamp(share, 0.0f, 1.0f) * steps + 0.5f)];
     });
     return result;
 }

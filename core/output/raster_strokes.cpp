@@ -1,9 +1,5 @@
 #include "core/output/raster_strokes.h"
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -84,10 +80,6 @@ void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const Ras
     canvas.for_each_line([&](const SampledLine&, int first, int last) {
         for (int band = first; band <= last; ++band) ++counts[band];
     });
-    const int threads = request.threads > 0 ? request.threads : tbb::info::default_concurrency();
-    tbb::task_arena arena(threads);
-    std::vector<std::vector<Grid<float>>> drawn(static_cast<std::size_t>(threads),
-                                                std::vector<Grid<float>>(pens));
     for (int next = 0; next < canvas.bands();) {
         // As many bands as have so many lines together, but one at least.
         int end = next;
@@ -102,17 +94,12 @@ void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const Ras
             for (int band = std::max(first, next); band <= std::min(last, end - 1); ++band)
                 lines[band - next].push_back(line);
         });
-        for (int first = next; first < end; first += threads) {
-            const int count = std::min(threads, end - first);
-            arena.execute([&] {
-                tbb::parallel_for(0, count, [&](int i) {
-                    for (std::size_t pen = 0; pen < pens; ++pen)
-                        drawn[i][pen] =
-                            band_of_strokes(canvas, first + i, lines[first + i - next], pen, pens > 1);
-                });
-            });
-            for (int i = 0; i < count; ++i) sink((first + i) * canvas.band_rows, drawn[i]);
-        }
+        hand_over_bands(
+            {.count = end - next, .pens = pens, .threads = request.threads},
+            [&](int i, std::size_t pen) {
+                return band_of_strokes(canvas, next + i, lines[i], pen, pens > 1);
+            },
+            [&](int i, std::span<const Grid<float>> band) { sink((next + i) * canvas.band_rows, band); });
         next = end;
     }
 }

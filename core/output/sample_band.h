@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <span>
@@ -86,10 +88,14 @@ class SampleBand {
         for (int y = 0; y < result.height; ++y) {
             std::ranges::fill(counts, 0);
             for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) count(row, counts);
-            for (int x = 0; x < width; ++x) {
-                const std::uint64_t bytes = counts[x / kPixelsPerWord] >> x % kPixelsPerWord * kSamples;
-                result.at(x, y) =
-                    static_cast<float>((bytes & 0xff) + (bytes >> 8 & 0xff)) / (kSamples * kSamples);
+            for (int word = 0; word < words_; ++word) {
+                if (counts[word] == 0) continue;  // bare paper
+                const int first = word * kPixelsPerWord;
+                for (int x = first; x < std::min(first + kPixelsPerWord, width); ++x) {
+                    const std::uint64_t bytes = counts[word] >> (x - first) * kSamples;
+                    result.at(x, y) =
+                        static_cast<float>((bytes & 0xff) + (bytes >> 8 & 0xff)) / (kSamples * kSamples);
+                }
             }
         }
         return result;
@@ -126,5 +132,17 @@ class SampleBand {
     int words_, sample_rows_;
     std::vector<std::uint64_t> bits_;
 };
+
+/// A stretch of bands, numbered from 0, of so many pens each.
+struct Bands {
+    int count = 0;
+    std::size_t pens = 1;
+    int threads = 1;  // 0: all cores
+};
+
+/// Hands over all of them in turn, in the calling thread: the next ones are drawn meanwhile, side by side, as
+/// a file of pixels takes as long to compress as to draw. What the sink throws passes through.
+void hand_over_bands(const Bands& bands, const std::function<Grid<float>(int band, std::size_t pen)>& draw,
+                     const std::function<void(int band, std::span<const Grid<float>>)>& sink);
 
 }  // namespace dapple

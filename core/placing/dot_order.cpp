@@ -1,5 +1,7 @@
 #include "core/placing/dot_order.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -73,9 +75,16 @@ void sort_ties(const Dots& dots, std::vector<std::uint64_t>& keys) {
     }
 }
 
+// Calls each(i) for all of so many dots, side by side.
+void for_each_dot(std::size_t count, const auto& each) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1 << 14), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) each(i);
+    });
+}
+
 void rearrange(FloatBuffer& column, const std::vector<std::uint64_t>& keys) {
     FloatBuffer sorted(column.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) sorted[i] = column[static_cast<std::uint32_t>(keys[i])];
+    for_each_dot(keys.size(), [&](std::size_t i) { sorted[i] = column[static_cast<std::uint32_t>(keys[i])]; });
     column = std::move(sorted);
 }
 
@@ -101,12 +110,12 @@ void sort_dots(Dots& dots, DotOrder order) {
            (dots.threshold.size() == dots.size() && dots.critical.size() == dots.size()));
     std::vector<std::uint64_t> keys(dots.size());  // key above, index below
     const HilbertGrid grid(dots);
-    for (std::size_t i = 0; i < dots.size(); ++i) {
+    for_each_dot(dots.size(), [&](std::size_t i) {
         // Positive floats are ordered as their bits are.
         const std::uint32_t key = order == DotOrder::priority ? std::bit_cast<std::uint32_t>(dots.critical[i])
                                                               : grid.index(dots.x[i], dots.y[i]);
         keys[i] = std::uint64_t{key} << 32 | i;
-    }
+    });
     tbb::parallel_sort(keys.begin(), keys.end());
     if (order == DotOrder::priority) sort_ties(dots, keys);
     for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {

@@ -33,6 +33,9 @@ constexpr float kOvershoot = 1.8f;
 constexpr float kBeyondInBlack = 0.2f, kLightest = 0.6f,
                 kBlackest = 0.9f;  // densities, between which both are mixed
 constexpr float kBeyondEdge = 0.05f, kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
+// Farther in than this nothing has to be known of an edge: most dots lie there.
+constexpr float kFarFromEdge = 0.5f;
+static_assert(-kFarFromEdge < kLeastBeyond && kLeastBeyond < kBeyondInBlack);
 constexpr float kWaveHeight = 0.45f, kWaveLengths[] = {3.7f, 5.9f};
 // A dot stays where the ink is: it does not go where there is less than this share of the density that it
 // comes from.
@@ -122,6 +125,7 @@ class RowsMover {
         // To where the cell ends at an edge so far away, at that place along it. Alike on all edges from
         // their middles on: a picture on its side has the same dots.
         const auto to_edge = [&](float away, float from_middle) {
+            if (away - kFarFromEdge * apart_here > kCellReach) return kCellReach;
             const float t = std::abs(from_middle) / apart_here;
             const float waves = wave(t / kWaveLengths[0]) + wave(t / kWaveLengths[1]);
             const float waving = std::clamp(kBeyondEdge + kWaveHeight * waves, kLeastBeyond, kMostBeyond);

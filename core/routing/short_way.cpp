@@ -205,7 +205,8 @@ class Window {
     }
 
     // Turns in a chain, each of which may make the way longer as long as the chain does not (Lin and
-    // Kernighan 1973): all have their first dot in common.
+    // Kernighan 1973): all have their first dot in common. Most chains come to nothing, so that turns are
+    // only thought of, as stretches of places, until one is worth it.
     bool chain_from(std::uint32_t a) {
         for (const bool forward : {true, false}) {
             const std::uint32_t b = beside(a, forward);
@@ -213,6 +214,7 @@ class Window {
             turns_.clear();
             if (!lengthen_chain(a, b, distance(a, b))) continue;
             for (const Turn& turn : turns_) {
+                exchange(a, turn.b, turn.c, turn.d);
                 for (const std::uint32_t dot : {turn.b, turn.c, turn.d}) look_again(dot);
             }
             look_again(a);
@@ -229,12 +231,13 @@ class Window {
         };
         std::array<Choice, kNearDots> choices;
         std::size_t count = 0;
+        const bool follows = thought_beside(a, true) == b;
         for (std::size_t k = 0; k < kNearDots; ++k) {
             const std::uint32_t d = near_[b * kNearDots + k];
             const double left = freed - distance(b, d);
             if (left <= least_gain_) break;
             // exchange() asks that b follows a as d follows c, and turns change which way that is.
-            const std::uint32_t c = beside(d, after(a) != b);
+            const std::uint32_t c = thought_beside(d, !follows);
             if (d == a || c == b || c == joint_) continue;
             const Choice choice{left + distance(c, d), c, d};
             std::size_t place = count++;
@@ -246,19 +249,48 @@ class Window {
         const std::size_t most = depth < kBreadth.size() ? kBreadth[depth] : 1;
         for (std::size_t i = 0; i < std::min(count, most); ++i) {
             const auto [left, c, d] = choices[i];
-            exchange(a, b, c, d);
-            turns_.push_back({b, c, d});
-            if (left - distance(a, c) > least_gain_) return true;
-            if (depth + 1 < kLongestChain && lengthen_chain(a, c, left)) return true;
+            const bool gains = left - distance(a, c) > least_gain_;
+            if (!gains && depth + 1 == kLongestChain) continue;
+            const std::uint32_t from = thought_place(follows ? b : a), to = thought_place(follows ? c : d);
+            turns_.push_back({b, c, d, from, length_between(from, to)});
+            if (gains || lengthen_chain(a, c, left)) return true;
             turns_.pop_back();
-            exchange(a, c, b, d);
         }
         return false;
     }
 
+    // Of a chain: in place of a-b and c-d there will be a-c and b-d, by turning so many places from one on.
     struct Turn {
         std::uint32_t b, c, d;
+        std::uint32_t from, length;
+
+        std::uint32_t moved(std::uint32_t place, std::uint32_t stops) const {
+            const std::uint32_t offset = place - from + (place < from ? stops : 0);
+            if (offset >= length) return place;
+            const std::uint32_t to = from + length - 1 - offset;
+            return to >= stops ? to - stops : to;
+        }
     };
+
+    std::uint32_t length_between(std::uint32_t from, std::uint32_t to) const {
+        return to - from + 1 + (to < from ? static_cast<std::uint32_t>(stops_) : 0);
+    }
+    // Where a dot is, and which is beside it, after the chain's turns.
+    std::uint32_t thought_place(std::uint32_t dot) const {
+        std::uint32_t place = place_[dot];
+        for (const Turn& turn : turns_) place = turn.moved(place, static_cast<std::uint32_t>(stops_));
+        return place;
+    }
+    std::uint32_t thought_beside(std::uint32_t dot, bool forward) const {
+        const auto stops = static_cast<std::uint32_t>(stops_);
+        std::uint32_t place = thought_place(dot);
+        if (forward)
+            place = place + 1 == stops ? 0 : place + 1;
+        else
+            place = (place == 0 ? stops : place) - 1;
+        for (auto turn = turns_.rbegin(); turn != turns_.rend(); ++turn) place = turn->moved(place, stops);
+        return tour_[place];
+    }
 
     std::vector<float> x_, y_;
     std::vector<std::uint32_t> near_;

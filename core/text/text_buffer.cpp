@@ -1,6 +1,8 @@
 #include "core/text/text_buffer.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace dapple {
@@ -24,28 +26,29 @@ TextBuffer& TextBuffer::operator<<(char c) {
 }
 
 TextBuffer& TextBuffer::fixed(double value, int decimals) {
-    static constexpr std::array<std::int64_t, 10> powers{
+    static constexpr std::array<double, 10> powers{
         1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-    const std::int64_t unit = powers[decimals];
-    std::int64_t scaled = std::llround(value * static_cast<double>(unit));
-    if (scaled < 0) {
-        *this << '-';
-        scaled = -scaled;
+    // To the nearest, and from the middle away from zero.
+    const double scaled = std::abs(value) * powers[static_cast<std::size_t>(decimals)];
+    auto rest = static_cast<std::uint64_t>(scaled);
+    rest += scaled - static_cast<double>(rest) >= 0.5;
+    const bool negative = value < 0 && rest > 0;
+    for (; decimals > 0 && rest % 10 == 0; --decimals) rest /= 10;
+    // From the last digit on.
+    std::array<char, 24> digits;
+    auto first = digits.end();
+    const auto put = [&] {
+        *--first = static_cast<char>('0' + rest % 10);
+        rest /= 10;
+    };
+    for (; decimals > 0; --decimals) {
+        put();
+        if (decimals == 1) *--first = '.';
     }
-    shortest(scaled / unit);
-    std::int64_t fraction = scaled % unit;
-    if (fraction == 0) return *this;
-    while (fraction % 10 == 0) {
-        fraction /= 10;
-        --decimals;
-    }
-    make_room(16);
-    buffer_[used_] = '.';
-    for (int place = decimals; place > 0; --place, fraction /= 10) {
-        buffer_[used_ + place] = static_cast<char>('0' + fraction % 10);
-    }
-    used_ += static_cast<std::size_t>(decimals) + 1;
-    return *this;
+    do put();
+    while (rest > 0);
+    if (negative) *--first = '-';
+    return *this << std::string_view(first, digits.end());
 }
 
 void TextBuffer::flush() {

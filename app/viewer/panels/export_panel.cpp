@@ -25,7 +25,7 @@ constexpr const char* kOrders =
     "The order of the dots in the file, in which a plotter draws them.\n"
     "as placed: tile by tile.\n"
     "short moves: each near the one before, found at once.\n"
-    "shortest: a short route, which takes some seconds to find; of a million dots a minute or so.\n"
+    "shortest: a short route, which for a million dots takes some seconds to find.\n"
     "by priority: the first n dots are nearly the drawing with n dots if they are not relaxed, so that a "
     "plot may "
     "stop at any time.";
