@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/viewer/model/change_words.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
@@ -59,6 +61,7 @@ Everything with_all_in_use() {
     all.drawing.mark = {DotShape::path, "M0,0 L1,1"};
     all.drawing.dot_size.sizing = DotSizing::fixed;
     all.drawing.page.paper = Paper::custom;
+    all.drawing.page.height_mm = 150;
     all.drawing.page.margins = {1, 2, 3, 4};
     all.drawing.sheets.columns = 2;
     all.drawing.pens = {.set = PenSet::own, .own = palette_of({.set = PenSet::cmyk, .width_mm = 0.3})};
@@ -145,6 +148,21 @@ std::vector<std::string> controls_in(const HeadlessUi& ui) {
         if (!part && !kFolds.contains(label)) labels.push_back(label);
     }
     return labels;
+}
+
+/// The rows that edit settings.
+void draw_changing(Everything& one) {
+    ViewerSettings& all = one.all;
+    DrawingSettings& drawing = all.drawing;
+    draw_tone_panel(drawing, {});
+    draw_rotate_row(drawing.page.quarter_turns);
+    draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25});
+    draw_page_panel(drawing.page, drawing.sheets, {200, 150, 200}, all.unit);
+    draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, nullptr});
+    draw_method_rows(all, {kTiles});
+    draw_compare_panel(all, {kTiles});
+    for (const DrawingFormatName& format : kDrawingFormats)
+        draw_export_panel(all, format.format, {.dots = 400, .bytes = 1e4, .trouble = {}});
 }
 
 bool popup_is_open() {
@@ -257,6 +275,48 @@ TEST_CASE("in the narrowest column no label, value or control lies on another, o
             }
         }
     }
+}
+
+TEST_CASE("undo names a change by the row that made it") {
+    // One choice for several rows, and rows whose choice is kept in another's.
+    const std::map<std::string, std::string> others{{"Dots by", "Dots"},
+                                                    {"Which pens", "Pens"},
+                                                    {"G-code for", "Template"},
+                                                    {"Right tile", "Split view"},
+                                                    {"Right placer", "Split view"},
+                                                    {"Right ranking", "Split view"},
+                                                    {"Right side has", "Split view"},
+                                                    {"Paper in SVG", "Paper in files"},
+                                                    {"Paper in PDF", "Paper in files"}};
+    const auto listed = [](Everything& one, const ListedRow* taken, int value) {
+        HeadlessUi ui([] {});
+        std::vector<ListedRow> rows;
+        ImGui::NewFrame();
+        {
+            const RowListing listing(rows, taken, value);
+            draw_changing(one);
+        }
+        ImGui::EndFrame();
+        return rows;
+    };
+    int changes = 0;
+    for (const Everything& state : states()) {
+        Everything plain = state;
+        for (const ListedRow& row : listed(plain, nullptr, -1)) {
+            if (row.greyed || row.values.empty()) continue;
+            Everything one = state;
+            listed(one, &row, row.chosen == 0 ? 1 : 0);
+            const std::string words = change_in_words(state.all, one.all);
+            if (words.empty()) continue;  // of how the window looks
+            ++changes;
+            CAPTURE(row.label);
+            CAPTURE(words);
+            const auto other = others.find(row.label);
+            const bool named = words.find(row.label) != std::string::npos;
+            CHECK((named || (other != others.end() && words.find(other->second) != std::string::npos)));
+        }
+    }
+    CHECK(changes > 60);
 }
 
 }  // namespace dapple

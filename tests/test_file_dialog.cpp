@@ -318,10 +318,10 @@ TEST_CASE("after a path that is not there, or a folder, typing goes on behind it
     Folder folder;
     DialogUi f;
     f.open(folder.root.path());
-    f.ui.type((folder.root.path() / "b fol").c_str());  // all of what was there was selected
+    f.ui.type((folder.root.path() / "b folders").c_str());  // all of what was there was selected
     f.key(Key::enter);
     CHECK(f.dialog.is_open());
-    f.ui.type("der");
+    f.key(Key::backspace);
     f.key(Key::enter);
     CHECK(f.ui.has("inner.tif"));
     f.ui.type("inner.tif");
@@ -448,6 +448,46 @@ TEST_CASE("arrows mark an entry of the places and of the folder, and Enter opens
     CHECK(f.dialog.is_open());
     f.key(Key::enter);
     CHECK(f.chosen == root / "notes.txt");
+}
+
+TEST_CASE("typed letters jump to the entry that begins with them, and Enter opens it") {
+    Folder folder;
+    for (int i = 0; i < 40; ++i)
+        std::ofstream(folder.root.path() / ("bird" + std::to_string(10 + i) + ".png")) << "x";
+    std::ofstream(folder.root.path() / "Zebra.png") << "x";
+    DialogUi f;
+    f.open(folder.root.path());
+    for (const char* letter : {"z", "e"}) f.ui.type(letter);
+    for (int i = 0; i < 3; ++i) f.ui.frame();
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "Zebra.png");
+
+    // The same where the list has the keys.
+    f.open(folder.root.path());
+    f.key(Key::tab);
+    f.ui.type("a");
+    f.ui.frame();
+    f.ui.frame();
+    f.key(Key::enter);
+    CHECK(f.chosen == folder.root.path() / "ant.png");
+
+    f.open(folder.root.path());
+    f.ui.type("b f");
+    f.key(Key::enter);
+    CHECK(f.ui.has("inner.tif"));
+    f.ui.type("nothing");
+    f.key(Key::enter);
+    CHECK(f.dialog.is_open());
+}
+
+TEST_CASE("what is wrong with a name is said beside the buttons and never under them") {
+    Folder folder;
+    DialogUi f;
+    f.save(folder.root.path() / "drawing.txt");
+    f.ui.click("Accept");
+    CHECK(f.dialog.is_open());
+    REQUIRE(f.ui.has("Trouble"));
+    CHECK(f.ui.place("Trouble").max.x < f.ui.place("Cancel").min.x);
 }
 
 TEST_CASE("nothing is saved that cannot be written, by no key and no click, until it can") {

@@ -30,7 +30,7 @@ constexpr std::array kRows = std::to_array<std::pair<std::string_view, std::stri
     {"page/paper", "Paper size"},
     {"quarter_turns", "Rotate"},
     {"sheet_overlap_mm", "Overlap"},
-    {"background", "Paper in SVG"},
+    {"background", "Paper in files"},
     {"show_tiles", "Tile boundaries"},
     {"style", "Draw"},
     {"order", "Dot order"},

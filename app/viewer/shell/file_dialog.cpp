@@ -42,12 +42,32 @@ fs::path plain_folder(const fs::path& folder) {
     return folder.has_filename() || folder == folder.root_path() ? folder : folder.parent_path();
 }
 
-// ".svg, .png or .csv"
-std::string listed(const std::vector<std::string>& endings) {
-    std::string text;
-    for (std::size_t i = 0; i < endings.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + endings[i];
-    return text;
+float button_width() {
+    return 110 * ImGui::GetTextLineHeight() / 15;
+}
+
+// Of two of them at the right end of a row.
+float place_of_buttons() {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::GetWindowWidth() - 2 * button_width() - style.ItemSpacing.x - style.WindowPadding.x;
+}
+
+// A warning at the row's left, which ends before the buttons at its right; the cursor then is where they begin.
+void warning_before(float buttons, const std::string& words) {
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float air = 2 * ImGui::GetStyle().WindowPadding.x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
+    ImGui::PushClipRect(start, {start.x + std::max(buttons - air, 1.0f), start.y + ImGui::GetFrameHeight()},
+                        true);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopClipRect();
+    ImGui::PopStyleColor();
+    if (!words.empty()) {
+        tip(words.c_str());
+        note_place("Trouble");
+    }
+    ImGui::SameLine(buttons);
 }
 
 }  // namespace
@@ -142,18 +162,21 @@ void FileDialog::take_name(const fs::path& file) {
 std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::string& refusal) {
     trouble_.clear();
     replaces_.clear();
-    if (is_folder(chosen)) {
-        enter(chosen);
+    const fs::path named = folder_ / chosen;  // a name alone is one of the folder's
+    const FolderEntry* const begun = is_there(named) ? nullptr : entry_begun();
+    const fs::path path = with_ending(begun ? folder_ / begun->name : named);
+    if (is_folder(path)) {
+        enter(path);
         return std::nullopt;
     }
-    const fs::path path = with_ending(chosen);
     if (!saves_) {
         if (is_there(path)) return path;
         trouble_ = "There is no such file.";
     } else if (!is_folder(path.parent_path())) {
         trouble_ = "There is no such folder.";
     } else if (!format_of(path)) {
-        trouble_ = "The name must end in " + listed(endings()) + ".";
+        trouble_ = has_formats() ? "No format has that ending; choose one above."
+                                 : "The name must end in " + endings().front() + ".";
     } else if (is_folder(path)) {
         trouble_ = "That is a folder.";
     } else if (!refusal.empty()) {
@@ -164,6 +187,15 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::st
         return path;
     }
     return std::nullopt;
+}
+
+const FolderEntry* FileDialog::entry_begun() const {
+    const fs::path typed = folder_ / typed_;
+    const std::string begin = lower_case(typed.filename().string());
+    if (saves_ || begin.empty() || typed.parent_path() != plain_folder(folder_)) return nullptr;
+    const auto found = std::ranges::find_if(
+        entries_, [&](const FolderEntry& entry) { return lower_case(entry.name).starts_with(begin); });
+    return found == entries_.end() ? nullptr : &*found;
 }
 
 std::vector<fs::path> FileDialog::files_there(const fs::path& name) const {
@@ -180,7 +212,7 @@ fs::path FileDialog::draw_folders(const std::vector<fs::path>& folders) {
         ImGui::PushID(place.c_str());
         const bool chosen = place == plain_folder(folder_) || place_keys_.next_is_marked();
         if (text_entry(name, chosen)) walk_to = place;
-        if (place_keys_.end_entry().press) walk_to = place;
+        if (place_keys_.end_entry(name).press) walk_to = place;
         ImGui::PopID();
         note_place(("Place " + name).c_str());
         tip(printable(place.native()).c_str());
@@ -232,7 +264,7 @@ FileDialog::Wanted FileDialog::draw_places(const Thumbnail& thumbnail) {
         const std::string name = printable(file.filename().native());
         ImGui::PushID(id++);
         if (draw_file(file, place_keys_.next_is_marked(), thumbnail)) chosen = file;
-        if (place_keys_.end_entry().press) chosen = file;
+        if (place_keys_.end_entry(name).press) chosen = file;
         ImGui::PopID();
         note_place(("Recent " + name).c_str());
         tip(printable(file.native()).c_str());
@@ -277,16 +309,19 @@ FileDialog::Wanted FileDialog::draw_entries(const Thumbnail& thumbnail) {
             walk_to = here.parent_path();
         }
     }
+    const FolderEntry* const begun = entry_begun();
+    const bool jumps = std::exchange(jumps_, false);
     for (const FolderEntry& entry : entries_) {
         const fs::path path = folder_ / entry.name;
+        if (&entry == begun && jumps) ImGui::SetScrollHereY();
         const std::string label = printable(entry.name) + (entry.folder ? "/" : "");
-        const bool is_chosen = fs::path(typed_) == path || entry_keys_.next_is_marked();
+        const bool is_chosen = &entry == begun || folder_ / typed_ == path || entry_keys_.next_is_marked();
         if (entry.folder) push_title_font();
         const ImGuiSelectableFlags flags = ImGuiSelectableFlags_AllowDoubleClick;
         const bool clicked =
             entry.folder ? text_entry(label, is_chosen, flags) : draw_file(path, is_chosen, thumbnail, flags);
         if (entry.folder) pop_title_font();
-        const RowKeys keys = entry_keys_.end_entry();
+        const RowKeys keys = entry_keys_.end_entry(entry.name);
         if (!clicked && !keys.press) continue;
         if (entry.folder) {
             walk_to = path;
@@ -338,13 +373,8 @@ std::string FileDialog::draw_options(const DrawOptions& options) {
 }
 
 FileDialog::Wanted FileDialog::draw_buttons(const std::string& refusal, bool escape) {
-    const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
-    ImGui::TextUnformatted(printable(trouble_).c_str());
-    ImGui::PopStyleColor();
-    ImGui::SameLine(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
-                    ImGui::GetStyle().WindowPadding.x);
+    const float button = button_width();
+    warning_before(place_of_buttons(), printable(trouble_));
     if (key_button("Cancel", {button, 0}) || escape) open_ = false;
     note_place("Cancel");
     ImGui::SameLine();
@@ -355,23 +385,12 @@ FileDialog::Wanted FileDialog::draw_buttons(const std::string& refusal, bool esc
 }
 
 std::optional<fs::path> FileDialog::draw_replace_question(bool enter, bool escape) {
-    const float unit = ImGui::GetTextLineHeight() / 15, button = 110 * unit;
-    const float buttons = ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x -
-                          ImGui::GetStyle().WindowPadding.x;
+    const float button = button_width();
     std::string question = printable(replaced_.front().filename().native());
     question += replaced_.size() == 1
                     ? " exists. Replace it?"
                     : fmt::format(" and {} more exist. Replace them?", replaced_.size() - 1);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));
-    ImGui::PushClipRect(
-        start, {start.x + buttons - 2 * ImGui::GetStyle().WindowPadding.x, start.y + ImGui::GetFrameHeight()},
-        true);
-    ImGui::TextUnformatted(question.c_str());
-    ImGui::PopClipRect();
-    ImGui::PopStyleColor();
-    ImGui::SameLine(buttons);
+    warning_before(place_of_buttons(), question);
     const bool kept = key_button("Keep", {button, 0}) || escape;
     note_place("Keep");
     ImGui::SameLine();
@@ -402,6 +421,7 @@ bool FileDialog::draw_path() {
     ImGui::PopID();
     note_place("Path");
     if (typed_ != before) {
+        jumps_ = true;
         trouble_.clear();
         replaces_.clear();
     }

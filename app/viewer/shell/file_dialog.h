@@ -113,6 +113,8 @@ class FileDialog {
     std::optional<std::size_t> format_of(const std::filesystem::path& path) const;
     /// Of what is written under that name.
     std::vector<std::filesystem::path> files_there(const std::filesystem::path& name) const;
+    /// Of a file to open, the first of the folder's whose name begins as what is typed; null: none does.
+    const FolderEntry* entry_begun() const;
     std::filesystem::path with_ending(const std::filesystem::path& path) const;
 
     bool saves_ = false;
@@ -120,6 +122,7 @@ class FileDialog {
     bool focus_path_ = false;  // it is to have the keyboard,
     bool path_ends_ = false;   // with the cursor behind what is there, instead of all of it selected
     bool path_has_keys_ = false;
+    bool jumps_ = false;         // to the entry that begins as what was typed
     int path_turn_ = 0;  // another each time that the field is left by Tab
     ListKeys place_keys_, entry_keys_;
     bool bookmarks_changed_ = false;

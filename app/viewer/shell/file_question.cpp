@@ -71,7 +71,7 @@ void FileQuestion::draw_several(const IsBoth& is_both) {
             const std::string name = printable(file.filename().native());
             ImGui::PushID(&file);
             if (text_entry(name, keys_.next_is_marked())) chosen = file;
-            if (keys_.end_entry().press) chosen = file;
+            if (keys_.end_entry(name).press) chosen = file;
             ImGui::PopID();
             note_place(("Open " + name).c_str());
             tip(printable(file.native()).c_str());

@@ -1,11 +1,15 @@
 #pragma once
-// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one.
+// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one, and letters the
+// next that begins with them.
 //
 //     keys.begin("files", low, high);
 //     for (const std::string& file : files) {
 //         const bool clicked = ImGui::Selectable(file.c_str(), keys.next_is_marked());
-//         if (keys.end_entry().press || clicked) open(file);
+//         if (keys.end_entry(file).press || clicked) open(file);
 //     }
+
+#include <optional>
+#include <string_view>
 
 #include "app/viewer/widgets/row_keys.h"
 
@@ -21,7 +25,8 @@ class ListKeys {
     bool next_is_marked() const { return keys_.focused && drawn_ == marked_; }
 
     /// After each entry: scrolls to it and outlines it if it is marked, and what the keys then ask of it.
-    RowKeys end_entry();
+    /// Without a name no letter finds it.
+    RowKeys end_entry(std::string_view name = {});
 
     /// Of another list: its first entry is marked.
     void forget() { marked_ = 0; }
@@ -29,6 +34,9 @@ class ListKeys {
  private:
     RowKeys keys_;
     int marked_ = 0, drawn_ = 0;
+    int letter_ = 0;                       // that was typed in this frame
+    std::optional<int> first_{}, after_{};  // that begin with it, of all and behind the marked one
+    bool moved_ = false;
 };
 
 /// What notes in WidgetPlaces the entry that is marked.
