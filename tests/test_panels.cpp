@@ -808,6 +808,27 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.own[0].gain_mm == 0.06);
 }
 
+TEST_CASE("own pens draw in the order in which they are listed, and change places there") {
+    DrawingSettings drawing;
+    drawing.pens = parse_pens("Night:#102060,Sand:#d0a040,White:#ffffff");
+    HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {}); });
+    const auto names = [&] {
+        std::string all;
+        for (const Pen& pen : drawing.pens.own) all += pen.name + " ";
+        return all;
+    };
+    ui.click("Draw Sand earlier");  // greyed: the lightest are first
+    CHECK(names() == "Night Sand White ");
+    ui.click("Pen order");
+    ui.click("as listed");
+    CHECK(drawing.pens.order == PenOrder::listed);
+    ui.click("Draw Night earlier");  // greyed: it is the first
+    ui.click("Draw White earlier");
+    CHECK(names() == "Night White Sand ");
+    ui.click("Remove White");
+    CHECK(names() == "Night Sand ");
+}
+
 TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they are") {
     DrawingSettings drawing;
     drawing.pens.set = PenSet::cmyk;
@@ -819,7 +840,7 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     ui.click("Show Magenta");
     CHECK(hidden_among(pens, shown) == 0b0010);
     // By its name: it stays hidden where the pens come in another order.
-    sort_lightest_first(pens);
+    sort_pens(pens, PenOrder::lightest);
     REQUIRE(pens[2].name == "Magenta");
     CHECK(hidden_among(pens, shown) == 0b0100);
     ui.click("Look at");

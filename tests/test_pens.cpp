@@ -89,9 +89,20 @@ TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
         CHECK_THROWS_AS(parse_pens(text), std::runtime_error);
     }
     Palette pens = palette_of(parse_pens("cmyk"));
-    sort_lightest_first(pens);
+    sort_pens(pens, PenOrder::lightest);
     CHECK(pens.front().name == "Yellow");
     CHECK(pens.back().name == "Black");
+    sort_pens(pens, PenOrder::darkest);
+    CHECK(pens.front().name == "Black");
+    CHECK(pens.back().name == "Yellow");
+    Palette own = parse_pens("Blue:#0000ff,White:#ffffff,Black:#000000,Snow:#ffffff").own;
+    const Palette as_listed = own;
+    sort_pens(own, PenOrder::listed);
+    CHECK(own == as_listed);
+    sort_pens(own, PenOrder::darkest);
+    CHECK(own.front().name == "Black");
+    CHECK(own[2].name == "White");  // of equally light ones, as they were
+    CHECK(own[3].name == "Snow");
 }
 
 TEST_CASE("one pen's share of paper is what the linear light asks for") {
@@ -131,7 +142,7 @@ TEST_CASE("what a mixture of pens looks like is separated into shares that look 
 
 TEST_CASE("black draws as little of greys or as much as it is told to, and every colour stays as it was") {
     Palette pens = palette_of(parse_pens("cmyk"));
-    sort_lightest_first(pens);
+    sort_pens(pens, PenOrder::lightest);
     const glm::vec3 paper = parse_colour("#f1ead8");
     const Separation usual(pens, paper), least(pens, paper, 0), less(pens, paper, 0.25), most(pens, paper, 1);
     std::mt19937 random(3);

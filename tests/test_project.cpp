@@ -63,7 +63,11 @@ ViewerSettings nothing_usual() {
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
         .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
-        .pens = parse_pens("greys:0.4"),
+        .pens = [] {
+            PenChoice pens = parse_pens("greys:0.4");
+            pens.order = PenOrder::darkest;
+            return pens;
+        }(),
         .registration = true,
         .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -337,6 +338,25 @@ TEST_CASE("of several pens each has its own dots, in tables, on machines and on 
     }
 }
 
+TEST_CASE("of several pens the one that draws first is the lightest, the darkest or the first of the list") {
+    const Scene scene;
+    const auto layers = [&](const std::string& options) {
+        REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 300 " + options + " -o " + scene("p.svg"))
+                    .status == 0);
+        std::vector<std::string> names;
+        pugi::xml_document svg;
+        REQUIRE(svg.load_file(scene("p.svg").c_str()));
+        for (const auto& found : svg.select_nodes("//*[@inkscape:label]"))
+            names.emplace_back(found.node().attribute("inkscape:label").value());
+        return names;
+    };
+    const std::string pens = "--pens Night:#102060,White:#ffffff,Sand:#d0a040 ";
+    using Names = std::vector<std::string>;
+    CHECK(layers(pens) == Names{"1 White", "2 Sand", "3 Night"});
+    CHECK(layers(pens + "--pen-order darkest") == Names{"1 Night", "2 Sand", "3 White"});
+    CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 White", "3 Sand"});
+}
+
 TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and their figures are told") {
     require_program("pdfinfo -v");
     require_program("rsvg-convert --version");
@@ -378,6 +398,8 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
         CHECK(light_difference(svg, png, 2) > 0.12);
     }
     scene.must_fail("render -o " + scene("x.svg") + " --registration", "--registration: is for several pens");
+    scene.must_fail("render -o " + scene("x.svg") + " --pen-order listed",
+                    "--pen-order: is for several pens");
     scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
                     "--registration: is of what is plotted");
 }

@@ -163,7 +163,11 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
     return add_text(app, "--pens", "PENS", help,
-                    reading("--pens", [&pens](const std::string& text) { pens = pens_in(text); }));
+                    reading("--pens", [&pens](const std::string& text) {
+                        const PenOrder order = pens.order;
+                        pens = pens_in(text);
+                        pens.order = order;
+                    }));
 }
 
 CLI::Option* add_paper(CLI::App& app, PageSetup& page, const std::string& help) {
@@ -391,6 +395,10 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
         "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
+    add_choice(app, "--pen-order", settings.pens.order,
+               {PenOrder::lightest, PenOrder::darkest, PenOrder::listed},
+               "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
+               "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
     add_colour(app, "--ink", settings.ink, "Colour of the dots, with one pen");
     add_colour(app, "--paper", settings.paper, "Colour of the page");
 }

@@ -79,7 +79,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     } else if (command.count("--sheet") == 0)
         refuse(command, {"--overlap"}, "is of sheets; give --sheets or --sheet too");
     if (options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--registration"}, "is for several pens; give --pens too");
+        refuse(command, {"--registration", "--pen-order"}, "is for several pens; give --pens too");
     if (has_pixels(format) || is_table(format))
         refuse(command, {"--registration"},
                "is of what is plotted; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf"));

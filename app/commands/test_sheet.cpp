@@ -27,7 +27,7 @@ Palette pens_to_test(const PenChoice& choice) {
     if (choice.set == PenSet::automatic)
         throw CLI::ValidationError("--pens", "auto chooses pens for a picture, and there is none; name them");
     Palette pens = palette_of(choice);
-    sort_lightest_first(pens);
+    sort_pens(pens, choice.order);
     return pens;
 }
 

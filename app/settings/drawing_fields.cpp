@@ -102,6 +102,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     });
     fields.number("sheet_overlap_mm", sheets.overlap_mm, {0, kWidestOverlapMm});
     fields.text("pens", text_of(pens), [&pens = pens](const std::string& text) { pens = parse_pens(text); });
+    fields.choice("pen_order", pens.order, {PenOrder::lightest, PenOrder::darkest, PenOrder::listed});
     fields.flag("registration", registration);
     fields.colour("ink", ink);
     fields.colour("paper", paper);

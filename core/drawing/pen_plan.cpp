@@ -59,7 +59,7 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
             pen.gain_mm = choice.gain_mm;
         }
     }
-    sort_lightest_first(pens);
+    sort_pens(pens, choice.order);
     return pens;
 }
 

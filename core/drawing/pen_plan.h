@@ -11,7 +11,7 @@
 
 namespace dapple {
 
-/// The pens that the choice comes to on a picture, the lightest first; none for one pen. Automatic ones are
+/// The pens that the choice comes to on a picture, in its order; none for one pen. Automatic ones are
 /// chosen by about 500 of its pixels, in light that is `exposure` stops lighter.
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper);
 

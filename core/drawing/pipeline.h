@@ -40,7 +40,7 @@ struct DrawingPlan {
     double stroke_width_mm = 0;  // see DrawingRequest
     PageSize page;               // of the picture
     double full_load = 0;        // see InkCurve
-    Palette pens;                // several, the lightest first; none: one
+    Palette pens;                // several, in the order in which they draw; none: one
     PenDensities by_pen;         // whose sum is the density above
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed

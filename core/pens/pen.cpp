@@ -124,6 +124,11 @@ std::string_view name_of(PenSet set) {
     return names[static_cast<std::size_t>(set)];
 }
 
+std::string_view name_of(PenOrder order) {
+    constexpr std::array names{"lightest", "darkest", "listed"};
+    return names[static_cast<std::size_t>(order)];
+}
+
 Palette palette_of(const PenChoice& choice) {
     if (choice.set == PenSet::own) return choice.own;
     Palette pens;
@@ -178,9 +183,12 @@ PenChoice own_pens(Palette pens) {
     return {.set = PenSet::own, .own = std::move(pens)};
 }
 
-void sort_lightest_first(Palette& pens) {
-    std::ranges::stable_sort(pens, std::ranges::greater{},
-                             [](const Pen& pen) { return luminance(linear_of(pen.colour)); });
+void sort_pens(Palette& pens, PenOrder order) {
+    if (order == PenOrder::listed) return;
+    const float sign = order == PenOrder::lightest ? -1 : 1;
+    std::ranges::stable_sort(pens, std::ranges::less{}, [sign](const Pen& pen) {
+        return sign * luminance(linear_of(pen.colour));
+    });
 }
 
 PenChoice parse_pens(std::string_view text) {

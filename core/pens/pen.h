@@ -49,6 +49,15 @@ inline constexpr double kUsualBlack = 0.5;
 /// "one", "greys", "cmyk", "own", "auto".
 std::string_view name_of(PenSet set);
 
+/// In which order several pens draw. Of equally light ones, as they are listed.
+enum class PenOrder {
+    lightest,  // first, so that a pen's tip never drags a darker ink along
+    darkest,   // first: for inks that cover darker ones, such as paint markers
+    listed,    // as the set lists them
+};
+/// "lightest", "darkest", "listed".
+std::string_view name_of(PenOrder order);
+
 struct PenChoice {
     PenSet set = PenSet::one;
     int automatic = 4;    // how many, 1..kMostPens
@@ -56,6 +65,7 @@ struct PenChoice {
     double gain_mm = 0;   // of the same pens
     double black = kUsualBlack;  // of cmyk, 0..1: see Separation
     Palette own = {};
+    PenOrder order = PenOrder::lightest;  // not of the text
 
     bool operator==(const PenChoice&) const = default;
 };
@@ -69,8 +79,7 @@ std::span<const Pen> common_pens();
 /// Whether one of them is neither a grey nor nearly one, as black inks are.
 bool has_colour(const Palette& pens);
 
-/// The lightest first, so that a pen's tip never drags a darker ink along; of equal ones, as they come.
-void sort_lightest_first(Palette& pens);
+void sort_pens(Palette& pens, PenOrder order);
 
 /// What --pens takes: "one", "greys", "cmyk", "auto:5", each with a width as in "cmyk:0.3mm"; or own pens,
 /// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,

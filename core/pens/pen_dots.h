@@ -21,7 +21,7 @@ namespace dapple {
 /// Of a page, for dots to be shared out by: each pen's density, whose sum is that of all dots.
 struct PenDensities {
     std::shared_ptr<const Density> all;
-    std::vector<std::shared_ptr<const Density>> each;  // lightest pen first, as the palette
+    std::vector<std::shared_ptr<const Density>> each;  // of each pen, as the palette
 
     /// The shares of the dots at a place, 1 together; alike for all where there are to be none.
     Shares shares_at(glm::dvec2 place) const;

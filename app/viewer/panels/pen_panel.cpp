@@ -98,6 +98,17 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
     return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
 
+bool draw_order(PenChoice& pens) {
+    const Greyed greyed(pens.set == PenSet::one ? "Of several pens only." : nullptr);
+    int order = static_cast<int>(pens.order);
+    if (!choice_row("Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
+                    "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker "
+                    "ink along. darkest first: for inks that cover darker ones."))
+        return false;
+    pens.order = static_cast<PenOrder>(order);
+    return true;
+}
+
 bool is_free(const Palette& pens, const std::string& name) {
     return std::ranges::find(pens, name, &Pen::name) == pens.end();
 }
@@ -118,8 +129,11 @@ Pen another(const Palette& pens) {
     return pen;
 }
 
-// True while something changes. `removed`: its button was pressed.
-bool draw_own_pen(Palette& pens, std::size_t place, LengthUnit unit, bool& removed) {
+enum class OwnPenButton { none, earlier, remove };
+
+// True while something changes.
+bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, LengthUnit unit,
+                  OwnPenButton& pressed) {
     Pen& pen = pens[place];
     const std::string number = " " + std::to_string(place + 1);
     ImGui::PushID(static_cast<int>(place));
@@ -138,23 +152,39 @@ bool draw_own_pen(Palette& pens, std::size_t place, LengthUnit unit, bool& remov
         changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
-    const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
-    removed =
-        wide_button(("Remove " + pen.name).c_str(), "Takes the pen out of the set; undo brings it back.");
+    {
+        const Greyed greyed(place == 0                          ? "It is the first already."
+                            : choice.order != PenOrder::listed ? "Of the pen order \"as listed\" only."
+                                                               : nullptr);
+        if (wide_button(("Draw " + pen.name + " earlier").c_str(), "Changes places with the pen above it."))
+            pressed = OwnPenButton::earlier;
+    }
+    {
+        const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
+        if (wide_button(("Remove " + pen.name).c_str(), "Takes the pen out of the set; undo brings it back."))
+            pressed = OwnPenButton::remove;
+    }
     ImGui::PopID();
     return changed;
 }
 
-bool draw_own_pens(Palette& pens, LengthUnit unit) {
+bool draw_own_pens(PenChoice& choice, LengthUnit unit) {
+    Palette& pens = choice.own;
     bool changed = false;
-    std::optional<std::size_t> gone;
+    OwnPenButton pressed = OwnPenButton::none;
+    std::size_t where = 0;
     for (std::size_t i = 0; i < pens.size(); ++i) {
-        bool removed = false;
-        changed |= draw_own_pen(pens, i, unit, removed);
-        if (removed) gone = i;
+        const OwnPenButton before = pressed;
+        changed |= draw_own_pen(choice, pens, i, unit, pressed);
+        if (pressed != before) where = i;
     }
-    if (!gone || pens.size() == 1) return changed;
-    pens.erase(pens.begin() + static_cast<std::ptrdiff_t>(*gone));
+    const auto pen = pens.begin() + static_cast<std::ptrdiff_t>(where);
+    if (pressed == OwnPenButton::earlier && where > 0) {
+        std::iter_swap(pen - 1, pen);
+        return true;
+    }
+    if (pressed != OwnPenButton::remove || pens.size() == 1) return changed;
+    pens.erase(pen);
     return true;
 }
 
@@ -204,6 +234,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     if (!section("Pens")) return false;
     bool changed = draw_set(settings);
     changed |= draw_made_set(settings.pens, unit);
+    changed |= draw_order(settings.pens);
     {
         const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Of CMYK only.");
         changed |= slider_row("Black ink", settings.pens.black,
@@ -228,7 +259,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     changed |= colour_row("Paper", settings.paper,
                           "What lies under the dots; in a file only where you ask for it.", kWhite);
     changed |= draw_adding(settings.pens);
-    if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens.own, unit);
+    if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     if (seen.shown) draw_shown_pens(seen.drawn, *seen.shown);
     return changed;
 }
