@@ -5,6 +5,7 @@
 //      picture_quality                             the same of the built-in still life
 //      picture_quality --dots 40000 --steps 0,3 --peer-steps 50 PHOTO...
 //      picture_quality --only seams --loads 1.35   or --only pictures, or black
+//      picture_quality --only edges --dots 40000 --steps 0,3,5,20 PHOTO...   for docs/method.md; not otherwise
 //      picture_quality --side-by-side FILE.png     the first photograph and its drawings, at the first count
 //
 // docs/make_picture_quality makes docs/pictures.md with it, which says what the columns mean.
@@ -30,6 +31,7 @@
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
+#include "bench/page_edges.h"
 #include "bench/relaxed_dots.h"
 #include "bench/side_by_side.h"
 #include "core/analysis/distances.h"
@@ -50,7 +52,7 @@ constexpr int kPeerEvenness = 50;  // steps after which Dapple's dots are about 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPanelWidth = 600;  // px
 
-enum class Tables { all, pictures, black, seams };
+enum class Tables { all, pictures, black, seams, edges };
 
 struct Wanted {
     std::vector<std::filesystem::path> photos;  // none: the still life
@@ -287,6 +289,28 @@ void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
     print_at_most("worst seam at its own load", worst_marked, 2);
 }
 
+// How dots lie along the page's edges, on grey and in photographs.
+void measure_edges(const Wanted& wanted, Pipeline& pipeline) {
+    fmt::print("| picture | dots | steps | 1st band | 2nd | 3rd | 4th | 5th | 6th | peak along the edge | inside |\n");
+    fmt::print("|---|---|---|---|---|---|---|---|---|---|---|\n");
+    const auto print_rows = [&](const std::string& name) {
+        for (const std::size_t dots : wanted.dots) {
+            for (const int steps : wanted.steps) {
+                const PageEdges edges = page_edges(relaxed_dots(pipeline, dots, steps));
+                fmt::print("| {} | {} | {} |", name, grouped(dots), steps);
+                for (const double band : edges.bands) fmt::print(" {:.2f} |", band);
+                fmt::print(" {:.1f} | {:.1f} |\n", edges.peak, edges.peak_inside);
+            }
+        }
+    };
+    for (const auto& photo : wanted.photos) {
+        pipeline.set_light(read_picture(photo).light);
+        print_rows(photo.stem().string());
+    }
+    pipeline.set_plain(Density(Grid<float>(1000, 1000, 0.5f)));
+    print_rows("grey");
+}
+
 Wanted wanted_by(int argc, char** argv) {
     Wanted wanted;
     CLI::App app("How good pictures are, beside a peer's.");
@@ -299,9 +323,12 @@ Wanted wanted_by(int argc, char** argv) {
     app.add_option("--loads", wanted.loads, "dots' area on black, over the page's")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app.add_option("--only", wanted.tables, "pictures, black or seams")
+    app.add_option("--only", wanted.tables, "pictures, black, seams or edges")
         ->transform(CLI::CheckedTransformer(std::map<std::string, Tables>{
-            {"pictures", Tables::pictures}, {"black", Tables::black}, {"seams", Tables::seams}}));
+            {"pictures", Tables::pictures},
+            {"black", Tables::black},
+            {"seams", Tables::seams},
+            {"edges", Tables::edges}}));
     app.add_option("--side-by-side", wanted.side_by_side, "a PNG of the first photograph's drawings");
     try {
         app.parse(argc, argv);
@@ -322,6 +349,7 @@ int main(int argc, char** argv) {
         if (wants(Tables::pictures)) measure_pictures(wanted, pipeline);
         if (wants(Tables::black)) measure_black(wanted, pipeline);
         if (wants(Tables::seams)) measure_seams(wanted, pipeline);
+        if (wanted.tables == Tables::edges) measure_edges(wanted, pipeline);
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "picture_quality: {}\n", error.what());

@@ -23,6 +23,15 @@ class Bands {
 
     double scale() const { return request_.placing.scale; }
 
+    bool has_whole_page() const {
+        const double longer = density_.longer_side();
+        const auto has_all = [](const PageSpan& span, double length) {
+            return span.first <= 0 && span.end > length;
+        };
+        return has_all(request_.part.across, density_.width() / longer) &&
+               has_all(request_.part.down, density_.height() / longer);
+    }
+
     // The bands' edges, whole rows of the relaxation: the order is then that of the page.
     std::vector<double> edges(std::uint64_t dots_at_once) const {
         const double longer = density_.longer_side();
@@ -102,8 +111,8 @@ DotStream relaxed_stream(Placer& placer, const Density& density, const StreamReq
         }
     };
     // No dot leaves the page or comes to it.
-    if (request.part == PagePart{}) {
-        result.count = stream(placer, density, request).count;
+    if (bands.has_whole_page()) {
+        result.count = stream(placer, density, {.placing = request.placing, .part = request.part}).count;
         return result;
     }
     result.for_each_piece([&](const Dots& band) {
