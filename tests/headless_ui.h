@@ -65,11 +65,6 @@ class HeadlessUi {
         return notes_.places;
     }
 
-    void reveal(const ListedRow& row) {
-        notes_.reveal = row;
-        frame();
-    }
-
     void move_to(glm::vec2 p) {
         put_mouse_position(p.x, p.y);
         frame();

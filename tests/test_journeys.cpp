@@ -108,6 +108,12 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
             walk_to(viewer, "90");
             viewer.key("Right");
         });
+        place_anew(viewer, "on another paper", [&] {
+            viewer.key("ctrl+p");
+            REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+            viewer.xdotool("type a5");
+            viewer.key("Return");
+        });
         place_anew(viewer, "masked", [&] {
             viewer.key("ctrl+p");
             REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
@@ -136,6 +142,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
     const json page = json::parse(text_of(files.folder / "ramp.dapple"));
     CHECK(page["drawing"]["count"] == 700);
     CHECK(page["drawing"]["background"] == true);
+    CHECK(page["drawing"]["page"]["paper"] == "a5");
     CHECK_FALSE(page["drawing"]["mask"].empty());
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     viewer.key("ctrl+e");
@@ -168,7 +175,12 @@ TEST_CASE(
             viewer.point_at("Brightness", 0.3);
             viewer.release();
         });
-        viewer.click("Mask");
+        viewer.click("Dots value");
+        REQUIRE(viewer.shows([&] { return viewer.has("Typing"); }));
+        place_anew(viewer, "typed, without Enter", [&] {
+            viewer.xdotool("type 650");
+            viewer.click("Mask");
+        });
         REQUIRE(viewer.shows([&] { return viewer.has("none"); }));
         viewer.click("none");
         const json unmasked = viewer.status()["scale"];
@@ -197,6 +209,7 @@ TEST_CASE(
     const json drawing = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"];
     CHECK(drawing["tone"]["brightness"] < 0);
     CHECK_FALSE(drawing["mask"].empty());
+    CHECK(drawing["count"] == 650);
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     in_dialog(viewer, "Export...");
     REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));

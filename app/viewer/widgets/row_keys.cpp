@@ -105,7 +105,8 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     if (kept(kFocus) != id) return {};
     keep(kSeen, 1);
     if (!rows_are_covered()) show_ring(low, high);
-    if (!here || !had || tab || typing) return {.focused = true};
+    // The key that asked for a row to be shown is not the row's.
+    if (!here || !had || tab || typing || revealed) return {.focused = true};
     const bool enter = key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
     return {.focused = true,
             .press = enter || key_pressed(Key::space),
