@@ -28,12 +28,15 @@ struct DialogUi {
     FileDialog dialog;
     std::optional<fs::path> chosen;
     bool option = false;
+    int further = 0;  // options
     double number = 3;
     std::string refusal;
     HeadlessUi ui{[this] {
         const auto options = [this](std::size_t) {
             switch_row("Option", option, "An option.");
             slider_row("Number", number, {.min = 1, .max = 9});
+            for (int i = 0; i < further; ++i)
+                switch_row(("Further " + std::to_string(i)).c_str(), option, "Another option.");
             return refusal;
         };
         if (auto path = dialog.draw(options)) chosen = path;
@@ -370,6 +373,26 @@ TEST_CASE("Tab walks from the path to the folder, the format, its options and th
     f.ui.type("G");
     f.key(Key::enter);
     CHECK(f.chosen == folder.root.path() / "cat.svG");
+}
+
+TEST_CASE("Tab walks options that scroll in their order, and one row alone has the keys") {
+    Folder folder;
+    DialogUi f;
+    f.further = 6;
+    f.save(folder.root.path() / "cat.svg");
+    ImGui::GetIO().DisplaySize = {900, 420};
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    REQUIRE(f.ui.place("Further 5").min.y > f.ui.place("Accept").max.y);  // out of sight
+    for (const char* name : {"ant.png", "SVG", "Option", "Number", "Further 0"}) {
+        CAPTURE(name);
+        f.key(Key::tab);
+        CHECK(f.has_keys(name));
+    }
+    for (int i = 0; i < 5; ++i) f.key(Key::tab);
+    CHECK(f.has_keys("Further 5"));
+    CHECK(f.ui.place("Further 5").max.y < f.ui.place("Accept").min.y);  // it was scrolled to
+    f.key(Key::tab);
+    CHECK(f.has_keys("Cancel"));
 }
 
 TEST_CASE("by keyboard alone a folder, a format and an option are chosen, and the drawing is saved") {

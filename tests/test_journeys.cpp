@@ -142,7 +142,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
     const json page = json::parse(text_of(files.folder / "ramp.dapple"));
     CHECK(page["drawing"]["count"] == 700);
     CHECK(page["drawing"]["background"] == true);
-    CHECK(page["drawing"]["page"]["paper"] == "a5");
+    CHECK(page["drawing"]["page"]["paper"] == "A5");
     CHECK_FALSE(page["drawing"]["mask"].empty());
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     viewer.key("ctrl+e");

@@ -12,6 +12,7 @@
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/widgets/dialog.h"
+#include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/colour.h"
 #include "tests/headless_ui.h"
@@ -217,6 +218,29 @@ TEST_CASE("the command palette finds rows and their values in folded sections to
     REQUIRE(ui.has("Gamma"));  // unfolded
     ui.key(Key::right);        // and its own: nothing is typed into it
     CHECK(rows.gamma > 1);
+}
+
+TEST_CASE("the key that closes a dialog does nothing to the row behind it") {
+    bool open = false;
+    int pressed = 0;
+    HeadlessUi ui([&] {
+        if (const Dialog dialog("Question", open); dialog && key_button("Yes")) open = false;
+        if (key_button("Behind")) ++pressed;
+    });
+    ui.key(Key::tab);
+    ui.key(Key::space);
+    CHECK(pressed == 1);
+    for (const Key key : {Key::enter, Key::space}) {
+        open = true;
+        for (int i = 0; i < 3; ++i) ui.frame();
+        ui.key(Key::tab);
+        ui.key(key);
+        CHECK_FALSE(open);
+        CHECK(pressed == 1);
+    }
+    ui.frame();
+    ui.key(Key::enter);
+    CHECK(pressed == 2);
 }
 
 TEST_CASE("by mouse alone a menu beside the title reaches all commands, keys, preferences and about") {

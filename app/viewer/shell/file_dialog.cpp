@@ -360,15 +360,15 @@ float FileDialog::options_room() const {
 
 std::string FileDialog::draw_options(const DrawOptions& options) {
     const float room = options_room(), top = ImGui::GetCursorPosY();
-    const bool scrolls = room < options_height_;
-    if (scrolls) ImGui::BeginChild("options", {0, room});
+    ImGuiStorage* const storage = ImGui::GetStateStorage();
+    // Whether they scroll or not, so that a row stays the same one when what is said above it grows.
+    ImGui::BeginChild("options", {0, room});
+    ImGui::SetStateStorage(storage);  // Tab walks its rows as the dialog's
     const float begin = ImGui::GetCursorPosY();
     std::string refusal = options(format_);
     options_height_ = ImGui::GetCursorPosY() - begin;
-    if (scrolls) {
-        ImGui::EndChild();
-        ImGui::SetCursorPosY(top + room);
-    }
+    ImGui::EndChild();
+    ImGui::SetCursorPosY(top + room);
     return refusal;
 }
 

@@ -10,7 +10,7 @@ namespace dapple {
 namespace {
 
 // Kept with each ImGui window, under numbers instead of names: the rows have different IDs above them.
-enum Kept : ImGuiID { kFocus = 0x7a110001, kSeen, kFrame, kEarlier, kLast, kTakeNext, kTakeLast, kWalked };
+enum Kept : ImGuiID { kFocus = 0x7a110001, kSeen, kFrame, kEarlier, kLast, kTakeNext, kTakeLast, kWalked, kLooked, kCovered, kWasCovered };
 
 ImGuiID kept(Kept what) {
     return static_cast<ImGuiID>(ImGui::GetStateStorage()->GetInt(what));
@@ -26,8 +26,18 @@ bool rows_are_covered() {
                                                                    ImGuiFocusedFlags_NoPopupHierarchy);
 }
 
+// The key that closed what covered them is not the rows'.
 bool rows_have_keyboard() {
-    return !ImGui::GetIO().WantTextInput && !rows_are_covered();
+    return !ImGui::GetIO().WantTextInput && !kept(kCovered) && !kept(kWasCovered);
+}
+
+// Once a frame, at its first row.
+void look_above() {
+    const auto frame = static_cast<ImGuiID>(ImGui::GetFrameCount());
+    if (kept(kLooked) == frame) return;
+    keep(kWasCovered, kept(kLooked) + 1 == frame ? kept(kCovered) : 0);
+    keep(kCovered, rows_are_covered());
+    keep(kLooked, frame);
 }
 
 // Once a frame, at its first row.
@@ -95,6 +105,7 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     }
     // Greyed rows are paler.
     if (ImGui::GetStyle().Alpha < 1) return {};
+    look_above();
     const bool here = typing || rows_have_keyboard();
     const bool tab = here && !ImGui::GetIO().KeyCtrl && key_pressed(Key::tab);
     begin_walk(here, tab);
@@ -104,9 +115,8 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     keep(kLast, id);
     if (kept(kFocus) != id) return {};
     keep(kSeen, 1);
-    if (!rows_are_covered()) show_ring(low, high);
-    // The key that asked for a row to be shown is not the row's.
-    if (!here || !had || tab || typing || revealed) return {.focused = true};
+    if (!kept(kCovered)) show_ring(low, high);
+    if (!here || !had || tab || typing) return {.focused = true};
     const bool enter = key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
     return {.focused = true,
             .press = enter || key_pressed(Key::space),
