@@ -136,6 +136,7 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     request.tile = "aperiodic64";
     request.drawing.placing.count = 3000;
     request.drawing.relax = 0;
+    request.in_part = false;
     PlacedDrawing ink, coloured;
     REQUIRE(bench.place(request, ink));
     CHECK(ink.colours.empty());

@@ -366,9 +366,9 @@ TEST_CASE("of too many dots that say when they appear, those that do so first ar
     picture.radius(0.25);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(0, 1);
-    // The first ones, which are twice as many as are drawn at least, lie at the left.
+    // The first ones, of which there are more than are drawn, lie at the left.
     for (int i = 0; i < 100'000; ++i) {
-        const bool first = i % 25 == 0;
+        const bool first = i % 4 == 0;
         picture.add((first ? 0 : 100) + 100 * place(random), 160 * place(random));
         picture.dots.critical.push_back(first ? 1.0f : 100.0f);
     }
