@@ -350,11 +350,11 @@ TEST_CASE("of several pens the one that draws first is the lightest, the darkest
             names.emplace_back(found.node().attribute("inkscape:label").value());
         return names;
     };
-    const std::string pens = "--pens Night:#102060,White:#ffffff,Sand:#d0a040 ";
+    const std::string pens = "--pens Night:#102060,Pale:#b0d8e8,Sand:#d0a040 ";
     using Names = std::vector<std::string>;
-    CHECK(layers(pens) == Names{"1 White", "2 Sand", "3 Night"});
-    CHECK(layers(pens + "--pen-order darkest") == Names{"1 Night", "2 Sand", "3 White"});
-    CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 White", "3 Sand"});
+    CHECK(layers(pens) == Names{"1 Pale", "2 Sand", "3 Night"});
+    CHECK(layers(pens + "--pen-order darkest") == Names{"1 Night", "2 Sand", "3 Pale"});
+    CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 Pale", "3 Sand"});
 }
 
 TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and their figures are told") {
