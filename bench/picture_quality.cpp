@@ -5,7 +5,7 @@
 //      picture_quality                             the same of the built-in still life
 //      picture_quality --dots 40000 --steps 0,3 --peer-steps 50 PHOTO...
 //      picture_quality --only seams --loads 1.35   or --only pictures, or black
-//      picture_quality --only edges --dots 40000 --steps 0,3,5,20 PHOTO...   for docs/method.md; not otherwise
+//      picture_quality --only edges --dots 40000 --steps 0,3,5,20 PHOTO...     not without being asked for
 //      picture_quality --side-by-side FILE.png     the first photograph and its drawings, at the first count
 //
 // docs/make_picture_quality makes docs/pictures.md with it, which says what the columns mean.
@@ -291,7 +291,9 @@ void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
 
 // How dots lie along the page's edges, on grey and in photographs.
 void measure_edges(const Wanted& wanted, Pipeline& pipeline) {
-    fmt::print("| picture | dots | steps | 1st band | 2nd | 3rd | 4th | 5th | 6th | peak along the edge | inside |\n");
+    fmt::print(
+        "| picture | dots | steps | 1st band | 2nd | 3rd | 4th | 5th | 6th | peak along the edge | inside "
+        "|\n");
     fmt::print("|---|---|---|---|---|---|---|---|---|---|---|\n");
     const auto print_rows = [&](const std::string& name) {
         for (const std::size_t dots : wanted.dots) {
@@ -324,11 +326,10 @@ Wanted wanted_by(int argc, char** argv) {
         ->delimiter(',')
         ->allow_extra_args(false);
     app.add_option("--only", wanted.tables, "pictures, black, seams or edges")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Tables>{
-            {"pictures", Tables::pictures},
-            {"black", Tables::black},
-            {"seams", Tables::seams},
-            {"edges", Tables::edges}}));
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Tables>{{"pictures", Tables::pictures},
+                                                                          {"black", Tables::black},
+                                                                          {"seams", Tables::seams},
+                                                                          {"edges", Tables::edges}}));
     app.add_option("--side-by-side", wanted.side_by_side, "a PNG of the first photograph's drawings");
     try {
         app.parse(argc, argv);

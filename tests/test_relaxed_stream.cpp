@@ -189,11 +189,9 @@ TEST_CASE("dots of a whole page are not relaxed to be counted, wherever it lies 
     on_paper.across.offset = -0.1;
     on_paper.down.offset = -0.2;
     int finished = 0;
-    const DotStream bands = relaxed_stream(test_tile().placer(), density,
-                                           {.placing = {.count = 5000},
-                                            .part = on_paper,
-                                            .finish = [&](Dots&) { ++finished; }},
-                                           1, 500);
+    const DotStream bands = relaxed_stream(
+        test_tile().placer(), density,
+        {.placing = {.count = 5000}, .part = on_paper, .finish = [&](Dots&) { ++finished; }}, 1, 500);
     CHECK(bands.count == 5000);
     CHECK(finished == 0);
     CHECK(all_of(bands).size() == 5000);

@@ -103,7 +103,8 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
     }
 }
 
-TEST_CASE("up to a million dots are saved for plotters in an order of short moves, unless another is asked for") {
+TEST_CASE(
+    "up to a million dots are saved for plotters in an order of short moves, unless another is asked for") {
     const Dots dots = many_dots();
     CHECK(usual_order(DrawingFormat::svg, 1'000'000) == DotOrder::shortest);
     CHECK(usual_order(DrawingFormat::svg, kMostRoutedDots + 1) == DotOrder::space);

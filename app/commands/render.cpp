@@ -284,7 +284,8 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                              .dots = dots,
                              .by_pen = measured ? &held->by_pen : nullptr};
     // Writing waits for the disk, or for one thread that compresses.
-    std::future<Rendered> figures = std::async(std::launch::async, [&] { return figures_of(saved, options); });
+    std::future<Rendered> figures =
+        std::async(std::launch::async, [&] { return figures_of(saved, options); });
     save_drawing(options.output, settings, file,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();

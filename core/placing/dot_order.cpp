@@ -84,7 +84,8 @@ void for_each_dot(std::size_t count, const auto& each) {
 
 void rearrange(FloatBuffer& column, const std::vector<std::uint64_t>& keys) {
     FloatBuffer sorted(column.size());
-    for_each_dot(keys.size(), [&](std::size_t i) { sorted[i] = column[static_cast<std::uint32_t>(keys[i])]; });
+    for_each_dot(keys.size(),
+                 [&](std::size_t i) { sorted[i] = column[static_cast<std::uint32_t>(keys[i])]; });
     column = std::move(sorted);
 }
 

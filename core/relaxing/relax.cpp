@@ -30,8 +30,8 @@ constexpr float kOvershoot = 1.8f;
 // lighter tones in waves of two lengths that hardly ever meet again: dots lean on where their cells end, and
 // would be seen to line up along a straight edge, while a page should look cut out of a larger one. Farther
 // in, waves would leave bare bites, and farther out draw dots off the page.
-constexpr float kBeyondInBlack = 0.2f, kLightest = 0.6f,
-                kBlackest = 0.9f;  // densities, between which both are mixed
+constexpr float kBeyondInBlack = 0.2f, kLightest = 0.85f,
+                kBlackest = 0.98f;  // densities, between which both are mixed
 constexpr float kBeyondEdge = 0.05f, kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
 // Farther in than this nothing has to be known of an edge: most dots lie there.
 constexpr float kFarFromEdge = 0.5f;
