@@ -125,7 +125,7 @@ glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, con
         for (const double length : {3.7, 5.9})
             beyond += 0.45 * 2 / std::numbers::pi *
                       std::asin(std::sin(2 * std::numbers::pi * std::abs(from_middle) / apart / length));
-        const double light = std::clamp((0.9 - at(dot)) / 0.3, 0.0, 1.0);
+        const double light = std::clamp((0.98 - at(dot)) / 0.13, 0.0, 1.0);
         return std::max(away + std::lerp(0.2, std::clamp(beyond, -0.4, 0.35), light) * apart, 0.0);
     };
     const glm::dvec2 middle = dot - end / 2.0;
