@@ -18,7 +18,7 @@ namespace {
 
 constexpr glm::dvec2 kMiddle{470,
                              385};     // of the canvas: the panel beside and the status below leave 940 x 770
-constexpr double kPictureSide = 1024;  // of the built-in sample, which is square
+constexpr double kPageSide = 200 / 25.4 * 96;  // pixels of the square page, as large as it is in the hand
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TEST_CASE("the window is as light as the PNG with the same settings, fitted and 
     Display display;
     RunningViewer viewer;
     const auto is_as_light = [&] {
-        const double side = viewer.status()["zoom"].get<double>() * kPictureSide;
+        const double side = viewer.status()["zoom"].get<double>() * kPageSide;
         // Without the page's edges, which may lie within pixels.
         const Rectangle<double> page{glm::ceil(kMiddle - side / 2), glm::floor(kMiddle + side / 2)};
         const glm::dvec3 apart = glm::abs(mean_light(screen(), page) - light);
