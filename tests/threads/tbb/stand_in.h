@@ -129,6 +129,36 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
     std::sort(first, last, less);
 }
 
+class task_group {
+ public:
+    task_group() = default;
+    task_group(const task_group&) = delete;
+    task_group& operator=(const task_group&) = delete;
+
+    template <class Work>
+    void run(const Work& work) {
+        others_.emplace_back([this, work, threads = stand_in::concurrency] {
+            const stand_in::Concurrency own(threads);
+            try {
+                work();
+            } catch (...) {
+                const std::lock_guard lock(mutex_);
+                if (!error_) error_ = std::current_exception();
+            }
+        });
+    }
+    /// What one of them throws comes out.
+    void wait() {
+        others_.clear();
+        if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+    }
+
+ private:
+    std::mutex mutex_;
+    std::exception_ptr error_;
+    std::vector<std::jthread> others_;
+};
+
 class task_arena {
  public:
     explicit task_arena(int threads) : threads_(threads) {}

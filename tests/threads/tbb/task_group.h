@@ -1,0 +1,2 @@
+#pragma once
+#include "tests/threads/tbb/stand_in.h"
