@@ -78,7 +78,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         if (drawn.dots > 0)
             range.hard_max = std::min(most / static_cast<double>(drawn.dots) * drawn.scale, range.hard_max);
         range.max = std::min(range.max, range.hard_max);
-        range.tip = "How many dots black gets, on the same paper: four times as many at four times the value.";
+        range.tip =
+            "How many dots black gets, on the same paper: four times as many at four times the value.";
         changed |= slider_row("Fineness", request.scale, range);
     }
     if (static_cast<double>(drawn.dots) > 0.99 * most) {
@@ -196,14 +197,16 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
 
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     double steps = relax.value_or(drawn.steps);
-    if (!slider_row("Even out", steps,
-                    {.min = 0,
-                     .max = 20,
-                     .neutral = kUsualSteps,
-                     .format = "%.0f",
-                     .hard_max = kMostRelaxingSteps,
-                     .tip = "So many steps move each dot to the middle of the ink around it: more of them make the dots "
-                            "more even, and take longer."}))
+    if (!slider_row(
+            "Even out", steps,
+            {.min = 0,
+             .max = 20,
+             .neutral = kUsualSteps,
+             .format = "%.0f",
+             .hard_max = kMostRelaxingSteps,
+             .tip =
+                 "So many steps move each dot to the middle of the ink around it: more of them make the dots "
+                 "more even, and take longer."}))
         return false;
     relax = static_cast<int>(std::lround(steps));
     return true;

@@ -309,7 +309,8 @@ enum class FoldKind { section, within };
 bool fold(const char* title, bool open_at_first, FoldKind kind) {
     WidgetNotes* const told = notes();
     if (told && told->listed) {
-        told->sections.resize(kind == FoldKind::section ? 0 : std::min<std::size_t>(told->sections.size(), 1));
+        told->sections.resize(kind == FoldKind::section ? 0
+                                                        : std::min<std::size_t>(told->sections.size(), 1));
         told->sections.emplace_back(title);
         return true;
     }
