@@ -15,10 +15,6 @@ double wrapped(double x, double period) {
 
 }  // namespace
 
-std::string_view name_of(Topology topology) {
-    return topology == Topology::torus ? "torus" : "window";
-}
-
 double largest_radius(const Domain& domain, std::size_t count) {
     return std::sqrt(domain.area() / (2 * std::sqrt(3.0) * double(count)));
 }

@@ -11,14 +11,17 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class Topology {
     torus,   // opposite edges meet: the set repeats in both directions
     window,  // a cut-out: nothing is known beyond the edges
 };
-/// "torus", "window".
-std::string_view name_of(Topology topology);
+constexpr auto names_of(Topology) {
+    return names("torus", "window");
+}
 
 struct Domain {
     double width = 1;

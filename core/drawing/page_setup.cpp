@@ -117,7 +117,7 @@ Rectangle<int> cropped(const Crop& crop, glm::ivec2 picture) {
 
 }  // namespace
 
-std::span<const char* const> paper_titles() {
+std::span<const char* const> names_of(Paper) {
     static const std::vector<const char*> titles = [] {
         std::vector<const char*> all;
         for (const NamedPaper& paper : kPapers) all.push_back(paper.title);
@@ -128,15 +128,6 @@ std::span<const char* const> paper_titles() {
 
 glm::dvec2 paper_size(Paper paper) {
     return kPapers[static_cast<std::size_t>(paper)].size;
-}
-
-std::string_view name_of(PageOrientation orientation) {
-    constexpr std::array<std::string_view, 3> kNames{"auto", "portrait", "landscape"};
-    return kNames[static_cast<std::size_t>(orientation)];
-}
-
-std::string_view name_of(PageFit fit) {
-    return fit == PageFit::inside ? "inside" : "fill";
 }
 
 bool keeps_dots_inside(const PageSetup& setup) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/placing/dots.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -13,9 +14,9 @@ enum class DotOrder {
     space,      // along a Hilbert curve: each dot near the one before, for pens and for locality
     shortest,   // as space, then improved by core/routing: 2-opt and Or-opt
 };
-
-/// "recursion", "priority", "space", "shortest".
-std::string_view name_of(DotOrder order);
+constexpr auto names_of(DotOrder) {
+    return names("recursion", "priority", "space", "shortest");
+}
 
 /// Sorts dots. For priority Dots::threshold and Dots::critical have to be filled; dots that tie come in the
 /// order of core/placing/tie_order.h. For `shortest` it makes the start, which is `space`;

@@ -8,19 +8,17 @@ namespace dapple {
 
 static void describe(Fields& fields, DensityChoice& density) {
     auto& [source, grey] = density;
-    fields.choice("source", source,
-                  {NamedValue{"photograph", DensitySource::photograph},
-                   NamedValue{"grey", DensitySource::grey}, NamedValue{"ramp", DensitySource::ramp}});
+    fields.choice("source", source);
     fields.number("grey", grey, {0, 1});
 }
 
 static void describe(Fields& fields, Comparison& comparison) {
     auto& [on, placer, tile, ranking, by, divider] = comparison;
     fields.flag("on", on);
-    fields.choice("placer", placer, {PlacerKind::exact, PlacerKind::figure8});
+    fields.choice("placer", placer);
     fields.tile("tile", tile);
-    fields.choice("ranking", ranking, {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy});
-    fields.choice("by", by, {NamedValue{"scale", CompareBy::scale}, NamedValue{"count", CompareBy::count}});
+    fields.choice("ranking", ranking);
+    fields.choice("by", by);
     fields.number("divider", divider, {0, 1});
 }
 
@@ -35,22 +33,16 @@ void describe(Fields& fields, ViewerSettings& settings) {
            saving, unit, every_frame] = settings;
     static_cast<void>(every_frame);  // measures the computer: it is over with the window
     describe_drawing(fields, drawing, saving);
-    fields.group("density", density);
+    fields.group({"density", "Density"}, density);
     fields.group("view", [&](Fields& view) {
-        view.number("picture_opacity", settings.picture_opacity, {0, 1});
-        view.choice("zoom_mode", settings.zoom_mode,
-                    {NamedValue{"drawing", ZoomMode::drawing},
-                     NamedValue{"constant_density", ZoomMode::constant_density}});
-        view.choice(
-            "colouring", settings.colouring,
-            {NamedValue{"ink", DotColouring::ink}, NamedValue{"level", DotColouring::level},
-             NamedValue{"rank", DotColouring::rank}, NamedValue{"orientation", DotColouring::orientation}});
-        view.whole("deepest_level", settings.deepest_level, {0, kDeepestStep});
-        view.group("comparison", settings.comparison);
-        view.group("loupe", settings.loupe);
-        view.flag("origins", settings.origins);
-        view.choice("unit", settings.unit,
-                    {NamedValue{"mm", LengthUnit::mm}, NamedValue{"inch", LengthUnit::inch}});
+        view.number({"picture_opacity", "Photograph"}, settings.picture_opacity, {0, 1});
+        view.choice({"zoom_mode", "Zooming in"}, settings.zoom_mode);
+        view.choice({"colouring", "Dots coloured"}, settings.colouring);
+        view.whole({"deepest_level", "Divided up to"}, settings.deepest_level, {0, kDeepestStep});
+        view.group({"comparison", "Split view"}, settings.comparison);
+        view.group({"loupe", "Loupe"}, settings.loupe);
+        view.flag({"origins", "Explain dots"}, settings.origins);
+        view.choice({"unit", "Lengths in"}, settings.unit);
     });
 }
 

@@ -9,10 +9,15 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class ThemeColour { surround, panel, track, line, off, text, quiet, accent, warning };
 enum class Theme { light, dark, high_contrast };
+constexpr auto names_of(Theme) {
+    return names("light", "dark", "high_contrast");
+}
 
 /// What people choose of it.
 struct Appearance {

@@ -141,6 +141,11 @@ std::string text_of(double value, const SliderRange& range) {
     return text;
 }
 
+// The row's tip.
+std::string sentence_of(const Setting& setting) {
+    return std::string(setting.help) + '.';
+}
+
 std::string shown_label(const char* label, const SliderRange& range) {
     if (range.typed != TypedKind::length) return label;
     return std::string(label) + (range.unit == LengthUnit::inch ? ", in" : ", mm");
@@ -179,7 +184,8 @@ Refusal refusal_of(std::optional<double> typed, const SliderRange& range) {
 
 std::string sentence_of(Refusal refusal, const SliderRange& range) {
     if (refusal == kTooMuch) return "At most " + text_of(range.hard_max, range) + ".";
-    if (refusal == kTooLittle) return "At least " + text_of(range.hard_min, range) + ".";
+    const std::string least = text_of(range.hard_min, range);
+    if (refusal == kTooLittle) return (range.hard_min > 0 && least == "0" ? "Over " : "At least ") + least + ".";
     return range.typed == TypedKind::length ? "That is no length; write 210, 21cm or 8in."
                                             : "That is not a number; write 40000, 40k or 1.5M.";
 }
@@ -444,6 +450,52 @@ bool slider_row(const char* label, float& value, const SliderRange& range) {
     if (!slider_row(label, wide, range)) return false;
     value = static_cast<float>(wide);
     return true;
+}
+
+SliderRange range_of(const Setting& setting, const SliderNow& now) {
+    const auto [least, most, at_least] = setting.range;
+    const Track track = now.track.value_or(setting.track);
+    const bool own = track.from < track.to;
+    const double typed = std::min(now.most.value_or(most), most);
+    return {.min = own ? track.from : least,
+            .max = std::min(own ? track.to : most, typed),
+            .neutral = now.usual.value_or(setting.usual),
+            .curve = track.logarithmic ? SliderCurve::logarithmic : SliderCurve::linear,
+            .format = now.format ? now.format : setting.format,
+            .hard_min = at_least == NumberRange::Least::excluded ? std::nextafter(least, most) : least,
+            .hard_max = typed,
+            .typed = setting.length ? TypedKind::length : TypedKind::number,
+            .unit = now.unit,
+            .tip = now.tip};
+}
+
+bool slider_row(const Setting& setting, double& value, const SliderNow& now) {
+    const std::string tip = sentence_of(setting);
+    SliderRange range = range_of(setting, now);
+    if (!range.tip) range.tip = tip.c_str();
+    return slider_row(setting.names.row, value, range);
+}
+
+bool slider_row(const Setting& setting, float& value, const SliderNow& now) {
+    double wide = value;
+    if (!slider_row(setting, wide, now)) return false;
+    value = static_cast<float>(wide);
+    return true;
+}
+
+bool slider_row(const Setting& setting, int& value, const SliderNow& now) {
+    double wide = value;
+    if (!slider_row(setting, wide, now)) return false;
+    value = static_cast<int>(std::lround(wide));
+    return true;
+}
+
+bool switch_row(const Setting& setting, bool& value) {
+    return switch_row(setting.names.row, value, sentence_of(setting).c_str(), setting.usual != 0);
+}
+
+bool colour_row(const Setting& setting, glm::vec3& colour, const glm::vec3& usual) {
+    return colour_row(setting.names.row, colour, sentence_of(setting).c_str(), usual);
 }
 
 bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
