@@ -17,6 +17,7 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/shell/window_icon.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/image/rectangle.h"
 
 namespace dapple {
@@ -350,7 +351,7 @@ void Window::begin_frame() {
     for (std::size_t button = 0; button < std::min(buttons_.size(), std::size(io.MouseDown)); ++button)
         io.MouseDown[button] = buttons_[button];
 #endif
-    ImGui::NewFrame();
+    new_frame();
     unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "app/shown_text.h"
@@ -365,6 +366,21 @@ void note_place(const char* label, const WidgetPlace& place) {
     if (WidgetNotes* const noted = notes()) noted->places[label] = place;
 }
 
+void new_frame() {
+    constexpr float kLeastSeconds = 1e-5f;
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = std::max(io.DeltaTime, kLeastSeconds);
+    ImGui::NewFrame();
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+#if IMGUI_VERSION_NUM < 18800
+    // A field that is typed in again begins anew.
+    if (context.InputTextState.ID != context.ActiveId) context.InputTextState.ID = 0;
+#elif IMGUI_VERSION_NUM >= 19000
+    // Ctrl+Tab would list windows by names that are ours alone.
+    context.ConfigNavWindowingKeyNext = context.ConfigNavWindowingKeyPrev = 0;
+#endif
+}
+
 void note_place(const char* label) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     note_place(label, {{min.x, min.y}, {max.x, max.y}});
@@ -692,6 +708,15 @@ bool segmented_row(const char* label, int& chosen, std::span<const char* const> 
     return chosen != before;
 }
 
+bool bytes_box(const char* name, std::string& bytes, ImGuiInputTextFlags flags,
+               ImGuiInputTextCallback callback, void* data) {
+    std::string text = editable(bytes);
+    const std::string before = text;
+    const bool done = ImGui::InputText(name, &text, flags, callback, data);
+    if (text != before) bytes = bytes_of(text);
+    return done;
+}
+
 bool text_row(const char* label, std::string& text, const std::function<bool(const std::string&)>& is_good,
               const char* wrong, const char* tip, const char* usual) {
     if (const auto listed = as_listed(label)) return *listed;
@@ -702,7 +727,7 @@ bool text_row(const char* label, std::string& text, const std::function<bool(con
     if (keys.enter) ImGui::SetKeyboardFocusHere();
     reset = usual && (reset || keys.reset);
     std::string typed = text;
-    const bool edited = ImGui::InputText("##text", &typed);
+    const bool edited = bytes_box("##text", typed);
     note_place(label);
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID bad = ImGui::GetID("bad");
@@ -757,7 +782,8 @@ bool colour_row(const char* label, glm::vec3& colour, const char* tip,
     const float width = std::floor(ImGui::GetFrameHeight() * 1.8f);
     const bool reset = begin_row(label, row, {.control_width = width});
     ImGui::SetCursorScreenPos({row.start.x + row.width - width, row.start.y});
-    constexpr auto kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
+    constexpr auto kPlain =
+        ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
     if (ImGui::ColorButton("##colour", {colour.r, colour.g, colour.b, 1}, kPlain, {width, row.height}))
         ImGui::OpenPopup("picker");
     note_place(label);

@@ -69,6 +69,14 @@ class RowListing {
     void* before_ = nullptr;
 };
 
+/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
+/// take a text field's old undo steps for those of another text, and insist that time passes.
+void new_frame();
+
+/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
+/// take a text field's old undo steps for those of another text, and insist that time passes.
+void new_frame();
+
 /// Notes the item drawn last under a label, or a place.
 void note_place(const char* label);
 void note_place(const char* label, const WidgetPlace& place);
@@ -162,6 +170,10 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
 /// more of them choice_row() has the room, which it becomes in a window that is too narrow for the words.
 bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
                    int usual = 0);
+
+/// ImGui::InputText() for a text of any bytes, such as a file's name, which is edited as editable() has it.
+bool bytes_box(const char* name, std::string& bytes, ImGuiInputTextFlags flags = 0,
+               ImGuiInputTextCallback callback = nullptr, void* data = nullptr);
 
 /// A text, taken at each letter that leaves it a good one: `is_good` says so, and `wrong` what it should be,
 /// while it is none. True when it changed. Without a usual text there is none to bring back.
