@@ -155,7 +155,7 @@ Window::~Window() {
 }
 
 bool Window::should_close() const {
-    return glfwWindowShouldClose(window_);
+    return glfwWindowShouldClose(window_) && input_.empty();
 }
 void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
@@ -216,6 +216,7 @@ void Window::wake() {
 }
 
 std::vector<std::filesystem::path> Window::take_dropped() {
+    if (!input_.empty()) return {};
     return std::exchange(dropped_, {});
 }
 
