@@ -55,11 +55,12 @@ void toggle(bool& value) {
 
 }  // namespace
 
-Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
+Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::filesystem::path thumbnails)
     : log_status_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
       thumbnails_(&Window::wake),
+      kept_thumbnails_(std::move(thumbnails)),
       unsaved_(std::move(unsaved)),
       desktop_dialog_(&Window::wake),
       pasting_(&Window::wake) {
@@ -364,8 +365,10 @@ void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked)
 }
 
 EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
-    return thumbnails_.of(thumbnail_key(file),
-                          [file](const std::stop_token& stop) { return thumbnail_of(file, stop); });
+    const auto make = [file, kept = kept_thumbnails_](const std::stop_token& stop) {
+        return thumbnail_of(file, kept, stop);
+    };
+    return thumbnails_.of(thumbnail_key(file), make);
 }
 
 // In a window beyond the screen: what panels draw beside rows has to be in one.
