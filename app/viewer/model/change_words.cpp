@@ -16,18 +16,23 @@
 namespace dapple {
 namespace {
 
-// What is said of all of a group is its name.
-constexpr std::array kGroupsOfGroups{"drawing", "saving", "view", "tone", "page"};
-
-// Fields whose row has another name than theirs.
+// Fields whose row has another name than theirs, or has several of them.
 constexpr std::array kRows = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"automatic_tone", "Tone from"},
     {"automatic_exposure", "Exposure"},
     {"count", "Dots"},
     {"scale", "Fineness"},
     {"relax", "Even out"},
+    {"dot_size/sizing", "Dot size"},
     {"deepest_level", "Divided up to"},
     {"page/paper", "Paper size"},
+    {"margins_mm", "Margin"},
+    {"crop", "Crop"},
+    {"crop/on", "Crop"},
+    {"crop/left", "From left"},
+    {"crop/top", "From top"},
+    {"crop/right", "To right"},
+    {"crop/bottom", "To bottom"},
     {"quarter_turns", "Rotate"},
     {"sheet_overlap_mm", "Overlap"},
     {"background", "Paper in files"},
@@ -42,10 +47,18 @@ constexpr std::array kRows = std::to_array<std::pair<std::string_view, std::stri
     {"acceleration_mm_per_s2", "Acceleration"},
     {"gcode_pen_up", "Pen up"},
     {"gcode_pen_down", "Pen down"},
+    {"density/source", "Density"},
     {"picture_opacity", "Photograph"},
     {"zoom_mode", "Zooming in"},
     {"colouring", "Dots coloured"},
-    {"comparison", "Split view"},
+    {"comparison/on", "Split view"},
+    {"comparison/placer", "Right placer"},
+    {"comparison/tile", "Right tile"},
+    {"comparison/ranking", "Right ranking"},
+    {"comparison/by", "Right side has"},
+    {"comparison/divider", "Divider"},
+    {"loupe/on", "Loupe"},
+    {"loupe/step", "Its tiles"},
     {"origins", "Explain dots"},
     {"unit", "Lengths in"},
 });
@@ -60,13 +73,23 @@ std::string row_of(const std::string& group, const std::string& name) {
     return words;
 }
 
+// Whether a group's changes are those of one row: a margin for all sides, a frame that is dragged, a switch
+// that says what goes with it, a template and its name.
+bool is_one_change(const std::string& name, const nlohmann::ordered_json& changed) {
+    const std::size_t count = changed.size();
+    return changed.contains("on") || name == "mask" || name == "gcode_template" ||
+           (name == "margins_mm" && count == 4) || (name == "crop" && count > 1);
+}
+
 void collect_rows(const std::string& group, const nlohmann::ordered_json& changed,
                   std::vector<std::string>& rows) {
     for (const auto& [name, value] : changed.items()) {
-        if (std::ranges::find(kGroupsOfGroups, name) != kGroupsOfGroups.end())
-            collect_rows(name, value, rows);
-        else if (name != kVersionField)
+        if (!value.is_object())
             rows.push_back(row_of(group, name));
+        else if (is_one_change(name, value))
+            rows.push_back(value.contains("on") ? row_of(name, "on") : row_of(group, name));
+        else
+            collect_rows(name, value, rows);
     }
 }
 
@@ -79,7 +102,9 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
     };
     std::vector<std::string> rows;
     try {
-        collect_rows("", nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from))), rows);
+        auto changed = nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from)));
+        changed.erase(kVersionField);
+        collect_rows("", changed, rows);
     } catch (const std::exception&) {  // a tile's name that no text can hold
         return "Tile";
     }
