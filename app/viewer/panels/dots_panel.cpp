@@ -49,9 +49,8 @@ void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
 bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
     bool changed = false;
     const auto most = static_cast<double>(drawn.most_dots);
-    const std::string why = fmt::format(
-        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
-        grouped(drawn.most_dots));
+    const std::string bound =
+        fmt::format(" At most {} dots fit into this computer's memory.", grouped(drawn.most_dots));
     int by = request.count ? 1 : 0;
     if (segmented_row("Dots by", by, std::array{"tone", "number"},
                       "number: so many dots, whatever the picture. tone: a darker picture gets more dots.",
@@ -67,7 +66,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         SliderRange range = kCount;
         range.max = std::min(range.max, most);
         range.hard_max = most;
-        range.tip = why.c_str();
+        const std::string told = "How many dots there are; type a number, such as 40k." + bound;
+        range.tip = told.c_str();
         if (slider_row("Dots", count, range)) {
             request.count = static_cast<std::uint64_t>(std::llround(count));
             changed = true;
@@ -78,13 +78,11 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         if (drawn.dots > 0)
             range.hard_max = std::min(most / static_cast<double>(drawn.dots) * drawn.scale, range.hard_max);
         range.max = std::min(range.max, range.hard_max);
-        range.tip = "How many dots black gets, on the same paper: four times as many at four times the value.";
+        const std::string told =
+            "How many dots black gets, on the same paper: four times as many at four times the value." +
+            bound;
+        range.tip = told.c_str();
         changed |= slider_row("Fineness", request.scale, range);
-    }
-    if (static_cast<double>(drawn.dots) > 0.99 * most) {
-        hint(("More than " + grouped(drawn.most_dots) + " dots do not fit into this computer's memory.")
-                 .c_str());
-        note_place("Most dots");
     }
     return changed;
 }
