@@ -64,6 +64,8 @@ class Shell {
     // Of the panels and the preferences; one of them takes a value of its own.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
                    int value = -1);
+    static void list_export_rows(const SaveQuestion& question, Document& document,
+                                 std::vector<ListedRow>& rows);
     void take_row(const ListedRow& row, int value, Document& document);
     void take_preferences(bool desktop);
     void report_outside(const Document& document);
