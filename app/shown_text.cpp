@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace dapple {
@@ -45,6 +48,15 @@ std::string written_out(std::uint32_t code) {
     if (code == '\r') return "\\r";
     if (code == '\t') return "\\t";
     return code < 0x100 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
+}
+
+// Of "\xff" at the beginning.
+std::optional<unsigned char> written_byte(std::string_view text) {
+    unsigned char byte = 0;
+    if (text.size() < 4 || !text.starts_with("\\x")) return std::nullopt;
+    const auto [end, failed] = std::from_chars(text.data() + 2, text.data() + 4, byte, 16);
+    if (failed != std::errc() || end != text.data() + 4) return std::nullopt;
+    return byte;
 }
 
 }  // namespace
@@ -90,6 +102,31 @@ std::string shortened(std::string_view text) {
         const std::size_t spaces = std::min(text.find_first_not_of(' '), text.size());
         result += text.substr(0, spaces);
         text.remove_prefix(spaces);
+    }
+    return result;
+}
+
+std::string editable(std::string_view bytes) {
+    std::string result;
+    while (!bytes.empty()) {
+        const auto [code, length] = first_of(bytes);
+        const std::string_view one = bytes.substr(0, std::max<std::size_t>(length, 1));
+        const bool held = length > 0 && code >= 0x20 && code != 0x7f && code <= 0xffff;
+        if (held && !written_byte(bytes))
+            result += one;
+        else
+            for (const char byte : one) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+        bytes.remove_prefix(one.size());
+    }
+    return result;
+}
+
+std::string bytes_of(std::string_view edited) {
+    std::string result;
+    while (!edited.empty()) {
+        const auto byte = written_byte(edited);
+        result += byte ? static_cast<char>(*byte) : edited.front();
+        edited.remove_prefix(byte ? 4 : 1);
     }
     return result;
 }

@@ -17,6 +17,12 @@ std::string printable(std::string_view text);
 /// Printable text with the middle of every word of over 500 characters left out, as of a name that is none.
 std::string shortened(std::string_view text);
 
+/// Bytes, such as a file's name, as text for a field that holds letters up to U+FFFF: others, control
+/// characters and bytes that are no UTF-8 are written out byte by byte, as \xff; so is a backslash that would
+/// begin such. bytes_of() reads it back.
+std::string editable(std::string_view bytes);
+std::string bytes_of(std::string_view edited);
+
 bool is_utf8(std::string_view text);
 
 }  // namespace dapple

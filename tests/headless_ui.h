@@ -43,7 +43,7 @@ class HeadlessUi {
     void frame(float seconds = 1.0f / 60) {
         ImGui::GetIO().DeltaTime = seconds;
         notes_.places.clear();
-        ImGui::NewFrame();
+        new_frame();
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNavInputs);
@@ -108,8 +108,8 @@ class HeadlessUi {
         put_key(key, false);
         frame();
     }
-    /// Clicks a slider with Ctrl, types a value and presses Enter.
-    void enter(const std::string& label, const char* text) {
+    /// Clicks a slider with Ctrl, which makes it take a text.
+    void begin_typing(const std::string& label) {
         move_to(at(label, 0.3f));
         put_modifiers(GLFW_MOD_CONTROL);
         press();
@@ -118,6 +118,9 @@ class HeadlessUi {
         frame();
         frame();
         if (!ImGui::GetIO().WantTextInput) throw std::runtime_error(label + " takes no text");
+    }
+    void enter(const std::string& label, const char* text) {
+        begin_typing(label);
         type(text);
         key(Key::enter);
     }

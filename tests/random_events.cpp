@@ -349,7 +349,9 @@ TEST_CASE("whatever keyboard and mouse do at random, the window answers and ends
             MESSAGE("memory at rest: ", *memory_before, " MB, then ", after, " MB");
             CHECK(after < *memory_before + kMostGrowth);
         }
-        person.come_to_rest(hands);
+        const Place pointer = person.come_to_rest(hands);
+        REQUIRE(hands.are_done());
+        REQUIRE(answer_to(viewer, pointer).in_time());  // a question of before is gone
         hands(round == 0 ? "close" : "key ctrl+q");
         viewer.shows([&] { return viewer.has("Discard"); });
         if (!viewer.has_ended()) hands("key d");

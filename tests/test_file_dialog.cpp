@@ -567,4 +567,26 @@ TEST_CASE("a name is shown as it is, and one that is two lines or no text as one
     CHECK(f.chosen == folder.path() / "\xff.png");
 }
 
+TEST_CASE("in a folder whose name is no text, or has rare letters, names are typed and deleted as elsewhere") {
+    for (const char* name : {"lat\xfcin", "\xf0\x9f\x93\xb7"}) {
+        CAPTURE(name);
+        const TemporaryFolder root;
+        const fs::path folder = root.path() / name;
+        fs::create_directory(folder);
+        std::ofstream(folder / "cat.png") << "x";
+        {
+            DialogUi f;
+            f.open(folder);
+            f.key(Key::backspace);  // all of it was selected
+            f.ui.type("cat.png");
+            f.key(Key::enter);
+            CHECK(f.chosen == folder / "cat.png");
+        }
+        DialogUi f;
+        f.save(folder / "cat.svg");
+        f.key(Key::enter);
+        CHECK(f.chosen == folder / "cat.svg");
+    }
+}
+
 }  // namespace dapple

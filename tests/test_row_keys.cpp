@@ -194,6 +194,16 @@ TEST_CASE("a number being typed is taken wherever the focus goes, and Escape alo
     CHECK(rows.tone == 0.12345);
 }
 
+TEST_CASE("undo in a row that is typed into again takes back what was typed now, and nothing before") {
+    KeyRows rows;
+    rows.ui.enter("Tone", "0.123456");
+    CHECK(rows.tone == doctest::Approx(0.123456));
+    rows.ui.begin_typing("Tone");
+    for (int i = 0; i < 12; ++i) rows.key(Key::z, GLFW_MOD_CONTROL);
+    rows.key(Key::enter);
+    CHECK(rows.tone == doctest::Approx(0.12).epsilon(0.05));
+}
+
 TEST_CASE("Enter opens a list, arrows walk it, Enter takes an entry and Escape leaves it as it was") {
     KeyRows rows;
     rows.walk_to("Paper");

@@ -710,7 +710,7 @@ TEST_CASE("each change has the name of its row") {
     DrawingSettings& drawing = settings.drawing;
     CHECK(words_after([&] { drawing.dot_size.sizing = DotSizing::by_tone; }) == "Dot size");
     CHECK(words_after([&] { drawing.dot_size.largest_mm = 2; }) == "Largest");
-    CHECK(words_after([&] { drawing.page.margins = {10, 10, 10, 10}; }) == "Margin");
+    CHECK(words_after([&] { drawing.page.margins = {10, 10, 10, 10}; }) == "Margins");
     CHECK(words_after([&] { drawing.page.margins.left = 20; }) == "Left");
     CHECK(words_after([&] {
               drawing.page.crop = Crop{{{10, 10}, {90, 90}}, Crop::Unit::percent};

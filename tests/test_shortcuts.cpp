@@ -14,7 +14,7 @@ struct Keyboard {
     std::vector<Action> actions;
     char text[32] = "";
     HeadlessUi ui{[this] {
-        for (Action action : pressed_actions()) actions.push_back(action);
+        for (Action action : pressed_actions(shortcuts())) actions.push_back(action);
         ImGui::InputText("text", text, sizeof text);
         note_place("text");
     }};

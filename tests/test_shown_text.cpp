@@ -32,6 +32,18 @@ TEST_CASE("bytes that are no UTF-8 are written out, and what follows them is not
     CHECK(printable("\xf4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");  // beyond Unicode
 }
 
+TEST_CASE("any bytes can be edited as text and come back as they were") {
+    CHECK(editable("K\xc3\xa4tzchen \\ 1.jpg") == "K\xc3\xa4tzchen \\ 1.jpg");
+    CHECK(editable("lat\xfc/\xf0\x9f\x93\xb7\n") == "lat\\xfc/\\xf0\\x9f\\x93\\xb7\\x0a");
+    CHECK(editable("\\xfc") == "\\x5cxfc");  // a name with a backslash in it
+    std::string all;
+    for (int first = 0; first < 256; ++first)
+        for (const int second : {0, 0x41, 0x5c, 0x80, 0xbf, 0xff})
+            all += {static_cast<char>(first), static_cast<char>(second), '\\', 'x', '5', 'c'};
+    CHECK(bytes_of(editable(all)) == all);
+    CHECK(is_utf8(editable(all)));
+}
+
 TEST_CASE("what is printable stays so") {
     const std::string once = printable("\x1b[31m\n\xff\xe2\x80\xae");
     CHECK(printable(once) == once);

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string>
 
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/widgets/theme.h"
+#include "tests/file_text.h"
 #include "tests/headless_ui.h"
+#include "tests/temporary_folder.h"
 
 namespace dapple {
 namespace {
@@ -24,6 +28,28 @@ double contrast(glm::vec3 a, glm::vec3 b) {
 }
 
 }  // namespace
+
+TEST_CASE("a font that Dear ImGui cannot draw is not taken") {
+    const auto font = find_font("sans-serif");
+    REQUIRE(font);
+    CHECK(is_outline_font(*font));
+    const std::string bytes = text_of(*font);
+    const TemporaryFolder folder;
+    const auto is_taken = [&](const std::string& text) {
+        const std::filesystem::path file = folder.path() / "font";
+        put_text(file, text);
+        return is_outline_font(file);
+    };
+    CHECK(is_taken(bytes));
+    CHECK_FALSE(is_taken(bytes.substr(0, bytes.size() - 1)));
+    CHECK_FALSE(is_taken(bytes.substr(0, 13)));
+    CHECK_FALSE(is_taken(""));
+    CHECK_FALSE(is_taken("STARTFONT 2.1\nFONT tiny\nSIZE 8 75 75\n"));
+    std::string without_letters = bytes;
+    without_letters.replace(bytes.find("cmap"), 4, "mapc");
+    CHECK_FALSE(is_taken(without_letters));
+    CHECK_FALSE(is_outline_font(folder.path()));
+}
 
 TEST_CASE("in each theme text stands out from what is behind it by 4.5:1, and in high contrast by 7:1") {
     HeadlessUi ui([] {});

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/text/length.h"
 #include "core/text/numbers.h"
 
 namespace dapple {
@@ -81,7 +82,7 @@ PlacedPoints points_of_svg(std::string_view text, const std::string& name) {
                                 height = attribute(root, "height", "mm");
     if (!width || !height || !(*width > 0 && *height > 0) || root.find(" viewBox=\"0 0 ") == root.npos)
         not_ours(name, kKind);
-    constexpr double kMmPerPx = 25.4 / 96;
+    constexpr double kMmPerPx = kMmPerInch / 96;
     PlacedPoints placed{.domain = {*width, *height, Topology::window}, .points = {}};
     for (std::size_t at = text.find("<circle "); at != text.npos; at = text.find("<circle ", at + 1)) {
         const std::string_view circle = element_at(text, at);

@@ -19,6 +19,7 @@
 #include "core/drawing/pipeline.h"
 #include "core/image/exposure.h"
 #include "core/output/raster.h"
+#include "core/text/length.h"
 
 namespace dapple {
 namespace {
@@ -58,19 +59,6 @@ PlacedBy described(const Stippling& stippling, const DrawingSettings& settings) 
 // Two dots at one place differ by a float's last bits: their positions were worked out along two paths.
 constexpr double kSamePlace = 0x1p-22;
 
-// Leaves one point at each place.
-void drop_duplicates(std::vector<glm::dvec2>& points) {
-    std::ranges::sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x; });
-    std::vector<glm::dvec2> kept;
-    for (const glm::dvec2 p : points) {
-        bool seen = false;
-        for (auto near = kept.rbegin(); near != kept.rend() && p.x - near->x <= kSamePlace && !seen; ++near)
-            seen = std::abs(p.y - near->y) <= kSamePlace;
-        if (!seen) kept.push_back(p);
-    }
-    points = std::move(kept);
-}
-
 // The distinct dots. Rounded to float, one can lie a hair beyond the far edge.
 std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& domain) {
     std::vector<glm::dvec2> points;
@@ -78,7 +66,7 @@ std::vector<glm::dvec2> points_of(const Stippling& stippling, const Domain& doma
     const glm::dvec2 corner{domain.width, domain.height};
     for_each_position(stippling.dots,
                       [&](float x, float y) { points.push_back(glm::min(glm::dvec2(x, y), corner)); });
-    if (stippling.duplicates > 0) drop_duplicates(points);
+    if (stippling.duplicates > 0) drop_duplicates(points, kSamePlace);
     return points;
 }
 
@@ -90,7 +78,7 @@ std::vector<ToneFromAfar> tone_from_afar(const Placed& placed, const Grid<float>
     Grid<float> drawing =
         coverage_of(stream_of(stippling.dots), page,
                     {.dot_radius_mm = placed.plan.radius(stippling.scale) * page.mm_per_page_unit,
-                     .dpi = 25.4 / mm_per_px,
+                     .dpi = kMmPerInch / mm_per_px,
                      .threads = settings.placing.threads});
     // Light ink on dark paper is the light itself.
     if (!settings.tone.invert)

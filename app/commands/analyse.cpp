@@ -191,7 +191,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         ->type_name("NAME");
     add_seed(*command, options_.seed, "Of a --method that throws dice");
     add_choice(
-        *command, "--topology", options_.topology, {Topology::torus, Topology::window},
+        *command, "--topology", options_.topology,
         "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
         "constant grey (which is not relaxed without --relax, and is a window with it), and window else");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};

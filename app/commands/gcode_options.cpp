@@ -16,9 +16,8 @@ namespace {
 // A tool by its name, or a template of one's own.
 void take_tool(SavingChoice& saving, const std::string& text) {
     saving.gcode_template = {};
-    for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
-        if (text != name_of(tool)) continue;
-        saving.tool = tool;
+    if (const auto tool = value_named<GcodeTool>(text)) {
+        saving.tool = *tool;
         return;
     }
     std::error_code looped;  // reading it says so
@@ -40,30 +39,14 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
         ->type_name("pen|servo|laser|FILE")
         ->default_str("pen")
         ->group("G-code");
-    add_number(command, "--feed", saving.feed_mm_per_min, {.least = kSlowestFeed, .most = kFastestFeed},
-               "MM/MIN", "G-code: how fast the tool moves, in millimetres a minute")
-        ->group("G-code");
-    add_number(command, "--dwell", saving.dwell_s, {.least = 0, .most = kLongestDwellS}, "SECONDS",
-               "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds")
-        ->group("G-code");
-    add_number(
-        command, "--acceleration", saving.acceleration_mm_per_s2,
-        {.least = kLeastAcceleration, .most = kMostAcceleration}, "MM/S2",
-        "G-code: how fast the machine gains speed, for the plotting time that is told. Grbl comes with 10, "
-        "and machines are mostly set to 500 to 3000 ($120)")
-        ->group("G-code");
-    const NumberRange height{.least = -kMostHeight, .most = kMostHeight};
-    add_number(
-        command, "--pen-up", saving.pen_up, height, "Z|S",
-        "G-code: where the pen is off the paper, Z in millimetres or the S of a servo; without it 2 or "
-        "20")
-        ->group("G-code");
-    add_number(command, "--pen-down", saving.pen_down, height, "Z|S",
-               "G-code: where the pen is on the paper; without it 0 or 90")
-        ->group("G-code");
-    add_number(command, "--laser-power", saving.laser_power, {.least = 0, .most = kMostLaserPower}, "S",
-               "G-code: the S of a laser's M3; Grbl comes with 1000 for full power ($30)")
-        ->group("G-code");
+    for (CLI::Option* const option :
+         {add_number(command, setting::feed, saving.feed_mm_per_min),
+          add_number(command, setting::dwell, saving.dwell_s),
+          add_number(command, setting::acceleration, saving.acceleration_mm_per_s2),
+          add_number(command, setting::pen_up, saving.pen_up),
+          add_number(command, setting::pen_down, saving.pen_down),
+          add_number(command, setting::laser_power, saving.laser_power)})
+        option->group("G-code");
 }
 
 const char* gcode_help() {

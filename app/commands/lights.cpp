@@ -135,27 +135,22 @@ LightsCommand::LightsCommand(CLI::App& program) {
         ->default_str(fmt::format("{}", request.count));
     add_choice(
         *command, "--convention", options_.convention,
-        {SphereConvention::openexr, SphereConvention::usd, SphereConvention::mitsuba,
-         SphereConvention::blender, SphereConvention::pbrt},
         "Which way in space a place on the map lies: openexr, usd, mitsuba, blender or pbrt; without it "
         "pbrt for .pbrt, mitsuba for .xml, else openexr");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Turn the map about the up axis, by the right-hand rule");
     add_choice(
-        *command, "--radiance", request.radiance, {SampleRadiance::mean, SampleRadiance::point},
+        *command, "--radiance", request.radiance,
         "A sample's radiance: mean over its region; or point, the map's where it is, with --position random");
     add_choice(*command, "--position", request.position,
-               {SamplePosition::centroid, SamplePosition::dot, SamplePosition::random},
                "Where in its region a sample is: centroid, the least error; dot, where the placer put it; "
                "random, without any bias");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
-    add_choice(*command, "--placer", request.placer, {PlacerKind::exact, PlacerKind::figure8},
-               "exact, or figure8 as printed in the article");
+    add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
     add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
-               {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy},
                "Order in which a tile's dots appear: paper, farthest, or energy, which errs least");
     add_seed(*command, request.seed,
              "Another choice of samples for every number; 0 lays the tile on the map as it is");

@@ -30,11 +30,7 @@ void add_mural_options(CLI::App& app, Sheet& sheets) {
            "columns and 4 rows, and mural-plan.svg, which shows how they join")
         ->type_name("CxR")
         ->group("Page");
-    add_length(
-        app, "--overlap", sheets.overlap_mm, {.least = 0, .most = kWidestOverlapMm},
-        "How wide the strips are that neighbouring sheets share, to cut and to glue in; the drawing is "
-        "on both. SVG and PDF have marks where to cut")
-        ->group("Page");
+    add_length(app, setting::overlap, sheets.overlap_mm)->group("Page");
 }
 
 void render_mural(const RenderOptions& options) {

@@ -1,6 +1,7 @@
 #include "app/commands/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <initializer_list>
 #include <stdexcept>
+#include <vector>
 
 #include "app/settings/pen_file.h"
 #include "app/shown_text.h"
@@ -66,9 +68,13 @@ int whole_number_in(const std::string& name, const std::string& text, const Numb
     return static_cast<int>(value);
 }
 
+CLI::Option* add_text(CLI::App& app, const Setting& setting, const Read& read) {
+    return add_text(app, setting.names.option, unit_of(setting), help_of(setting), read);
+}
+
 // "0.2"; or "0.1..0.4", from the smallest to the largest.
 DotSize dot_size_in(const std::string& name, const std::string& text) {
-    const NumberRange range{.least = kSmallestRadiusMm, .most = kLargestRadiusMm};
+    const NumberRange range = setting::radius.range;
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos)
         return {.sizing = DotSizing::fixed, .radius_mm = length_in(name, text, range)};
@@ -89,17 +95,6 @@ PenChoice pens_in(const std::string& text) {
     return parse_pens(text);
 }
 
-void add_colour(CLI::App& app, const std::string& name, glm::vec3& target, const std::string& help) {
-    const auto read = [name, &target](const std::string& text) {
-        try {
-            target = parse_colour(text);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError(name, error.what());
-        }
-    };
-    add_text(app, name, "#RRGGBB", help, read)->default_str(hex_of(target));
-}
-
 // Tells what is wrong as the option's.
 Read reading(const std::string& name, const Read& read) {
     return [name, read](const std::string& text) {
@@ -109,6 +104,13 @@ Read reading(const std::string& name, const Read& read) {
             throw CLI::ValidationError(name, error.what());
         }
     };
+}
+
+void add_colour(CLI::App& app, const Setting& setting, glm::vec3& target) {
+    const std::string name = setting.names.option;
+    add_text(app, name, "#RRGGBB", help_of(setting),
+             reading(name, [&target](const std::string& text) { target = parse_colour(text); }))
+        ->default_str(hex_of(target));
 }
 
 // Puts the options made while it lives under a heading of their own in the help.
@@ -128,6 +130,15 @@ class Heading {
 };
 
 }  // namespace
+
+std::string help_of(const Setting& setting) {
+    return std::string(setting.help) + setting.more;
+}
+
+std::string unit_of(const Setting& setting) {
+    if (*setting.value) return setting.value;
+    return setting.length ? "LENGTH" : fmt::format("{:g}..{:g}", setting.range.least, setting.range.most);
+}
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& unit, const std::string& help) {
@@ -155,10 +166,32 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, 
     return add_text(app, name, "LENGTH", help, read)->default_str(fmt::format("{:g}mm", target));
 }
 
+CLI::Option* add_length(CLI::App& app, const Setting& setting, double& target) {
+    return add_length(app, setting.names.option, target, setting.range, help_of(setting));
+}
+
+CLI::Option* add_flag(CLI::App& app, const Setting& setting, bool& target) {
+    return app.add_flag(setting.names.option, target, help_of(setting));
+}
+
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help) {
     const auto read = [=, &target](const std::string& text) { target = whole_number_in(name, text, range); };
     return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
+}
+
+CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const char* const> words,
+                       const std::function<void(std::size_t)>& read, const std::string& help) {
+    const std::vector<std::string> known(words.begin(), words.end());
+    const auto take = [=](const std::string& text) {
+        const auto found = std::ranges::find(known, text);
+        if (found == known.end()) {
+            throw CLI::ValidationError(
+                name, fmt::format("{} is not known; there are {}", text, fmt::join(known, ", ")));
+        }
+        read(static_cast<std::size_t>(found - known.begin()));
+    };
+    return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), help, take);
 }
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
@@ -199,16 +232,13 @@ std::uint64_t count_in(const std::string& name, const std::string& text, std::ui
 
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking) {
     return add_choice(
-        app, "--ranking", ranking, {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy},
+        app, "--ranking", ranking,
         "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept "
         "with the tile");
 }
 
 CLI::Option* add_tile(CLI::App& app, std::string& tile) {
-    return add_text(app, "--tile", "TILE",
-                    "A tile's name (dapple tile list), its file, or its two integers as in 14217,2895/16",
-                    [&tile](const std::string& text) { tile = text; })
-        ->default_str(tile);
+    return add_text(app, setting::tile, [&tile](const std::string& text) { tile = text; })->default_str(tile);
 }
 
 void add_dot_options(CLI::App& app, DrawingSettings& settings) {
@@ -218,19 +248,16 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     const auto read_count = [&placing](const std::string& text) {
         placing.count = count_in("--dots", text, kMostDots);
     };
-    add_text(app, "--dots", "N", "Exactly so many dots on the page: 40000, 40,000 or 40k", read_count)
-        ->default_str(fmt::format("{}", kDefaultDots));
+    add_text(app, setting::count, read_count)->default_str(fmt::format("{}", kDefaultDots));
 
     // A scale takes the place of the count, whichever comes first; both are refused once all is read.
     const auto read_scale = [&placing](const std::string& text) {
-        placing.scale = number_in("--scale", text, {.least = 0, .at_least = NumberRange::Least::excluded});
+        placing.scale = number_in("--scale", text, setting::scale.range);
         placing.count.reset();
     };
-    add_text(app, "--scale", "S",
-             "Instead of --dots: a darker picture gets more dots, an all-black one gets about 16 S",
-             read_scale);
+    add_text(app, setting::scale, read_scale);
 
-    add_choice(app, "--placer", settings.placer, {PlacerKind::exact, PlacerKind::figure8},
+    add_choice(app, "--placer", settings.placer,
                "exact: every dot once; figure8: as printed in the article, which emits about a quarter "
                "of the dots twice and makes about as many as --dots says");
     add_tile(app, settings.tile);
@@ -241,22 +268,14 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         if (text == "auto")
             settings.relax.reset();
         else
-            settings.relax = whole_number_in("--relax", text, {.least = 0, .most = kMostRelaxingSteps});
+            settings.relax = whole_number_in("--relax", text, setting::relax.range);
     };
-    add_text(app, "--relax", "auto|N",
-             "Steps that move each dot to the middle of the ink around it, 0 to 100: more even, at a cost. "
-             "auto: 5, or none for millions of dots too fine to see",
-             read_relax)
-        ->default_str("auto");
+    add_text(app, setting::relax, read_relax)->default_str("auto");
 
     const auto read_radius = [&settings](const std::string& text) {
         settings.dot_size = dot_size_in("--dot-radius", text);
     };
-    add_text(app, "--dot-radius", "LENGTH",
-             "Radius of a dot on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on "
-             "black, and "
-             "as many dots as the tone then needs. Without it, one for all that gives the picture's tone",
-             read_radius);
+    add_text(app, setting::radius, read_radius);
     add_whole_number(app, "--threads", placing.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the dots are the same with any number");
 }
@@ -264,29 +283,18 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 void add_style_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
     add_choice(app, "--style", settings.style,
-               {DrawingStyle::dots, DrawingStyle::line, DrawingStyle::nearest},
                "dots: each by itself; line: one line through all dots, by a short route, which takes some "
                "seconds to find, or in --order; nearest: lines from each dot to its nearest few, of which no "
                "two cross");
-    const auto read_mark = [&settings](const std::string& text) {
-        try {
-            settings.mark = parse_dot_mark(text);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError("--dot-shape", error.what());
-        }
-    };
     add_text(
         app, "--dot-shape", "SHAPE|PATH",
         "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
         "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in "
         "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z",
-        read_mark)
+        reading("--dot-shape",
+                [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); }))
         ->default_str(text_of(settings.mark));
-    add_length(
-        app, "--pen-width", settings.pen_width_mm, {.least = kFinestPenMm, .most = kWidestPenMm},
-        "How wide the pen's line is, of lines and of dots of another shape than circle. With a plotter's "
-        "file "
-        "and no --dot-shape each dot is a touch of that pen, or a spiral that fills it to --dot-radius");
+    add_length(app, setting::pen_width, settings.pen_width_mm);
 }
 
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {
@@ -297,14 +305,9 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         settings.tone.exposure = 0;
         if (!settings.automatic_exposure)
             settings.tone.exposure =
-                static_cast<float>(number_in("--exposure", text, {.least = -kMostStops, .most = kMostStops}));
+                static_cast<float>(number_in("--exposure", text, setting::exposure.range));
     };
-    add_text(
-        app, "--exposure", "auto|EV",
-        "Makes all of the picture lighter first, or darker below 0, in stops: 1 is twice as light, -1 half. "
-        "auto: what shows most of an HDR picture; 0 for any other",
-        read_exposure)
-        ->default_str("auto");
+    add_text(app, setting::exposure, read_exposure)->default_str("auto");
     const auto read_tone = [&settings](const std::string& text) {
         if (text != "auto" && text != "true") {
             throw CLI::ValidationError("--tone",
@@ -312,79 +315,49 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         }
         settings.automatic_tone = text == "auto";
     };
-    add_text(
-        app, "--tone", "auto|true",
-        "auto: black, white and middle tones chosen so that the picture reads well; true: ink covers just "
-        "the light that the picture lacks. --black-point, --white-point, --contrast, --brightness and "
-        "--gamma "
-        "switch it to true",
-        read_tone)
-        ->default_str(settings.automatic_tone ? "auto" : "true");
-    add_number(app, "--black-point", tone.black_point, {.least = 0, .most = 1}, "0..1",
-               "Grey that is drawn black, with all below it");
-    add_number(app, "--white-point", tone.white_point, {.least = 0, .most = 1}, "0..1",
-               "Grey that is left bare, with all above it");
-    add_number(app, "--contrast", tone.contrast, {.least = -1, .most = 1}, "-1..1",
-               "Below 0 flatter, above 0 harder");
-    add_number(app, "--brightness", tone.brightness, {.least = -1, .most = 1}, "-1..1",
-               "Below 0 darker, above 0 lighter");
-    add_number(app, "--gamma", tone.gamma, {.least = 0.1, .most = 10}, "0.1..10",
-               "Over 1: lighter middle tones");
-    add_number(app, "--blur", tone.blur, {.least = 0, .most = 100}, "0..100",
-               "Softens the picture first, in thousandths of its longer side");
-    add_number(app, "--detail", tone.detail, {.least = 0, .most = 1}, "0..1",
-               "Brings out what is faint and only a few dots wide, such as whiskers");
+    add_text(app, setting::automatic_tone, read_tone)->default_str(settings.automatic_tone ? "auto" : "true");
+    add_number(app, setting::black_point, tone.black_point);
+    add_number(app, setting::white_point, tone.white_point);
+    add_number(app, setting::contrast, tone.contrast);
+    add_number(app, setting::brightness, tone.brightness);
+    add_number(app, setting::gamma, tone.gamma);
+    add_number(app, setting::blur, tone.blur);
+    add_number(app, setting::detail, tone.detail);
     const auto read_black = [&tone](const std::string& text) {
         tone.black.reset();
-        if (text != "auto") tone.black = number_in("--black", text, {.least = kLeastBlack, .most = 1});
+        if (text != "auto") tone.black = number_in("--black", text, setting::black.range);
     };
-    add_text(app, "--black", "auto|0.5..1",
-             "How solid black gets: 1 covers the paper; with less, dots stand apart in the dark and more of "
-             "them are left for the rest. auto: 0.95 of few dots, 1 of 100,000 and more and with --tone true",
-             read_black)
+    add_text(app, setting::black, read_black)
         ->default_str(tone.black ? fmt::format("{}", *tone.black) : "auto");
-    app.add_flag("--invert", tone.invert, "Dots where the picture is light, for white ink on black paper");
+    add_flag(app, setting::invert, tone.invert);
 }
 
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     PageSetup& page = settings.page;
-    const NumberRange side{.least = kShortestSideMm, .most = kLongestSideMm};
     add_paper(
         app, page,
         "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a size "
         "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
-    add_choice(app, "--orientation", page.orientation,
-               {PageOrientation::automatic, PageOrientation::portrait, PageOrientation::landscape},
-               "How the page lies; auto: as the picture, and a size of your own as you give it");
-    add_length(
-        app, "--width", page.width_mm, side,
-        "Width of the page, 210, 21cm or 8in; its height follows from the picture's shape, unless it is "
-        "given too");
-    add_text(app, "--height", "LENGTH",
-             "Height of the page; without --width that follows from the picture's shape",
-             [&page, side](const std::string& text) { page.height_mm = length_in("--height", text, side); });
-    add_text(app, "--margin", "LENGTH",
-             "Bare paper on each side, in which no part of a dot lies: 15mm, or top,right,bottom,left as in "
-             "10,15,20,15",
+    add_choice(app, setting::orientation, page.orientation);
+    add_length(app, setting::width, page.width_mm);
+    add_text(app, setting::height, [&page](const std::string& text) {
+        page.height_mm = length_in("--height", text, setting::height.range);
+    });
+    add_text(app, setting::margin,
              reading("--margin", [&page](const std::string& text) { page.margins = parse_margins(text); }))
         ->default_str("0mm");
-    add_choice(app, "--fit", page.fit, {PageFit::inside, PageFit::fill},
-               "inside: all of the picture, in the middle of what the margins leave; fill: the middle of the "
-               "picture, cut to the shape of that");
+    add_choice(app, setting::fit, page.fit);
     add_text(
         app, "--crop", "X,Y,WxH",
         "Only a part of the picture, in pixels as in 100,50,640x480, or in percent as in 10%,10%,50%x80%",
         reading("--crop", [&page](const std::string& text) { page.crop = parse_crop(text); }));
-    add_text(app, "--rotate", "0|90|180|270", "Turns the picture clockwise, after --crop",
-             [&page](const std::string& text) {
-                 const std::optional<int> degrees = number_of<int>(text);
-                 if (!degrees || *degrees < 0 || *degrees > 270 || *degrees % 90)
-                     throw CLI::ValidationError("--rotate",
-                                                text + " is not known; there are 0, 90, 180, 270");
-                 page.quarter_turns = *degrees / 90;
-             })
-        ->default_str("0");
+    add_text(app, setting::rotate, [&page](const std::string& text) {
+        const std::optional<int> degrees = number_of<int>(text);
+        if (!degrees || *degrees < 0 || *degrees > 270 || *degrees % 90)
+            throw CLI::ValidationError("--rotate", text + " is not known; there are 0, 90, 180, 270");
+        page.quarter_turns = *degrees / 90;
+    })->default_str("0");
     add_pens(
         app, settings.pens,
         "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
@@ -396,43 +369,33 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
     add_choice(app, "--pen-order", settings.pens.order,
-               {PenOrder::lightest, PenOrder::darkest, PenOrder::listed},
                "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
                "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
-    add_colour(app, "--ink", settings.ink, "Colour of the dots, with one pen");
-    add_colour(app, "--paper", settings.paper, "Colour of the page");
+    add_colour(app, setting::ink, settings.ink);
+    add_colour(app, setting::paper, settings.paper);
 }
 
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Rectangle<double>>& region) {
     const Heading heading(app, "Page");
     add_choice(
-        app, "--order", order, {DotOrder::shortest, DotOrder::space, DotOrder::recursion, DotOrder::priority},
+        app, "--order", order,
         "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
         "route, which for a million dots takes some seconds to find; space, each near the one before, found "
         "at once; recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly "
         "the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and "
         "DXF of up to a million dots, space of up to 5 million, else recursion. shortest, space, priority "
         "and --placer figure8 hold all dots in memory");
-    const auto read_with = [&](const std::string& name, const auto& parse, auto& target) {
-        return [name, parse, &target](const std::string& text) {
-            try {
-                target = parse(text);
-            } catch (const std::runtime_error& error) {
-                throw CLI::ValidationError(name, error.what());
-            }
-        };
-    };
     add_text(
         app, "--sheet", "C,R/CxR",
         "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
         "those of the whole",
-        read_with("--sheet", parse_sheet, sheet));
+        reading("--sheet", [&sheet](const std::string& text) { sheet = parse_sheet(text); }));
     add_text(
         app, "--region", "X,Y,WxH",
         "Only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 from the "
         "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole",
-        read_with("--region", parse_region, region));
+        reading("--region", [&region](const std::string& text) { region = parse_region(text); }));
 }
 
 void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {

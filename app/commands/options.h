@@ -4,26 +4,26 @@
 // A value that cannot be is refused while parsing, with a sentence that begins with the option's name.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
-#include <limits>
 #include <optional>
+#include <span>
 #include <string>
-#include <type_traits>
-#include <vector>
+#include <string_view>
 
 #include "app/drawing_settings.h"
+#include "app/setting.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
-struct NumberRange {
-    double least = 0;
-    double most = std::numeric_limits<double>::max();
-    enum class Least { included, excluded } at_least = Least::included;
-};
+/// What help says of a setting's option, and calls its value.
+std::string help_of(const Setting& setting);
+std::string unit_of(const Setting& setting);
 
 /// A finite number within a range. `unit` is what help shows: "STOPS".
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
@@ -36,6 +36,15 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 /// A length, in millimetres unless it names another unit; the range is in millimetres.
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& help);
+
+/// The same of a setting that has an option; its help is that of the row, and what else the command has to
+/// say.
+template <class Number>
+CLI::Option* add_number(CLI::App& app, const Setting& setting, Number& target) {
+    return add_number(app, setting.names.option, target, setting.range, unit_of(setting), help_of(setting));
+}
+CLI::Option* add_length(CLI::App& app, const Setting& setting, double& target);
+CLI::Option* add_flag(CLI::App& app, const Setting& setting, bool& target);
 
 /// A whole number.
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
@@ -54,26 +63,27 @@ CLI::Option* add_paper(CLI::App& app, PageSetup& page, const std::string& help);
 /// --seed, any number of 64 bits.
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help);
 
-/// One of several values, by the name that name_of() gives them. The target is a Value, or a
-/// std::optional<Value> that stays empty without the option.
-template <class Target, class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
-                        std::initializer_list<Value> values, const std::string& help) {
-    const auto names = [](const std::vector<Value>& all, const char* separator) {
-        std::string text;
-        for (const Value value : all) text += (text.empty() ? "" : separator) + std::string(name_of(value));
-        return text;
-    };
-    const auto read = [=, &target, all = std::vector<Value>(values)](const std::string& text) {
-        const auto found = std::ranges::find_if(all, [&](Value value) { return name_of(value) == text; });
-        if (found == all.end())
-            throw CLI::ValidationError(name, text + " is not known; there are " + names(all, ", "));
-        target = *found;
-    };
-    CLI::Option* const option =
-        app.add_option_function<std::string>(name, read, help)->type_name(names(values, "|"));
-    if constexpr (std::is_same_v<Target, Value>) option->default_str(std::string(name_of(target)));
-    return option;
+/// One of several words; `read` gets its index.
+CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const char* const> words,
+                       const std::function<void(std::size_t)>& read, const std::string& help);
+
+/// One of an enumeration's values, by its name.
+template <Named Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target, const std::string& help) {
+    const auto read = [&target](std::size_t index) { target = static_cast<Value>(index); };
+    return add_words(app, name, names_of(target), read, help)->default_str(std::string(name_of(target)));
+}
+/// Empty without the option.
+template <Named Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::optional<Value>& target,
+                        const std::string& help) {
+    const auto read = [&target](std::size_t index) { target = static_cast<Value>(index); };
+    return add_words(app, name, names_of(Value()), read, help);
+}
+
+template <class Choice>
+CLI::Option* add_choice(CLI::App& app, const Setting& setting, Choice& target) {
+    return add_choice(app, setting.names.option, target, help_of(setting));
 }
 
 /// --style, --dot-shape, --pen-width.

@@ -81,7 +81,6 @@ RecordCommand::RecordCommand(CLI::App& program) {
         ->type_name("OUT")
         ->required();
     add_choice(*command, "--show", options_.film.kind,
-               {FilmKind::growth, FilmKind::levels, FilmKind::zoom, FilmKind::plot},
                "growth: from a few dots to all. levels: one level of tiles after the other, each in its "
                "colour. zoom: "
                "into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
@@ -93,11 +92,9 @@ RecordCommand::RecordCommand(CLI::App& program) {
                      "Pixels along the longer side");
     add_number(*command, "--depth", options_.film.depth, {.least = 1, .most = kDeepestFilm}, "TIMES",
                "zoom: how many times larger at the end");
-    add_choice(*command, "--machine", options_.film.machine, kMachines,
-               "plot: the machine whose movements are shown");
+    add_choice(*command, "--machine", options_.film.machine, "plot: the machine whose movements are shown");
     add_choice(
         *command, "--order", options_.film.order,
-        {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority},
         "plot: the order of the dots, as `dapple render` has it; without it, the one that suits an SVG");
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);

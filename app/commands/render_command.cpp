@@ -123,9 +123,6 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->type_name("OUT")
         ->required();
     add_choice(*command, "--format", options_.format,
-               {DrawingFormat::svg, DrawingFormat::pdf, DrawingFormat::png, DrawingFormat::tiff,
-                DrawingFormat::gcode, DrawingFormat::hpgl, DrawingFormat::dxf, DrawingFormat::csv,
-                DrawingFormat::json},
                "What is written where no name says it: an SVG without this");
     add_whole_number(
         *command, "--jobs", jobs_, {.least = 0, .most = 256},
@@ -159,41 +156,21 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->type_name("FILE|none")
         ->group("Tone");
     add_page_options(*command, options_.drawing);
-    add_number(*command, "--dpi", options_.saving.dpi, {.least = 1, .most = 100'000}, "N",
-               "PNG, TIFF: pixels to the inch")
-        ->group("Page");
+    add_number(*command, setting::dpi, options_.saving.dpi)->group("Page");
     const auto read_bits = [this](const std::string& text) {
         if (text != "8" && text != "16")
             throw CLI::ValidationError("--bits", text + " is not possible; give 8 or 16");
         options_.saving.bits = text == "8" ? 8 : 16;
     };
-    command
-        ->add_option_function<std::string>("--bits", read_bits, "PNG, TIFF: bits for each channel of a pixel")
-        ->type_name("8|16")
+    command->add_option_function<std::string>(setting::bits.names.option, read_bits, help_of(setting::bits))
+        ->type_name(unit_of(setting::bits))
         ->default_str("8")
         ->group("Page");
-    command
-        ->add_flag("--separations", options_.saving.separations,
-                   "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for "
-                   "printers who make a plate for each: cat-1-yellow.tif beside cat.tif")
-        ->group("Page");
-    command
-        ->add_flag("--background", options_.drawing.background,
-                   "SVG, PDF: paint the paper under the dots, as a PNG always has it")
-        ->group("Page");
-    command->add_flag("--tiles", options_.drawing.show_tiles, "SVG: the tiles' outlines, as a layer")
-        ->group("Page");
-    command
-        ->add_flag(
-            "--registration", options_.drawing.registration,
-            "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other "
-            "by")
-        ->group("Page");
-    add_choice(
-        *command, "--machine", options_.saving.machine, kMachines,
-        "Tell how long this machine will plot, with its program's own settings; without it, an AxiDraw "
-        "V3, and a GRBL machine for G-code")
-        ->group("Page");
+    add_flag(*command, setting::separations, options_.saving.separations)->group("Page");
+    add_flag(*command, setting::background, options_.drawing.background)->group("Page");
+    add_flag(*command, setting::show_tiles, options_.drawing.show_tiles)->group("Page");
+    add_flag(*command, setting::registration, options_.drawing.registration)->group("Page");
+    add_choice(*command, setting::machine, options_.saving.machine)->group("Page");
     add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
     add_mural_options(*command, options_.drawing.sheets);
     add_gcode_options(*command, options_.saving);

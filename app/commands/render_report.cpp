@@ -218,7 +218,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"width_mm", drawn.page.width_mm},
         {"height_mm", drawn.page.height_mm},
         {"dot_radius_mm", drawn.radius_mm},
-        {"page", paper_titles()[static_cast<std::size_t>(settings.page.paper)]},
+        {"page", name_of(settings.page.paper)},
         {"margin_mm", margin},
         {"picture_mm",
          {drawn.picture.low.x, drawn.picture.low.y, drawn.picture.size().x, drawn.picture.size().y}},

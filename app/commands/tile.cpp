@@ -126,22 +126,6 @@ void add_tile_name(CLI::App& command, std::string& name, const std::string& more
 
 }  // namespace
 
-std::string_view name_of(NewRanking ranking) {
-    switch (ranking) {
-        case NewRanking::paper:
-            return "paper";
-        case NewRanking::farthest:
-            return "farthest";
-        case NewRanking::energy:
-            return "energy";
-        case NewRanking::searched:
-            return "searched";
-        case NewRanking::stored:
-            return "stored";
-    }
-    return "";
-}
-
 void check_tile(std::ostream& out, const std::string& name, CheckFormat format, ShownWords words) {
     const StoredTile stored = load_tile(name);
     const TileMarks marks = marks_of(stored.tile, stored.ranking);
@@ -228,8 +212,6 @@ void TileCommand::add_rank(CLI::App& parent) {
         parent.add_subcommand("rank", "Rank a tile's points anew and save it as a tile file");
     add_tile_name(*command, name_, ", or a file with a rule such as 3760 on its first line and words below");
     add_choice(*command, "--ranking", new_ranking_,
-               {NewRanking::paper, NewRanking::farthest, NewRanking::energy, NewRanking::searched,
-                NewRanking::stored},
                "paper: as printed; farthest: each point in the widest gap left; energy: each where the tone "
                "stays evenest; searched: evener between levels too, takes a minute for 4,096 points; stored: "
                "as in the file");

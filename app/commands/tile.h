@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/commands/tile_search.h"
+#include "core/text/names.h"
 #include "core/tile/ranking.h"
 
 namespace CLI {
@@ -18,8 +19,9 @@ namespace dapple {
 
 /// How `tile rank` ranks points.
 enum class NewRanking { paper, farthest, energy, searched, stored };
-/// "paper", "farthest", "energy", "searched", "stored".
-std::string_view name_of(NewRanking ranking);
+constexpr auto names_of(NewRanking) {
+    return names("paper", "farthest", "energy", "searched", "stored");
+}
 
 enum class CheckFormat { text, json };
 

@@ -360,18 +360,6 @@ void search_any(const TileSearchOptions& options, std::ostream& out) {
 
 }  // namespace
 
-std::string_view name_of(TileCriterion criterion) {
-    switch (criterion) {
-        case TileCriterion::radius:
-            return "radius";
-        case TileCriterion::discrepancy:
-            return "discrepancy";
-        case TileCriterion::symmetry:
-            return "symmetry";
-    }
-    throw std::logic_error("no such criterion");
-}
-
 void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--points", options.points, {.least = 4, .most = kMaxTilePoints},
                      "Points of the tile, a multiple of 4; up to 60 for identity")
@@ -417,7 +405,6 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
     add_choice(command, "--by", options.by,
-               {TileCriterion::radius, TileCriterion::discrepancy, TileCriterion::symmetry},
                "identity: what the best tiles have: the largest radius, the lowest star discrepancy, or the "
                "most symmetry, which is likeness to their own turned and moved copies. For the latter two "
                "every tile is looked at, which takes seconds for 12 points, minutes for 16 and hours for 20, "

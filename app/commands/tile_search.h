@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/names.h"
 #include "core/tile/tile.h"
 
 namespace CLI {
@@ -27,8 +28,9 @@ enum class TileCriterion {
     discrepancy,  // the lowest star discrepancy
     symmetry,     // the highest symmetry()
 };
-/// "radius", "discrepancy", "symmetry".
-std::string_view name_of(TileCriterion criterion);
+constexpr auto names_of(TileCriterion) {
+    return names("radius", "discrepancy", "symmetry");
+}
 
 struct TileSearchOptions {
     int points = 0;

@@ -10,10 +10,6 @@
 
 namespace dapple {
 
-std::string_view name_of(DrawingFormat format) {
-    return kDrawingFormats[static_cast<std::size_t>(format)].word;
-}
-
 std::string drawing_endings() {
     std::vector<std::string_view> endings;
     for (const DrawingFormatName& each : kDrawingFormats) {

@@ -6,13 +6,15 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class DrawingFormat { svg, pdf, png, tiff, gcode, hpgl, dxf, csv, json };
 
 struct DrawingFormatName {
     DrawingFormat format;
-    std::string_view word;    // on the command line: "gcode"
+    const char* word;         // on the command line: "gcode"
     const char* shown;        // in the window: "G-code"
     const char* ending;       // ".gcode"
     std::string_view others;  // endings that are read the same: ".nc"; none: empty
@@ -32,7 +34,11 @@ inline constexpr std::array<DrawingFormatName, 9> kDrawingFormats{{
 }};
 
 /// Its word on the command line.
-std::string_view name_of(DrawingFormat format);
+constexpr auto names_of(DrawingFormat) {
+    std::array<const char*, kDrawingFormats.size()> words{};
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = kDrawingFormats[i].word;
+    return words;
+}
 
 /// ".svg, .pdf, ... or .json", the other endings too.
 std::string drawing_endings();

@@ -10,14 +10,6 @@
 
 namespace dapple {
 
-/// Millimetres a minute.
-inline constexpr double kSlowestFeed = 0.01, kFastestFeed = 1e6;
-inline constexpr double kLongestDwellS = 60;
-/// Millimetres a second each second.
-inline constexpr double kLeastAcceleration = 1, kMostAcceleration = 1e5;
-/// Of a pen's height in millimetres or a servo's S, above and below 0; and of a laser's S.
-inline constexpr double kMostHeight = 10'000, kMostLaserPower = 1e6;
-
 /// Reads a template. Throws std::runtime_error naming the file, and the line that is wrong.
 OwnTemplate read_gcode_template(const std::filesystem::path& file);
 

@@ -16,11 +16,12 @@
 #include "app/files/pdf_layers.h"
 #include "app/shown_text.h"
 #include "core/output/plotted_strokes.h"
+#include "core/text/length.h"
 
 namespace dapple {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kPointsPerMm = 72 / kMmPerInch;
 constexpr std::size_t kDotsAtOnce = 1 << 14;  // sorted by their radii
 constexpr std::size_t kDotsOfAPath = 1000;    // printers' memory for one is small
 constexpr double kMicrometresPerMm = 1000;

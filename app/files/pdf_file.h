@@ -14,11 +14,12 @@
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
 /// A side of a PDF's page, 14,400 points: readers take no larger ones.
-inline constexpr double kLongestPdfSideMm = 14'400 / 72.0 * 25.4;
+inline constexpr double kLongestPdfSideMm = 14'400 / 72.0 * kMmPerInch;
 /// The library keeps a page in memory until it is whole, about 20 bytes a dot, and layers until all are.
 inline constexpr std::uint64_t kMostPdfDots = 20'000'000;
 

@@ -21,7 +21,7 @@ class Pipeline;
 /// The preview's longer side is at most this, in pixels.
 inline constexpr int kPreviewSide = 2048;
 
-/// Light has at most so many values: two a dot across, of the most dots that fit into memory.
+/// Light has at most so many values: more than two for each dot of the largest drawing that memory holds.
 inline constexpr std::int64_t kMostLight = 128 << 20;
 
 struct Picture {

@@ -14,20 +14,6 @@ double done(double share) {
 
 }  // namespace
 
-std::string_view name_of(FilmKind kind) {
-    switch (kind) {
-        case FilmKind::growth:
-            return "growth";
-        case FilmKind::levels:
-            return "levels";
-        case FilmKind::zoom:
-            return "zoom";
-        case FilmKind::plot:
-            return "plot";
-    }
-    return "";
-}
-
 std::uint64_t grown_dots(double share, std::uint64_t dots) {
     if (done(share) == 1) return dots;
     const double first = std::min(kFirstDots, static_cast<double>(dots));

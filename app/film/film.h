@@ -7,6 +7,7 @@
 
 #include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -16,8 +17,9 @@ enum class FilmKind {
     zoom,    // towards the middle, where dots come in between as fast as the others part
     plot,    // stroke by stroke, as a machine draws it
 };
-/// "growth", "levels", "zoom", "plot".
-std::string_view name_of(FilmKind kind);
+constexpr auto names_of(FilmKind) {
+    return names("growth", "levels", "zoom", "plot");
+}
 
 /// The shares of a film, 0..1, at which it has come to its end; the rest shows that.
 inline constexpr double kFilmEnd = 0.9;

@@ -134,16 +134,6 @@ int symmetric_points(const std::string& word) {
 
 }  // namespace
 
-std::string_view name_of(Origin origin) {
-    switch (origin) {
-        case Origin::printed:
-            return "printed";
-        case Origin::ours:
-            return "ours";
-    }
-    return "";
-}
-
 std::vector<ComparedNumber> compare_printed_numbers() {
     std::vector<ComparedNumber> rows;
     for (const BalancedShare& row : kBalancedShares)

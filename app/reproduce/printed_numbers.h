@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 /// Where the number that should come out is from.
@@ -13,8 +15,9 @@ enum class Origin {
     printed,  // the paper prints it, to the digits given
     ours,     // recorded from this program, or counted by hand: the paper does not print it
 };
-/// "printed", "ours".
-std::string_view name_of(Origin origin);
+constexpr auto names_of(Origin) {
+    return names("printed", "ours");
+}
 
 /// One number that should come out, and the one that did, to the same digits.
 struct ComparedNumber {

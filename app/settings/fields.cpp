@@ -34,7 +34,14 @@ std::string value_in_words(const Json& value) {
     return printable(text);
 }
 
-std::string range_in_words(const char* kind, FieldRange range) {
+bool holds(NumberRange range, double number) {
+    const bool excluded = range.at_least == NumberRange::Least::excluded && number == range.least;
+    return number >= range.least && number <= range.most && !excluded;
+}
+
+std::string range_in_words(const char* kind, NumberRange range) {
+    if (range.at_least == NumberRange::Least::excluded)
+        return fmt::format("{} over {:.12g}", kind, range.least);
     if (range.most == std::numeric_limits<double>::max())
         return fmt::format("{} from {:.12g} up", kind, range.least);
     return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
@@ -62,47 +69,47 @@ Fields::Fields(Json& object, Way way, SettingsPlace place)
     assert(object_.is_object());
 }
 
-const Json* Fields::read(const char* name) const {
+const Json* Fields::read(FieldName name) const {
     if (way_ == Way::write) return nullptr;
-    const auto found = object_.find(name);
+    const auto found = object_.find(name.field);
     return found == object_.end() ? nullptr : &*found;
 }
 
-Json& Fields::written(const char* name) {
-    return object_[name];
+Json& Fields::written(FieldName name) {
+    if (rows_ && *name.row) (*rows_)[prefix_ + name.field] = name.row;
+    return object_[name.field];
 }
 
-bool Fields::has(const char* name) const {
-    return object_.contains(name);
+bool Fields::has(FieldName name) const {
+    return object_.contains(name.field);
 }
 
-void Fields::refuse(const char* name, const std::string& why) const {
+void Fields::refuse(FieldName name, const std::string& why) const {
     throw std::runtime_error(sentence(name, why));
 }
 
-std::string Fields::sentence(const char* name, const std::string& why) const {
-    return fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name, why);
+std::string Fields::sentence(FieldName name, const std::string& why) const {
+    return fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name.field, why);
 }
 
-void Fields::refuse_value(const char* name, const Json& value, const std::string& wanted) const {
+void Fields::refuse_value(FieldName name, const Json& value, const std::string& wanted) const {
     refuse(name, fmt::format("is {}; give {}", value_in_words(value), wanted));
 }
 
-double Fields::number_in(const char* name, const Json& value, FieldRange range) const {
+double Fields::number_in(FieldName name, const Json& value, NumberRange range) const {
     const double number = value.is_number() ? value.get<double>() : NAN;
-    if (!(number >= range.least && number <= range.most))
-        refuse_value(name, value, range_in_words("a number", range));
+    if (!holds(range, number)) refuse_value(name, value, range_in_words("a number", range));
     return number;
 }
 
-double Fields::whole_in(const char* name, const Json& value, FieldRange range, const char* or_else) const {
+double Fields::whole_in(FieldName name, const Json& value, NumberRange range, const char* or_else) const {
     const double number = value.is_number() ? value.get<double>() : NAN;
-    if (!(number >= range.least && number <= range.most && number == std::floor(number)))
+    if (!holds(range, number) || number != std::floor(number))
         refuse_value(name, value, range_in_words("a whole number", range) + or_else);
     return number;
 }
 
-void Fields::flag(const char* name, bool& value) {
+void Fields::flag(FieldName name, bool& value) {
     if (way_ == Way::write) {
         written(name) = value;
     } else if (const Json* const found = read(name)) {
@@ -111,14 +118,14 @@ void Fields::flag(const char* name, bool& value) {
     }
 }
 
-void Fields::number(const char* name, double& value, FieldRange range) {
+void Fields::number(FieldName name, double& value, NumberRange range) {
     if (way_ == Way::write)
         written(name) = value;
     else if (const Json* const found = read(name))
         value = number_in(name, *found, range);
 }
 
-void Fields::number(const char* name, float& value, FieldRange range) {
+void Fields::number(FieldName name, float& value, NumberRange range) {
     // The shortest digits that mean this float: 0.1, and not the 0.10000000149 that it is.
     if (way_ == Way::write)
         written(name) = number_of<double>(fmt::format("{}", value)).value_or(value);
@@ -126,7 +133,7 @@ void Fields::number(const char* name, float& value, FieldRange range) {
         value = static_cast<float>(number_in(name, *found, range));
 }
 
-void Fields::number(const char* name, std::optional<double>& value, FieldRange range) {
+void Fields::number(FieldName name, std::optional<double>& value, NumberRange range) {
     if (way_ == Way::write) {
         written(name) = value ? Json(*value) : Json();
         return;
@@ -138,19 +145,17 @@ void Fields::number(const char* name, std::optional<double>& value, FieldRange r
         value = number_in(name, *found, range);
 }
 
-void Fields::whole(const char* name, std::optional<std::uint64_t>& value, std::uint64_t least,
-                   std::uint64_t most) {
+void Fields::whole(FieldName name, std::optional<std::uint64_t>& value, NumberRange range) {
     if (way_ == Way::write) {
         written(name) = value ? Json(*value) : Json();
     } else if (const Json* const found = read(name)) {
         value.reset();
         if (found->is_null()) return;
-        const FieldRange range{static_cast<double>(least), static_cast<double>(most)};
         value = static_cast<std::uint64_t>(whole_in(name, *found, range, ", or null"));
     }
 }
 
-void Fields::whole(const char* name, std::optional<int>& value, FieldRange range) {
+void Fields::whole(FieldName name, std::optional<int>& value, NumberRange range) {
     if (way_ == Way::write) {
         written(name) = value ? Json(*value) : Json();
         return;
@@ -162,7 +167,7 @@ void Fields::whole(const char* name, std::optional<int>& value, FieldRange range
         whole(name, value.emplace(), range);
 }
 
-void Fields::whole(const char* name, int& value, FieldRange range) {
+void Fields::whole(FieldName name, int& value, NumberRange range) {
     if (way_ == Way::write) {
         written(name) = value;
     } else if (const Json* const found = read(name)) {
@@ -170,7 +175,7 @@ void Fields::whole(const char* name, int& value, FieldRange range) {
     }
 }
 
-void Fields::colour(const char* name, glm::vec3& value) {
+void Fields::colour(FieldName name, glm::vec3& value) {
     if (way_ == Way::write) {
         written(name) = hex_of(value);
     } else if (const Json* const found = read(name)) {
@@ -183,7 +188,7 @@ void Fields::colour(const char* name, glm::vec3& value) {
     }
 }
 
-void Fields::mask(const char* name, Mask& value) {
+void Fields::mask(FieldName name, Mask& value) {
     if (way_ == Way::write) {
         Json& there = written(name);
         there = Json();
@@ -216,7 +221,7 @@ void Fields::mask(const char* name, Mask& value) {
     }
 }
 
-Json Fields::file_of(const char* name, const fs::path& file) const {
+Json Fields::file_of(FieldName name, const fs::path& file) const {
     const fs::path whole = whole_path(file);
     if (!is_utf8(whole.string())) {
         refuse(name,
@@ -228,7 +233,7 @@ Json Fields::file_of(const char* name, const fs::path& file) const {
     return value;
 }
 
-fs::path Fields::file_in(const char* name, const Json& value) const {
+fs::path Fields::file_in(FieldName name, const Json& value) const {
     const auto text_at = [&](const char* part) {
         const auto found = value.find(part);
         return found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -251,7 +256,7 @@ fs::path Fields::file_in(const char* name, const Json& value) const {
                                                  printable(where))));
 }
 
-void Fields::text(const char* name, const std::string& value,
+void Fields::text(FieldName name, const std::string& value,
                   const std::function<void(const std::string& text)>& take) {
     if (way_ == Way::write) {
         written(name) = value;
@@ -265,7 +270,7 @@ void Fields::text(const char* name, const std::string& value,
     }
 }
 
-void Fields::tile(const char* name, std::string& value) {
+void Fields::tile(FieldName name, std::string& value) {
     if (way_ == Way::write) {
         written(name) = is_tile_file_name(value) ? file_of(name, value) : Json(value);
     } else if (const Json* const found = read(name)) {
@@ -274,7 +279,7 @@ void Fields::tile(const char* name, std::string& value) {
     }
 }
 
-void Fields::file(const char* name, std::optional<fs::path>& value) {
+void Fields::file(FieldName name, std::optional<fs::path>& value) {
     if (way_ == Way::write) {
         written(name) = value ? file_of(name, *value) : Json();
     } else if (const Json* const found = read(name)) {
@@ -283,7 +288,7 @@ void Fields::file(const char* name, std::optional<fs::path>& value) {
     }
 }
 
-void Fields::remembered_files(const char* name, std::vector<fs::path>& value, std::size_t most) {
+void Fields::remembered_files(FieldName name, std::vector<fs::path>& value, std::size_t most) {
     if (way_ == Way::write) {
         Json& list = written(name) = Json::array();
         for (const fs::path& file : value)
@@ -302,8 +307,8 @@ void Fields::remembered_files(const char* name, std::vector<fs::path>& value, st
     for (const Json& each : *found) value.emplace_back(each.get<std::string>());
 }
 
-void Fields::word(const char* name, std::optional<std::size_t>& chosen,
-                  std::span<const std::string_view> names, Empty empty) {
+void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
+                  Empty empty) {
     if (way_ == Way::write) {
         assert(chosen || empty == Empty::allowed);
         written(name) = chosen ? Json(names[*chosen]) : Json();
@@ -314,7 +319,7 @@ void Fields::word(const char* name, std::optional<std::size_t>& chosen,
     chosen.reset();
     if (found->is_null() && empty == Empty::allowed) return;
     const std::string text = found->is_string() ? found->get<std::string>() : "";
-    const auto at = std::ranges::find(names, text);
+    const auto at = std::ranges::find(names, std::string_view(text));
     if (at == names.end()) {
         refuse_value(
             name, *found,
@@ -323,13 +328,14 @@ void Fields::word(const char* name, std::optional<std::size_t>& chosen,
     chosen = static_cast<std::size_t>(at - names.begin());
 }
 
-void Fields::group(const char* name, const std::function<void(Fields&)>& describe_it) {
+void Fields::group(FieldName name, const std::function<void(Fields&)>& describe_it) {
     if (way_ == Way::read && !has(name)) return;
-    Json& inner = object_[name];
+    Json& inner = written(name);
     if (way_ == Way::write && !inner.is_object()) inner = Json::object();
     if (!inner.is_object()) refuse_value(name, inner, "an object, in braces");
     Fields fields(inner, way_, place_);
-    fields.prefix_ = prefix_ + name + ".";
+    fields.prefix_ = prefix_ + name.field + ".";
+    fields.rows_ = rows_;
     describe_it(fields);
 }
 

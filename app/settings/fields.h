@@ -4,8 +4,8 @@
 //
 //     void describe(Fields& fields, SavingChoice& saving) {
 //         auto& [order, dpi] = saving;  // fails to compile when a field is added and not described
-//         fields.choice("order", order, {DotOrder::recursion, DotOrder::priority, DotOrder::space});
-//         fields.number("dpi", dpi, {1, 100'000});
+//         fields.choice(setting::order, order);
+//         fields.number(setting::dpi, dpi);
 //     }
 //
 // Names in files last: a member may be renamed, the name of its field may not.
@@ -15,7 +15,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <initializer_list>
-#include <limits>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -24,17 +24,21 @@
 #include <string_view>
 #include <vector>
 
+#include "app/setting.h"
 #include "core/image/mask.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
-/// Both ends are included.
-struct FieldRange {
-    double least = 0;
-    double most = std::numeric_limits<double>::max();
+/// What a field is called in files, and the row that undo speaks of.
+struct FieldName {
+    FieldName(const char* in_files, const char* in_rows = "") : field(in_files), row(in_rows) {}
+    FieldName(const Setting& setting) : field(setting.names.field), row(setting.names.row) {}
+
+    const char *field, *row;
 };
 
-/// A value of an enumeration that has no name_of().
+/// A value by a name that it has in files alone.
 template <class Value>
 struct NamedValue {
     const char* name;
@@ -71,31 +75,38 @@ class Fields {
     /// Reading throws std::runtime_error with a sentence that names file, field and what is wrong.
     Fields(nlohmann::ordered_json& object, Way way, SettingsPlace place);
 
-    void flag(const char* name, bool& value);
-    void number(const char* name, double& value, FieldRange range);
-    void number(const char* name, float& value, FieldRange range);
-    void number(const char* name, std::optional<double>& value, FieldRange range);
-    void whole(const char* name, int& value, FieldRange range);
-    void whole(const char* name, std::optional<int>& value, FieldRange range);
-    void whole(const char* name, std::optional<std::uint64_t>& value, std::uint64_t least,
-               std::uint64_t most);
-    void colour(const char* name, glm::vec3& value);
+    void flag(FieldName name, bool& value);
+    void number(FieldName name, double& value, NumberRange range);
+    void number(FieldName name, float& value, NumberRange range);
+    void number(FieldName name, std::optional<double>& value, NumberRange range);
+    template <class Number>
+    void number(const Setting& setting, Number& value) {
+        number(setting, value, setting.range);
+    }
+    void whole(FieldName name, int& value, NumberRange range);
+    void whole(FieldName name, std::optional<int>& value, NumberRange range);
+    void whole(FieldName name, std::optional<std::uint64_t>& value, NumberRange range);
+    template <class Number>
+    void whole(const Setting& setting, Number& value) {
+        whole(setting, value, setting.range);
+    }
+    void colour(FieldName name, glm::vec3& value);
     /// A text that `take` understands, or else throws std::runtime_error saying what is wrong with it.
-    void text(const char* name, const std::string& value,
+    void text(FieldName name, const std::string& value,
               const std::function<void(const std::string& text)>& take);
     /// {"width": 512, "height": 341, "levels": see packed_levels()}; an empty one is null.
-    void mask(const char* name, Mask& value);
+    void mask(FieldName name, Mask& value);
     /// A name for tile_named(). Of a tile's file, its path.
-    void tile(const char* name, std::string& value);
+    void tile(FieldName name, std::string& value);
     /// A file; none is null. Reading throws MissingFile if it is not there, as tile() does.
-    void file(const char* name, std::optional<std::filesystem::path>& value);
+    void file(FieldName name, std::optional<std::filesystem::path>& value);
     /// Absolute names of files that may be gone meanwhile, at most so many; those that are not UTF-8 are left
     /// out.
-    void remembered_files(const char* name, std::vector<std::filesystem::path>& value, std::size_t most);
+    void remembered_files(FieldName name, std::vector<std::filesystem::path>& value, std::size_t most);
 
     template <class Value>
-    void choice(const char* name, Value& value, std::initializer_list<NamedValue<Value>> values) {
-        std::vector<std::string_view> names;
+    void choice(FieldName name, Value& value, std::initializer_list<NamedValue<Value>> values) {
+        std::vector<const char*> names;
         std::optional<std::size_t> chosen;
         for (const NamedValue<Value>& each : values) {
             if (each.value == value) chosen = names.size();
@@ -104,77 +115,63 @@ class Fields {
         word(name, chosen, names, Empty::refused);
         if (chosen) value = (values.begin() + *chosen)->value;
     }
-    /// By their titles, in the order of the enumeration.
-    template <class Value>
-    void choice(const char* name, Value& value, std::span<const char* const> titles) {
-        const std::vector<std::string_view> names(titles.begin(), titles.end());
+    /// By their names.
+    template <Named Value>
+    void choice(FieldName name, Value& value) {
         std::optional<std::size_t> chosen = static_cast<std::size_t>(value);
-        word(name, chosen, names, Empty::refused);
+        word(name, chosen, names_of(value), Empty::refused);
         if (chosen) value = static_cast<Value>(*chosen);
     }
-    /// By the names that name_of() gives them.
-    template <class Value>
-    void choice(const char* name, Value& value, std::initializer_list<Value> values) {
-        std::optional<Value> chosen = value;
-        choose(name, chosen, values, Empty::refused);
-        value = chosen.value_or(value);
-    }
-    template <class Value>
-    void choice(const char* name, std::optional<Value>& value, std::initializer_list<Value> values) {
-        choose(name, value, values, Empty::allowed);
+    template <Named Value>
+    void choice(FieldName name, std::optional<Value>& value) {
+        std::optional<std::size_t> chosen;
+        if (value) chosen = static_cast<std::size_t>(*value);
+        word(name, chosen, names_of(Value()), Empty::allowed);
+        value.reset();
+        if (chosen) value = static_cast<Value>(*chosen);
     }
 
     /// Settings within settings, by a describe() of their own.
     template <class Settings>
-    void group(const char* name, Settings& settings) {
+    void group(FieldName name, Settings& settings) {
         group(name, [&](Fields& fields) { describe(fields, settings); });
     }
-    void group(const char* name, const std::function<void(Fields&)>& describe_it);
+    void group(FieldName name, const std::function<void(Fields&)>& describe_it);
 
     /// Whether the object has such a field.
-    bool has(const char* name) const;
+    bool has(FieldName name) const;
 
     /// For what no single field can see: throws std::runtime_error about one of them. "must be below
     /// white_point".
-    [[noreturn]] void refuse(const char* name, const std::string& why) const;
+    [[noreturn]] void refuse(FieldName name, const std::string& why) const;
     Way way() const { return way_; }
+
+    /// Writing also notes each field's row there, under its whole name: "drawing.tone.gamma".
+    void note_rows(std::map<std::string, std::string>& rows) { rows_ = &rows; }
 
  private:
     enum class Empty { refused, allowed };
 
-    template <class Value>
-    void choose(const char* name, std::optional<Value>& value, std::initializer_list<Value> values,
-                Empty empty) {
-        std::vector<std::string_view> names;
-        std::optional<std::size_t> chosen;
-        for (const Value each : values) {
-            if (each == value) chosen = names.size();
-            names.push_back(name_of(each));
-        }
-        word(name, chosen, names, empty);
-        value.reset();
-        if (chosen) value = *(values.begin() + *chosen);
-    }
-
     /// An index into `names`.
-    void word(const char* name, std::optional<std::size_t>& chosen, std::span<const std::string_view> names,
+    void word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
               Empty empty);
     /// Null if it isn't there, or writing.
-    const nlohmann::ordered_json* read(const char* name) const;
-    nlohmann::ordered_json& written(const char* name);
-    double whole_in(const char* name, const nlohmann::ordered_json& value, FieldRange range,
+    const nlohmann::ordered_json* read(FieldName name) const;
+    nlohmann::ordered_json& written(FieldName name);
+    double whole_in(FieldName name, const nlohmann::ordered_json& value, NumberRange range,
                     const char* or_else = "") const;
-    double number_in(const char* name, const nlohmann::ordered_json& value, FieldRange range) const;
-    std::string sentence(const char* name, const std::string& why) const;
-    [[noreturn]] void refuse_value(const char* name, const nlohmann::ordered_json& value,
+    double number_in(FieldName name, const nlohmann::ordered_json& value, NumberRange range) const;
+    std::string sentence(FieldName name, const std::string& why) const;
+    [[noreturn]] void refuse_value(FieldName name, const nlohmann::ordered_json& value,
                                    const std::string& wanted) const;
-    std::filesystem::path file_in(const char* name, const nlohmann::ordered_json& value) const;
-    nlohmann::ordered_json file_of(const char* name, const std::filesystem::path& file) const;
+    std::filesystem::path file_in(FieldName name, const nlohmann::ordered_json& value) const;
+    nlohmann::ordered_json file_of(FieldName name, const std::filesystem::path& file) const;
 
     nlohmann::ordered_json& object_;
     Way way_;
     SettingsPlace place_;
     std::string prefix_ = {};  // "drawing.tone."
+    std::map<std::string, std::string>* rows_ = nullptr;
 };
 
 }  // namespace dapple

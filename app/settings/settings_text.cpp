@@ -110,4 +110,13 @@ std::string changed_settings(const SettingsPlace& place, const Describe& describ
     return text;
 }
 
+std::map<std::string, std::string> rows_of(const Describe& describe) {
+    Json document = Json::object();
+    std::map<std::string, std::string> rows;
+    Fields fields(document, Fields::Way::write, {});
+    fields.note_rows(rows);
+    describe(fields);
+    return rows;
+}
+
 }  // namespace dapple

@@ -2,6 +2,7 @@
 // Settings as a text: JSON with a version, strictly read.
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "app/settings/fields.h"
@@ -24,5 +25,8 @@ std::string settings_text(const std::string& kept, const SettingsPlace& place, c
 
 /// Only the fields that differ from those of `usual`, on one line, in ASCII without <, > and &.
 std::string changed_settings(const SettingsPlace& place, const Describe& describe, const Describe& usual);
+
+/// The rows that change the fields, by a field's whole name as in "drawing.tone.gamma"; of those that say it.
+std::map<std::string, std::string> rows_of(const Describe& describe);
 
 }  // namespace dapple

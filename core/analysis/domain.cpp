@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace dapple {
 namespace {
@@ -14,10 +16,6 @@ double wrapped(double x, double period) {
 }
 
 }  // namespace
-
-std::string_view name_of(Topology topology) {
-    return topology == Topology::torus ? "torus" : "window";
-}
 
 double largest_radius(const Domain& domain, std::size_t count) {
     return std::sqrt(domain.area() / (2 * std::sqrt(3.0) * double(count)));
@@ -44,6 +42,19 @@ std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const 
         }
     }
     return inside;
+}
+
+void drop_duplicates(std::vector<glm::dvec2>& points, double near) {
+    std::ranges::sort(points,
+                      [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<glm::dvec2> kept;
+    for (const glm::dvec2 p : points) {
+        bool seen = false;
+        for (auto at = kept.rbegin(); at != kept.rend() && p.x - at->x <= near && !seen; ++at)
+            seen = std::abs(p.y - at->y) <= near;
+        if (!seen) kept.push_back(p);
+    }
+    points = std::move(kept);
 }
 
 }  // namespace dapple

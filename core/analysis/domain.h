@@ -11,14 +11,17 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class Topology {
     torus,   // opposite edges meet: the set repeats in both directions
     window,  // a cut-out: nothing is known beyond the edges
 };
-/// "torus", "window".
-std::string_view name_of(Topology topology);
+constexpr auto names_of(Topology) {
+    return names("torus", "window");
+}
 
 struct Domain {
     double width = 1;
@@ -39,5 +42,8 @@ double largest_radius(const Domain& domain, std::size_t count);
 /// positive, or if a point lies outside a window. `name` says in the message what the points are.
 std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const Domain& domain,
                                       const std::string& name = "points");
+
+/// Leaves one point at each place: of those within `near` of another, on both axes, the one with the smallest x.
+void drop_duplicates(std::vector<glm::dvec2>& points, double near);
 
 }  // namespace dapple

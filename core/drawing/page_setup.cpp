@@ -18,8 +18,6 @@ namespace {
 constexpr double kLeastRoomMm = 0.01;       // for the picture on either side: finer than any pen
 constexpr double kLongestPageMm = 100'000;  // a side: longer ones are slips of the keyboard
 
-constexpr double kInch = 25.4;
-
 struct NamedPaper {
     const char* title;
     glm::dvec2 size;  // mm, upright
@@ -43,17 +41,17 @@ constexpr std::array<NamedPaper, 27> kPapers{{
     {"B4", {250, 353}},
     {"B5", {176, 250}},
     {"B6", {125, 176}},
-    {"Letter", {8.5 * kInch, 11 * kInch}},
-    {"Legal", {8.5 * kInch, 14 * kInch}},
-    {"Tabloid", {11 * kInch, 17 * kInch}},
-    {"ANSI C", {17 * kInch, 22 * kInch}},
-    {"ANSI D", {22 * kInch, 34 * kInch}},
-    {"ANSI E", {34 * kInch, 44 * kInch}},
-    {"Arch A", {9 * kInch, 12 * kInch}},
-    {"Arch B", {12 * kInch, 18 * kInch}},
-    {"Arch C", {18 * kInch, 24 * kInch}},
-    {"Arch D", {24 * kInch, 36 * kInch}},
-    {"Arch E", {36 * kInch, 48 * kInch}},
+    {"Letter", {8.5 * kMmPerInch, 11 * kMmPerInch}},
+    {"Legal", {8.5 * kMmPerInch, 14 * kMmPerInch}},
+    {"Tabloid", {11 * kMmPerInch, 17 * kMmPerInch}},
+    {"ANSI C", {17 * kMmPerInch, 22 * kMmPerInch}},
+    {"ANSI D", {22 * kMmPerInch, 34 * kMmPerInch}},
+    {"ANSI E", {34 * kMmPerInch, 44 * kMmPerInch}},
+    {"Arch A", {9 * kMmPerInch, 12 * kMmPerInch}},
+    {"Arch B", {12 * kMmPerInch, 18 * kMmPerInch}},
+    {"Arch C", {18 * kMmPerInch, 24 * kMmPerInch}},
+    {"Arch D", {24 * kMmPerInch, 36 * kMmPerInch}},
+    {"Arch E", {36 * kMmPerInch, 48 * kMmPerInch}},
 }};
 static_assert(kPapers.size() == static_cast<std::size_t>(Paper::arch_e) + 1);
 
@@ -117,7 +115,7 @@ Rectangle<int> cropped(const Crop& crop, glm::ivec2 picture) {
 
 }  // namespace
 
-std::span<const char* const> paper_titles() {
+std::span<const char* const> names_of(Paper) {
     static const std::vector<const char*> titles = [] {
         std::vector<const char*> all;
         for (const NamedPaper& paper : kPapers) all.push_back(paper.title);
@@ -128,15 +126,6 @@ std::span<const char* const> paper_titles() {
 
 glm::dvec2 paper_size(Paper paper) {
     return kPapers[static_cast<std::size_t>(paper)].size;
-}
-
-std::string_view name_of(PageOrientation orientation) {
-    constexpr std::array<std::string_view, 3> kNames{"auto", "portrait", "landscape"};
-    return kNames[static_cast<std::size_t>(orientation)];
-}
-
-std::string_view name_of(PageFit fit) {
-    return fit == PageFit::inside ? "inside" : "fill";
 }
 
 bool keeps_dots_inside(const PageSetup& setup) {

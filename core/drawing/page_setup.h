@@ -22,6 +22,7 @@
 #include "core/image/framing.h"
 #include "core/image/rectangle.h"
 #include "core/placing/page.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -56,7 +57,7 @@ enum class Paper {
 };
 
 /// "as the picture", "custom", "A4", "Letter", "ANSI C", "Arch D"; in the order of Paper.
-std::span<const char* const> paper_titles();
+std::span<const char* const> names_of(Paper);
 
 /// Width and height in millimetres, upright, of a paper that has a name (ISO 216, ANSI/ASME Y14.1).
 glm::dvec2 paper_size(Paper paper);
@@ -66,15 +67,17 @@ enum class PageOrientation {
     portrait,
     landscape,
 };
-/// "auto", "portrait", "landscape".
-std::string_view name_of(PageOrientation orientation);
+constexpr auto names_of(PageOrientation) {
+    return names("auto", "portrait", "landscape");
+}
 
 enum class PageFit {
     inside,  // all of the picture; paper stays bare on two sides
     fill,    // the middle of the picture, cut to the shape that the margins leave, to whole pixels
 };
-/// "inside", "fill".
-std::string_view name_of(PageFit fit);
+constexpr auto names_of(PageFit) {
+    return names("inside", "fill");
+}
 
 /// In millimetres.
 struct Margins {
@@ -90,6 +93,9 @@ struct Crop {
 
     bool operator==(const Crop&) const = default;
 };
+constexpr auto names_of(Crop::Unit) {
+    return names("pixels", "percent");
+}
 
 struct PageSetup {
     Paper paper = Paper::as_picture;

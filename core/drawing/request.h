@@ -9,6 +9,7 @@
 #include "core/image/tone.h"
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -20,6 +21,9 @@ enum class DotSizing {
     fixed,      // all alike, of any radius; the tone is then lighter or darker than the picture's
     by_tone,    // from the smallest in light areas to the largest on black; how many follows from the tone
 };
+constexpr auto names_of(DotSizing) {
+    return names("automatic", "fixed", "by_tone");
+}
 
 /// Radii in millimetres on paper, over 0; smallest <= largest.
 struct DotSize {

@@ -33,22 +33,6 @@ Frame frame_of(SphereConvention convention) {
 
 }  // namespace
 
-std::string_view name_of(SphereConvention convention) {
-    switch (convention) {
-        case SphereConvention::openexr:
-            return "openexr";
-        case SphereConvention::usd:
-            return "usd";
-        case SphereConvention::mitsuba:
-            return "mitsuba";
-        case SphereConvention::blender:
-            return "blender";
-        case SphereConvention::pbrt:
-            return "pbrt";
-    }
-    return "";
-}
-
 glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention) {
     const Frame frame = frame_of(convention);
     const double around = 2 * kPi * (0.5 - uv.x), theta = kPi * uv.y;

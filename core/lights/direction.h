@@ -11,11 +11,14 @@
 #include <glm/vec3.hpp>
 #include <string_view>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class SphereConvention { openexr, usd, mitsuba, blender, pbrt };
-/// "openexr", "usd", "mitsuba", "blender", "pbrt".
-std::string_view name_of(SphereConvention convention);
+constexpr auto names_of(SphereConvention) {
+    return names("openexr", "usd", "mitsuba", "blender", "pbrt");
+}
 
 /// The unit vector towards (u, v), u around and v from top to bottom, both 0..1.
 glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention);

@@ -70,22 +70,6 @@ std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, con
 
 }  // namespace
 
-std::string_view name_of(SamplePosition position) {
-    switch (position) {
-        case SamplePosition::centroid:
-            return "centroid";
-        case SamplePosition::dot:
-            return "dot";
-        case SamplePosition::random:
-            return "random";
-    }
-    return "";
-}
-
-std::string_view name_of(SampleRadiance radiance) {
-    return radiance == SampleRadiance::mean ? "mean" : "point";
-}
-
 std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
                                    const std::stop_token& stop) {
     if (request.count < 1 || request.count > kMostLightSamples) {

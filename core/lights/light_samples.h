@@ -17,6 +17,7 @@
 #include "core/image/environment.h"
 #include "core/lights/light_watch.h"
 #include "core/placing/stipple.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -29,8 +30,9 @@ enum class SamplePosition {
                // flux times an integrand at a place drawn in proportion to its light has the region's
                // integral as its mean
 };
-/// "centroid", "dot", "random".
-std::string_view name_of(SamplePosition position);
+constexpr auto names_of(SamplePosition) {
+    return names("centroid", "dot", "random");
+}
 
 /// What a sample's radiance and pdf say. Its weight is the same either way, and the sum of f * radiance / (n
 /// pdf) estimates the integral of f times the map's light.
@@ -38,8 +40,9 @@ enum class SampleRadiance {
     mean,   // over its region, whose solid angle is 1 / (n pdf): weight = radiance / (n pdf) holds exactly
     point,  // the map's at (u, v), and the density with which it was drawn: of random positions only
 };
-/// "mean", "point".
-std::string_view name_of(SampleRadiance radiance);
+constexpr auto names_of(SampleRadiance) {
+    return names("mean", "point");
+}
 
 struct LightRequest {
     std::uint64_t count = 1024;  // exactly so many samples, 1 .. kMostLightSamples

@@ -59,22 +59,6 @@ std::vector<DistantLight> own_lights(const EnvironmentMap& map, RankedTile& tile
 
 }  // namespace
 
-std::string_view name_of(LightSampler sampler) {
-    switch (sampler) {
-        case LightSampler::uniform:
-            return "uniform random";
-        case LightSampler::importance:
-            return "importance random";
-        case LightSampler::stratified:
-            return "stratified inversion";
-        case LightSampler::unbiased:
-            return "dapple, unbiased";
-        case LightSampler::centroid:
-            return "dapple";
-    }
-    return "";
-}
-
 LightInversion::LightInversion(const EnvironmentMap& map)
     : width_(map.width()), height_(map.height()), rows_(1, 0.0) {
     for (int y = 0; y < height_; ++y) {

@@ -9,6 +9,7 @@
 #include "core/image/environment.h"
 #include "core/lights/irradiance.h"
 #include "core/placing/stipple.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -19,8 +20,9 @@ enum class LightSampler {
     unbiased,    // ours, SamplePosition::random
     centroid,    // ours, SamplePosition::centroid
 };
-/// "uniform random", "importance random", "stratified inversion", "dapple, unbiased", "dapple".
-std::string_view name_of(LightSampler sampler);
+constexpr auto names_of(LightSampler) {
+    return names("uniform random", "importance random", "stratified inversion", "dapple, unbiased", "dapple");
+}
 
 inline constexpr LightSampler kLightSamplers[] = {LightSampler::uniform, LightSampler::importance,
                                                   LightSampler::stratified, LightSampler::unbiased,

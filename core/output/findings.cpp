@@ -170,38 +170,6 @@ void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
 
 }  // namespace
 
-std::string_view name_of(FindingKind kind) {
-    switch (kind) {
-        case FindingKind::hours:
-            return "hours";
-        case FindingKind::tone:
-            return "tone";
-        case FindingKind::rings:
-            return "rings";
-        case FindingKind::overlap:
-            return "overlap";
-        case FindingKind::gap:
-            return "gap";
-        case FindingKind::joined:
-            return "joined";
-        case FindingKind::over_edge:
-            return "over_edge";
-        case FindingKind::in_margins:
-            return "in_margins";
-        case FindingKind::too_large:
-            return "too_large";
-        case FindingKind::too_many:
-            return "too_many";
-        case FindingKind::not_looked:
-            return "not_looked";
-        case FindingKind::fine_pixels:
-            return "fine_pixels";
-        case FindingKind::tile_layer:
-            return "tile_layer";
-    }
-    return "";
-}
-
 std::string sentence_of(const Finding& finding) {
     return finding.text + "; " + finding.cure;
 }

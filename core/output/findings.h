@@ -11,6 +11,7 @@
 #include "core/output/plotting_time.h"
 #include "core/output/preflight.h"
 #include "core/placing/page.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -56,8 +57,10 @@ enum class FindingKind {
     fine_pixels,  // dots finer than a pixel
     tile_layer,   // its lines would be plotted
 };
-/// "hours", "tone", "rings", ...
-std::string_view name_of(FindingKind kind);
+constexpr auto names_of(FindingKind) {
+    return names("hours", "tone", "rings", "overlap", "gap", "joined", "over_edge", "in_margins", "too_large",
+                 "too_many", "not_looked", "fine_pixels", "tile_layer");
+}
 
 struct Finding {
     FindingKind kind{};

@@ -216,18 +216,6 @@ void write_gcode_start(TextBuffer& text, const GcodeStyle& style) {
 
 }  // namespace
 
-std::string_view name_of(GcodeTool tool) {
-    switch (tool) {
-        case GcodeTool::pen:
-            return "pen";
-        case GcodeTool::servo:
-            return "servo";
-        case GcodeTool::laser:
-            return "laser";
-    }
-    return "";
-}
-
 GcodeHeights usual_heights(GcodeTool tool) {
     return tool == GcodeTool::servo ? GcodeHeights{20, 90} : GcodeHeights{};
 }

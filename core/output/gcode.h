@@ -36,6 +36,7 @@
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -44,9 +45,9 @@ enum class GcodeTool {
     servo,  // a pen on a servo that M3 turns, as on plotters that run Grbl
     laser,  // a burst of M3 for each dot
 };
-
-/// "pen", "servo", "laser".
-std::string_view name_of(GcodeTool tool);
+constexpr auto names_of(GcodeTool) {
+    return names("pen", "servo", "laser");
+}
 
 /// Where the pen is off the paper and on it: of a Z axis in millimetres, of a servo the S that M3 turns it
 /// to.

@@ -18,22 +18,6 @@ double axidraw_lift_s(double rate) {
 
 }  // namespace
 
-std::string_view name_of(Machine machine) {
-    switch (machine) {
-        case Machine::axidraw_v3:
-            return "axidraw-v3";
-        case Machine::axidraw_se_a3:
-            return "axidraw-se-a3";
-        case Machine::idraw:
-            return "idraw";
-        case Machine::grbl_pen:
-            return "grbl-pen";
-        case Machine::grbl_laser:
-            return "grbl-laser";
-    }
-    return "";
-}
-
 std::string_view words_for(Machine machine) {
     switch (machine) {
         case Machine::axidraw_v3:

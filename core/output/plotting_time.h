@@ -6,16 +6,15 @@
 #include <string_view>
 
 #include "core/placing/dots.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
 enum class Machine { axidraw_v3, axidraw_se_a3, idraw, grbl_pen, grbl_laser };
 
-inline constexpr auto kMachines = {Machine::axidraw_v3, Machine::axidraw_se_a3, Machine::idraw,
-                                   Machine::grbl_pen, Machine::grbl_laser};
-
-/// "axidraw-v3", "axidraw-se-a3", "idraw", "grbl-pen", "grbl-laser".
-std::string_view name_of(Machine machine);
+constexpr auto names_of(Machine) {
+    return names("axidraw-v3", "axidraw-se-a3", "idraw", "grbl-pen", "grbl-laser");
+}
 
 /// "an AxiDraw V3".
 std::string_view words_for(Machine machine);

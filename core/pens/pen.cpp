@@ -119,16 +119,6 @@ bool is_pen_name(std::string_view name) {
            std::ranges::all_of(name, fits);
 }
 
-std::string_view name_of(PenSet set) {
-    constexpr std::array names{"one", "greys", "cmyk", "own", "auto"};
-    return names[static_cast<std::size_t>(set)];
-}
-
-std::string_view name_of(PenOrder order) {
-    constexpr std::array names{"lightest", "darkest", "listed"};
-    return names[static_cast<std::size_t>(order)];
-}
-
 Palette palette_of(const PenChoice& choice) {
     if (choice.set == PenSet::own) return choice.own;
     Palette pens;

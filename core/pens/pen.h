@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/colour.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -46,8 +47,9 @@ enum class PenSet {
 };
 /// How much of greys black draws in place of coloured inks, where the inks leave a choice.
 inline constexpr double kUsualBlack = 0.5;
-/// "one", "greys", "cmyk", "own", "auto".
-std::string_view name_of(PenSet set);
+constexpr auto names_of(PenSet) {
+    return names("one", "greys", "cmyk", "own", "auto");
+}
 
 /// In which order several pens draw. Of equally light ones, as they are listed.
 enum class PenOrder {
@@ -55,8 +57,9 @@ enum class PenOrder {
     darkest,   // first: for inks that cover darker ones, such as paint markers
     listed,    // as the set lists them
 };
-/// "lightest", "darkest", "listed".
-std::string_view name_of(PenOrder order);
+constexpr auto names_of(PenOrder) {
+    return names("lightest", "darkest", "listed");
+}
 
 struct PenChoice {
     PenSet set = PenSet::one;

@@ -91,20 +91,6 @@ void rearrange(FloatBuffer& column, const std::vector<std::uint64_t>& keys) {
 
 }  // namespace
 
-std::string_view name_of(DotOrder order) {
-    switch (order) {
-        case DotOrder::recursion:
-            return "recursion";
-        case DotOrder::priority:
-            return "priority";
-        case DotOrder::space:
-            return "space";
-        case DotOrder::shortest:
-            return "shortest";
-    }
-    return "";
-}
-
 void sort_dots(Dots& dots, DotOrder order) {
     if (order == DotOrder::recursion) return;
     assert(order != DotOrder::priority ||

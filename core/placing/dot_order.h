@@ -4,18 +4,19 @@
 #include <string_view>
 
 #include "core/placing/dots.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
 enum class DotOrder {
+    shortest,   // as space, then improved by core/routing: 2-opt and Or-opt
+    space,      // along a Hilbert curve: each dot near the one before, for pens and for locality
     recursion,  // as placed: each tile's newborn points, then its quadrants'
     priority,   // by critical scale: the first n dots are the drawing with n dots
-    space,      // along a Hilbert curve: each dot near the one before, for pens and for locality
-    shortest,   // as space, then improved by core/routing: 2-opt and Or-opt
 };
-
-/// "recursion", "priority", "space", "shortest".
-std::string_view name_of(DotOrder order);
+constexpr auto names_of(DotOrder) {
+    return names("shortest", "space", "recursion", "priority");
+}
 
 /// Sorts dots. For priority Dots::threshold and Dots::critical have to be filled; dots that tie come in the
 /// order of core/placing/tie_order.h. For `shortest` it makes the start, which is `space`;

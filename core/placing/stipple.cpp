@@ -5,10 +5,6 @@
 
 namespace dapple {
 
-std::string_view name_of(PlacerKind kind) {
-    return kind == PlacerKind::exact ? "exact" : "figure8";
-}
-
 RankedTile::RankedTile(Tile tile, const Ranking& ranking)
     : tile_(std::move(tile)), placer_(make_placing_table(tile_, ranking)) {
     // Figure 8 knows no other rule, and large tiles take a while.

@@ -15,6 +15,7 @@
 #include "core/placing/figure8.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
+#include "core/text/names.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 
@@ -24,8 +25,9 @@ enum class PlacerKind {
     exact,    // each dot once, no feature lost
     figure8,  // the paper's, literal
 };
-/// "exact", "figure8".
-std::string_view name_of(PlacerKind kind);
+constexpr auto names_of(PlacerKind) {
+    return names("exact", "figure8");
+}
 
 /// A tile with everything that placing needs of it, ready for use.
 class RankedTile {

@@ -23,9 +23,6 @@ constexpr double kTurnFlatnessMm = 0.01;  // within a dot, where the next turn l
 constexpr int kCurveLines = 24;           // of a curve of a path
 constexpr std::size_t kLongestPath = 10'000;
 
-constexpr std::array kShapes{DotShape::circle, DotShape::point, DotShape::stroke, DotShape::spiral,
-                             DotShape::hatch,  DotShape::ring,  DotShape::cross,  DotShape::path};
-
 int lines_of_circle(double radius_mm, double flatness_mm = kFlatnessMm) {
     const double half = std::acos(std::max(1 - flatness_mm / radius_mm, 0.5));
     return std::clamp(static_cast<int>(std::ceil(pi / half)), 8, 256);
@@ -294,15 +291,9 @@ Strokes mark_with(const DotMark& mark, const Strokes& path, double radius_mm, do
 
 }  // namespace
 
-std::string_view name_of(DotShape shape) {
-    constexpr std::array<std::string_view, kShapes.size()> kNames{"circle", "point", "stroke", "spiral",
-                                                                  "hatch",  "ring",  "cross",  "path"};
-    return kNames[static_cast<std::size_t>(shape)];
-}
-
 DotMark parse_dot_mark(std::string_view text) {
-    for (const DotShape shape : kShapes)
-        if (shape != DotShape::path && text == name_of(shape)) return {shape, {}};
+    const std::optional<DotShape> shape = value_named<DotShape>(text);
+    if (shape && *shape != DotShape::path) return {*shape, {}};
     if (!text.starts_with('M')) {
         throw std::runtime_error(fmt::format(
             "'{}' is not known; there are circle, point, stroke, spiral, hatch, ring, cross, or a "

@@ -10,6 +10,7 @@
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -23,9 +24,9 @@ enum class DotShape {
     cross,
     path,  // of one's own
 };
-
-/// "circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "path".
-std::string_view name_of(DotShape shape);
+constexpr auto names_of(DotShape) {
+    return names("circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "path");
+}
 
 /// Whether the ink is a disc of the dot's radius: circle, point, spiral and hatch.
 bool is_disc(DotShape shape);

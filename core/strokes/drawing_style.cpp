@@ -87,18 +87,6 @@ class Walk {
 
 }  // namespace
 
-std::string_view name_of(DrawingStyle style) {
-    switch (style) {
-        case DrawingStyle::dots:
-            return "dots";
-        case DrawingStyle::line:
-            return "line";
-        case DrawingStyle::nearest:
-            return "nearest";
-    }
-    return "";
-}
-
 Strokes line_through(const Dots& dots, const PageSize& page) {
     Strokes line;
     line.points.reserve(dots.size());

@@ -6,6 +6,7 @@
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -14,9 +15,9 @@ enum class DrawingStyle {
     line,     // one line through all of them, in the order given
     nearest,  // each joined with its nearest few; no two lines cross
 };
-
-/// "dots", "line", "nearest".
-std::string_view name_of(DrawingStyle style);
+constexpr auto names_of(DrawingStyle) {
+    return names("dots", "line", "nearest");
+}
 
 /// One line through all dots as they come: along a short way (core/routing/short_way.h) it is what is known
 /// as TSP art (Bosch and Herman 2004). A single dot is a touch. Dots::pen draws it.

@@ -4,10 +4,15 @@
 #include <optional>
 #include <string_view>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 /// What lengths are told in.
 enum class LengthUnit { mm, inch };
+constexpr auto names_of(LengthUnit) {
+    return names("mm", "inch");
+}
 inline constexpr double kMmPerInch = 25.4;
 
 /// In millimetres: "210", "210mm", "21cm", "8in", "8.5 in", "595pt" (72 to the inch). `bare` is what a number

@@ -154,18 +154,6 @@ std::vector<float> half_way(const std::vector<int>& ranks, float first) {
 
 }  // namespace
 
-std::string_view name_of(RankingMethod method) {
-    switch (method) {
-        case RankingMethod::paper:
-            return "paper";
-        case RankingMethod::farthest:
-            return "farthest";
-        case RankingMethod::energy:
-            return "energy";
-    }
-    return "";
-}
-
 std::vector<int> farthest_point_ranks(const Tile& tile) {
     return farthest_order({}, positions_of(tile), legal_neighbours(tile.rule));
 }

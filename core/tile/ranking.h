@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/names.h"
 #include "core/tile/neighbours.h"
 #include "core/tile/tile.h"
 
@@ -20,9 +21,9 @@ enum class RankingMethod {
     farthest,  // newborn points of all four children together, farthest point first, inherited ones counted
     energy,    // as farthest, but lowest Gaussian energy first: evener tone
 };
-
-/// "paper", "farthest", "energy".
-std::string_view name_of(RankingMethod method);
+constexpr auto names_of(RankingMethod) {
+    return names("paper", "farthest", "energy");
+}
 
 struct Ranking {
     std::vector<float> tile;     // N ranks of the tile's points

@@ -82,8 +82,7 @@ std::string_view read_words(TextLines& lines, const Rule& rule, int points, Tile
 std::optional<RankingMethod> read_method(const TextLines& lines, std::string_view line) {
     const std::string_view name = lines.value_of(line, "ranking");
     if (name == kOwn) return std::nullopt;
-    for (const RankingMethod method : {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy})
-        if (name == name_of(method)) return method;
+    if (const auto method = value_named<RankingMethod>(name)) return method;
     lines.fail(fmt::format("the ranking '{}' is not known; there are paper, farthest, energy, own", name));
 }
 

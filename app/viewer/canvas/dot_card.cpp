@@ -85,8 +85,10 @@ void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Cam
         list->AddRect(low, high, light, 0, 0, 1.5f * unit);
         note_place("Lit tile", {{low.x, low.y}, {high.x, high.y}});
     }
+    // Zoomed in far the ring is beyond all edges, and further in Dear ImGui cannot count its sides.
     const double radius = shown.dot_radius * camera.pixels_per_unit / pixels_per_point;
-    list->AddCircle(on_screen(dot->position), static_cast<float>(radius) + 3 * unit, light, 0, 2 * unit);
+    if (radius < double{place.size.x} + double{place.size.y})
+        list->AddCircle(on_screen(dot->position), static_cast<float>(radius) + 3 * unit, light, 0, 2 * unit);
     draw_card_words(list, origin_in_words(*dot, with, shown.stippling.scale), place, unit);
     list->PopClipRect();
 }

@@ -7,7 +7,8 @@
 
 namespace dapple {
 
-/// The names of the rows that say it: "Contrast", "Dot size and 2 more"; empty if they are equal in all that is saved.
+/// The names of the rows that say it: "Contrast", "Dot size and 2 more"; empty if they are equal in all that
+/// is saved.
 std::string change_in_words(const ViewerSettings& before, const ViewerSettings& after);
 
 }  // namespace dapple

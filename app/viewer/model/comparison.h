@@ -6,6 +6,7 @@
 
 #include "app/drawing_settings.h"
 #include "app/viewer/model/dots_request.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -13,6 +14,9 @@ enum class CompareBy {
     scale,
     count,  // of different dots; Figure 8 comes near it only
 };
+constexpr auto names_of(CompareBy) {
+    return names("scale", "count");
+}
 
 struct Comparison {
     bool on = false;

@@ -2,10 +2,14 @@
 // What the window's dots are placed on: the photograph, or a plain density that shows what the tile does.
 
 #include "core/image/density.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
 enum class DensitySource { photograph, grey, ramp };
+constexpr auto names_of(DensitySource) {
+    return names("photograph", "grey", "ramp");
+}
 
 struct DensityChoice {
     DensitySource source = DensitySource::photograph;

@@ -11,11 +11,15 @@
 #include "core/pens/pen.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
+#include "core/text/names.h"
 #include "core/tile/tile.h"
 
 namespace dapple {
 
 enum class DotColouring { ink, level, rank, orientation };
+constexpr auto names_of(DotColouring) {
+    return names("ink", "level", "rank", "orientation");
+}
 
 /// Where stepping through the levels ends: this is all of them.
 inline constexpr int kDeepestStep = 8;

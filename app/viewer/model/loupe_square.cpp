@@ -98,7 +98,8 @@ Folding folded(const PlacedDrawing& shown, const LoupeSquare& square) {
         const glm::dvec2 p = glm::dvec2(x, y) - corner;
         if (p.x >= 0 && p.y >= 0 && p.x < side && p.y < side) points.push_back(p);
     });
-    if (shown.stippling.duplicates > 0) drop_duplicates(points, {side, side, Topology::window});
+    if (shown.stippling.duplicates > 0)
+        drop_duplicates(points, same_place({side, side, Topology::window}, points.size()));
     return folded(points, {0, 0}, square.period(), square.across);
 }
 

@@ -67,7 +67,8 @@ class Session {
     /// The picture and all settings into a file, in case the program ends before they are saved. Throws as
     /// save_atomically().
     void keep(const std::filesystem::path& file);
-    /// What was kept there: it has still to be saved, once its picture is read. The banner says what is wrong.
+    /// What was kept there: it has still to be saved, once its picture is read. The banner says what is
+    /// wrong.
     void bring_back(const std::filesystem::path& file);
     /// A number that changes with every change of the settings.
     int changes() const { return history_.changes(); }

@@ -115,19 +115,8 @@ const char* repetition_in_words(double periodicity) {
     return "no repetition";
 }
 
-void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain) {
-    if (points.empty()) return;
-    const double near = kSamePlace * std::sqrt(domain.area() / static_cast<double>(points.size()));
-    std::ranges::sort(points,
-                      [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    std::vector<glm::dvec2> kept;
-    for (const glm::dvec2 p : points) {
-        bool seen = false;
-        for (auto at = kept.rbegin(); at != kept.rend() && p.x - at->x <= near && !seen; ++at)
-            seen = std::abs(p.y - at->y) <= near;
-        if (!seen) kept.push_back(p);
-    }
-    points = std::move(kept);
+double same_place(const Domain& domain, std::size_t points) {
+    return kSamePlace * std::sqrt(domain.area() / static_cast<double>(points));
 }
 
 PointsInView points_in_view(const DotPieces& dots, const Rectangle<double>& view, std::size_t most,
@@ -147,7 +136,10 @@ PointsInView points_in_view(const DotPieces& dots, const Rectangle<double>& view
 }
 
 std::optional<ViewAnalysis> analyse_view(ViewAnalysisRequest request, std::stop_token stop) {
-    if (request.has_duplicates) drop_duplicates(request.view.points, request.view.domain);
+    if (request.has_duplicates) {
+        std::vector<glm::dvec2>& points = request.view.points;
+        drop_duplicates(points, same_place(request.view.domain, points.size()));
+    }
     // The other processors are for placing, which must not wait.
     tbb::task_arena own_thread(1);
     ViewAnalysis result = own_thread.execute([&] { return analysed(request, stop); });

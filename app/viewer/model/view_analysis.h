@@ -38,8 +38,8 @@ struct PointsInView {
 PointsInView points_in_view(const DotPieces& dots, const Rectangle<double>& view,
                             std::size_t most = kMostAnalysed, std::span<const DotBlock> blocks = {});
 
-/// Leaves one of those that lie within a thousandth of the mean spacing of one another. Sorts them.
-void drop_duplicates(std::vector<glm::dvec2>& points, const Domain& domain);
+/// How near to each other two of so many dots are one: placed along two paths, they differ by roundings.
+double same_place(const Domain& domain, std::size_t points);
 
 enum class Measure {
     everything,

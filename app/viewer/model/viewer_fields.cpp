@@ -8,26 +8,24 @@ namespace dapple {
 
 static void describe(Fields& fields, DensityChoice& density) {
     auto& [source, grey] = density;
-    fields.choice("source", source,
-                  {NamedValue{"photograph", DensitySource::photograph},
-                   NamedValue{"grey", DensitySource::grey}, NamedValue{"ramp", DensitySource::ramp}});
+    fields.choice({"source", "Density"}, source);
     fields.number("grey", grey, {0, 1});
 }
 
 static void describe(Fields& fields, Comparison& comparison) {
     auto& [on, placer, tile, ranking, by, divider] = comparison;
     fields.flag("on", on);
-    fields.choice("placer", placer, {PlacerKind::exact, PlacerKind::figure8});
-    fields.tile("tile", tile);
-    fields.choice("ranking", ranking, {RankingMethod::paper, RankingMethod::farthest, RankingMethod::energy});
-    fields.choice("by", by, {NamedValue{"scale", CompareBy::scale}, NamedValue{"count", CompareBy::count}});
+    fields.choice({"placer", "Right placer"}, placer);
+    fields.tile({"tile", "Right tile"}, tile);
+    fields.choice({"ranking", "Right ranking"}, ranking);
+    fields.choice({"by", "Right side has"}, by);
     fields.number("divider", divider, {0, 1});
 }
 
 static void describe(Fields& fields, LoupeChoice& loupe) {
     auto& [on, step] = loupe;
     fields.flag("on", on);
-    fields.whole("step", step, {-3, 3});
+    fields.whole({"step", "Its tiles"}, step, {-3, 3});
 }
 
 void describe(Fields& fields, ViewerSettings& settings) {
@@ -37,20 +35,14 @@ void describe(Fields& fields, ViewerSettings& settings) {
     describe_drawing(fields, drawing, saving);
     fields.group("density", density);
     fields.group("view", [&](Fields& view) {
-        view.number("picture_opacity", settings.picture_opacity, {0, 1});
-        view.choice("zoom_mode", settings.zoom_mode,
-                    {NamedValue{"drawing", ZoomMode::drawing},
-                     NamedValue{"constant_density", ZoomMode::constant_density}});
-        view.choice(
-            "colouring", settings.colouring,
-            {NamedValue{"ink", DotColouring::ink}, NamedValue{"level", DotColouring::level},
-             NamedValue{"rank", DotColouring::rank}, NamedValue{"orientation", DotColouring::orientation}});
-        view.whole("deepest_level", settings.deepest_level, {0, kDeepestStep});
-        view.group("comparison", settings.comparison);
-        view.group("loupe", settings.loupe);
-        view.flag("origins", settings.origins);
-        view.choice("unit", settings.unit,
-                    {NamedValue{"mm", LengthUnit::mm}, NamedValue{"inch", LengthUnit::inch}});
+        view.number({"picture_opacity", "Photograph"}, settings.picture_opacity, {0, 1});
+        view.choice({"zoom_mode", "Zooming in"}, settings.zoom_mode);
+        view.choice({"colouring", "Dots coloured"}, settings.colouring);
+        view.whole({"deepest_level", "Divided up to"}, settings.deepest_level, {0, kDeepestStep});
+        view.group({"comparison", "Split view"}, settings.comparison);
+        view.group({"loupe", "Loupe"}, settings.loupe);
+        view.flag({"origins", "Explain dots"}, settings.origins);
+        view.choice({"unit", "Lengths in"}, settings.unit);
     });
 }
 

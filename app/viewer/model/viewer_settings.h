@@ -6,6 +6,7 @@
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
 #include "core/text/length.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -13,6 +14,9 @@ enum class ZoomMode {
     drawing,           // dots grow with the page
     constant_density,  // dots keep their size on screen, and more of them appear
 };
+constexpr auto names_of(ZoomMode) {
+    return names("drawing", "constant_density");
+}
 
 /// The lens over the canvas; see loupe_square().
 struct LoupeChoice {

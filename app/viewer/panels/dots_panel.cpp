@@ -17,30 +17,6 @@
 namespace dapple {
 namespace {
 
-constexpr SliderRange kScale{.min = 10,
-                             .max = 100'000,
-                             .neutral = 2500,
-                             .curve = SliderCurve::logarithmic,
-                             .format = "%.0f",
-                             .hard_min = 0,
-                             .hard_max = 1e8,
-                             .grouped = true};
-constexpr SliderRange kCount{.min = 100,
-                             .max = 2'000'000,
-                             .neutral = kDefaultDots,
-                             .curve = SliderCurve::logarithmic,
-                             .format = "%.0f",
-                             .hard_min = 1,
-                             .grouped = true};
-constexpr SliderRange kRadius{.min = 0.02,
-                              .max = 5,
-                              .neutral = 0.3,
-                              .curve = SliderCurve::logarithmic,
-                              .format = "%.3f",
-                              .hard_min = 0.001,
-                              .hard_max = 100,
-                              .typed = TypedKind::length};
-
 void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     if (drawn.scale > 0) request.scale = drawn.scale;
     request.count.reset();
@@ -49,8 +25,9 @@ void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
 bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
     bool changed = false;
     const auto most = static_cast<double>(drawn.most_dots);
-    const std::string bound =
-        fmt::format(" At most {} dots fit into this computer's memory.", grouped(drawn.most_dots));
+    const std::string why = fmt::format(
+        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
+        grouped(drawn.most_dots));
     int by = request.count ? 1 : 0;
     if (segmented_row("Dots by", by, std::array{"tone", "number"},
                       "number: so many dots, whatever the picture. tone: a darker picture gets more dots.",
@@ -63,40 +40,24 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
     }
     if (request.count) {
         auto count = static_cast<double>(*request.count);
-        SliderRange range = kCount;
-        range.max = std::min(range.max, most);
-        range.hard_max = most;
-        const std::string told = "How many dots there are; type a number, such as 40k." + bound;
-        range.tip = told.c_str();
-        if (slider_row("Dots", count, range)) {
+        SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
+        range.grouped = true;
+        if (slider_row(setting::count.names.row, count, range)) {
             request.count = static_cast<std::uint64_t>(std::llround(count));
             changed = true;
         }
     } else {
-        SliderRange range = kScale;
         // Dots are in proportion to the scale.
-        if (drawn.dots > 0)
-            range.hard_max = std::min(most / static_cast<double>(drawn.dots) * drawn.scale, range.hard_max);
-        range.max = std::min(range.max, range.hard_max);
-        const std::string told =
-            "How many dots black gets, on the same paper: four times as many at four times the value." +
-            bound;
-        range.tip = told.c_str();
-        changed |= slider_row("Fineness", request.scale, range);
+        std::optional<double> largest;
+        if (drawn.dots > 0) largest = most / static_cast<double>(drawn.dots) * drawn.scale;
+        changed |= slider_row(setting::scale, request.scale, {.most = largest});
     }
     return changed;
 }
 
-SliderRange radius_range(LengthUnit unit, const char* tip) {
-    SliderRange range = kRadius;
-    range.unit = unit;
-    range.tip = tip;
-    return range;
-}
-
 bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     bool changed = false;
-    const double radius = std::max(drawn.dot_radius_mm, kRadius.hard_min);
+    const double radius = std::max(drawn.dot_radius_mm, setting::radius.range.least);
     int chosen = static_cast<int>(size.sizing);
     if (segmented_row(
             "Dot size", chosen, std::array{"auto", "fixed", "by tone"},
@@ -104,7 +65,7 @@ bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
             "small dots in light areas, large ones in dark areas.")) {
         size = {.sizing = static_cast<DotSizing>(chosen),
                 .radius_mm = radius,
-                .smallest_mm = std::max(0.5 * radius, kRadius.hard_min),
+                .smallest_mm = std::max(0.5 * radius, setting::radius.range.least),
                 .largest_mm = 1.2 * radius};
         changed = true;
     }
@@ -112,20 +73,17 @@ bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
         const bool fixed = size.sizing == DotSizing::fixed;
         const Greyed greyed(fixed ? nullptr : "Of the dot size fixed only.");
         double shown = fixed ? size.radius_mm : radius;
-        if (slider_row("Radius", shown,
-                       radius_range(unit, "From the middle of a dot to its edge; all dots are alike."))) {
+        if (slider_row(setting::radius, shown, {.unit = unit})) {
             size.radius_mm = shown;
             changed = true;
         }
     }
     const Greyed greyed(size.sizing == DotSizing::by_tone ? nullptr : "Of the dot size by tone only.");
-    if (slider_row("Smallest", size.smallest_mm,
-                   radius_range(unit, "The radius of the dots where the picture is lightest."))) {
+    if (slider_row(setting::smallest, size.smallest_mm, {.unit = unit})) {
         size.largest_mm = std::max(size.largest_mm, size.smallest_mm);
         changed = true;
     }
-    if (slider_row("Largest", size.largest_mm,
-                   radius_range(unit, "The radius of the dots where the picture is darkest."))) {
+    if (slider_row(setting::largest, size.largest_mm, {.unit = unit})) {
         size.smallest_mm = std::min(size.smallest_mm, size.largest_mm);
         changed = true;
     }
@@ -178,32 +136,14 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
     if (changed) settings.style = static_cast<DrawingStyle>(style);
     changed |= draw_shape(settings);
     const Greyed greyed(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
-    changed |= slider_row("Pen width", settings.pen_width_mm,
-                          {.min = 0.05,
-                           .max = 3,
-                           .neutral = 0.3,
-                           .curve = SliderCurve::logarithmic,
-                           .format = "%.2f",
-                           .hard_min = kFinestPenMm,
-                           .hard_max = kWidestPenMm,
-                           .typed = TypedKind::length,
-                           .unit = unit,
-                           .tip = "How wide the pen draws."});
+    changed |= slider_row(setting::pen_width, settings.pen_width_mm, {.unit = unit});
     return changed;
 }
 
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
-    double steps = relax.value_or(drawn.steps);
-    if (!slider_row("Even out", steps,
-                    {.min = 0,
-                     .max = 20,
-                     .neutral = kUsualSteps,
-                     .format = "%.0f",
-                     .hard_max = kMostRelaxingSteps,
-                     .tip = "So many steps move each dot to the middle of the ink around it: more of them make the dots "
-                            "more even, and take longer."}))
-        return false;
-    relax = static_cast<int>(std::lround(steps));
+    int steps = relax.value_or(drawn.steps);
+    if (!slider_row(setting::relax, steps)) return false;
+    relax = steps;
     return true;
 }
 

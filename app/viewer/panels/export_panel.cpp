@@ -81,66 +81,30 @@ bool draw_gcode(SavingChoice& saving) {
             changed = true;
         }
     }
-    changed |= slider_row("Feed, mm/min", saving.feed_mm_per_min,
-                          {.min = 100,
-                           .max = 20'000,
-                           .neutral = 3000,
-                           .curve = SliderCurve::logarithmic,
-                           .format = "%.0f",
-                           .hard_min = kSlowestFeed,
-                           .hard_max = kFastestFeed,
-                           .tip = "How fast the tool moves."});
-    changed |= slider_row("Dwell, s", saving.dwell_s,
-                          {.min = 0,
-                           .max = 1,
-                           .neutral = 0.1,
-                           .format = "%.2f",
-                           .hard_max = kLongestDwellS,
-                           .tip = "How long the tool rests at a dot."});
-    changed |=
-        slider_row("Accel., mm/s2", saving.acceleration_mm_per_s2,
-                   {.min = 10,
-                    .max = 3000,
-                    .neutral = 10,
-                    .curve = SliderCurve::logarithmic,
-                    .format = "%.0f",
-                    .hard_min = kLeastAcceleration,
-                    .hard_max = kMostAcceleration,
-                    .tip = "How fast the machine gains speed, for the plotting time that is told. Grbl "
-                           "comes with 10; machines are mostly set to 500 to 3000 ($120)."});
+    changed |= slider_row(setting::feed, saving.feed_mm_per_min);
+    changed |= slider_row(setting::dwell, saving.dwell_s);
+    changed |= slider_row(setting::acceleration, saving.acceleration_mm_per_s2);
     const bool burns = own.text.empty() && saving.tool == GcodeTool::laser;
     const bool servo = saving.tool == GcodeTool::servo;
     const GcodeHeights usual = usual_heights(saving.tool);
-    const auto height_row = [&](const char* name, std::optional<double>& value, double usual_one,
-                                const char* tip) {
+    const auto height_row = [&](const Setting& setting, std::optional<double>& value, double usual_one) {
         double height = value.value_or(usual_one);
-        if (!slider_row(name, height,
-                        {.min = servo ? 0.0 : -10.0,
-                         .max = servo ? 180.0 : 20.0,
-                         .neutral = usual_one,
-                         .format = servo ? "%.0f" : "%.1f",
-                         .hard_min = -kMostHeight,
-                         .hard_max = kMostHeight,
-                         .tip = tip}))
+        if (!slider_row(setting, height,
+                        {.usual = usual_one,
+                         .track = servo ? Track{0, 180} : Track{-10, 20},
+                         .format = servo ? "%.0f" : "%.1f"}))
             return false;
         value = height;
         return true;
     };
     {
         const Greyed greyed(burns ? "A laser has no pen to lift." : nullptr);
-        changed |= height_row("Pen up", saving.pen_up, usual.up,
-                              "Where the pen is off the paper: Z in millimetres, or the S of a servo.");
-        changed |= height_row("Pen down", saving.pen_down, usual.down, "Where the pen is on the paper.");
+        changed |= height_row(setting::pen_up, saving.pen_up, usual.up);
+        changed |= height_row(setting::pen_down, saving.pen_down, usual.down);
     }
     const bool fires = burns || !own.text.empty();
     const Greyed greyed(fires ? nullptr : "Of a laser: choose that above.");
-    changed |= slider_row("Laser power", saving.laser_power,
-                          {.min = 0,
-                           .max = 1000,
-                           .neutral = 250,
-                           .format = "%.0f",
-                           .hard_max = kMostLaserPower,
-                           .tip = "The S that M3 gets. Grbl comes with 1000 for full power ($30)."});
+    changed |= slider_row(setting::laser_power, saving.laser_power);
     return changed;
 }
 
@@ -260,16 +224,7 @@ std::string size_in_words(const ExportInfo& info) {
 
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
-    if (has_pixels(format))
-        changed |= slider_row("Dots per inch", settings.saving.dpi,
-                              {.min = 50,
-                               .max = 1200,
-                               .neutral = 300,
-                               .curve = SliderCurve::logarithmic,
-                               .format = "%.0f",
-                               .hard_min = 1,
-                               .hard_max = 100'000,
-                               .tip = "Pixels to the inch of the page, whose size is under Page."});
+    if (has_pixels(format)) changed |= slider_row(setting::dpi, settings.saving.dpi);
     if (has_pixels(format)) {
         int deep = settings.saving.bits == 16;
         if (segmented_row("Bits", deep, std::array{"8", "16"}, "For each channel of a pixel.")) {
@@ -279,9 +234,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
     }
     if (has_pixels(format)) {
         const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
-        changed |= switch_row("Separations", settings.saving.separations,
-                              "A grey picture for each pen too, in a file of its own beside the drawing: for "
-                              "printers who make a screen or a plate for each ink.");
+        changed |= switch_row(setting::separations, settings.saving.separations);
     }
     if (has_order(format, settings.drawing.style))
         changed |= draw_order(settings.saving.order, usual_order(format, info.dots, settings.drawing.style));

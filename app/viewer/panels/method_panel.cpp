@@ -56,9 +56,7 @@ bool draw_zooming(ViewerSettings& settings) {
 
 // What is shown of the tiles that the dots come from.
 bool draw_shown(ViewerSettings& settings) {
-    bool changed =
-        switch_row("Tile boundaries", settings.drawing.show_tiles,
-                   "Draws the square of each copy of the tile; an exported SVG has them as a layer.");
+    bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
     int colouring = static_cast<int>(settings.colouring);
     if (choice_row("Dots coloured", colouring,
                    std::array{"as ink", "by level", "by rank", "by tile orientation"},

@@ -14,24 +14,13 @@
 namespace dapple {
 namespace {
 
-constexpr SliderRange kSide{.min = 20,
-                            .max = 2000,
-                            .neutral = 200,
-                            .curve = SliderCurve::logarithmic,
-                            .format = "%.4g",
-                            .hard_min = 1,
-                            .hard_max = 100'000,
-                            .typed = TypedKind::length,
-                            .tip =
-                                "A side of the page, dots and margins and all; of a page of the picture's "
-                                "shape the other side follows."};
 constexpr const char* kNamed = "The paper says how large the page is. For another size choose \"custom\".";
 constexpr const char* kPictureShape =
     "The page has the picture's shape and lies as the picture does. For another choose a paper.";
 
 bool draw_paper(PageSetup& setup, const PageSize& drawn) {
     int paper = static_cast<int>(setup.paper);
-    if (!choice_row("Paper size", paper, paper_titles(),
+    if (!choice_row("Paper size", paper, names_of(setup.paper),
                     "The sheet that is drawn on; \"as the picture\" makes it follow the picture's shape."))
         return false;
     setup.paper = static_cast<Paper>(paper);
@@ -55,14 +44,12 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool by_height = setup.paper == Paper::as_picture && setup.height_mm;
     double width = named || by_height ? drawn.width_mm : setup.width_mm;
     double height = named ? drawn.height_mm : setup.height_mm.value_or(drawn.height_mm);
-    SliderRange range = kSide;
-    range.unit = unit;
-    if (slider_row("Width", width, range)) {
+    if (slider_row(setting::width, width, {.unit = unit})) {
         setup.width_mm = width;
         if (setup.paper == Paper::as_picture) setup.height_mm.reset();
         changed = true;
     }
-    if (slider_row("Height", height, range)) {
+    if (slider_row(setting::height, height, {.unit = unit})) {
         setup.height_mm = height;
         changed = true;
     }
@@ -85,17 +72,14 @@ bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     }
     // The picture keeps some room.
     const double shorter = std::min(drawn.width_mm, drawn.height_mm);
-    SliderRange range{.min = 0,
-                      .max = std::clamp(shorter * 0.3, 1.0, 100.0),
-                      .neutral = 0,
-                      .format = "%.3g",
-                      .hard_max = std::max(shorter * 0.49, 1.0),
-                      .typed = TypedKind::length,
-                      .unit = unit,
-                      .tip = "How wide the bare paper is along all four edges."};
+    SliderRange range =
+        range_of(setting::margin, {.most = std::max(shorter * 0.49, 1.0),
+                                   .track = Track{0, std::clamp(shorter * 0.3, 1.0, 100.0)},
+                                   .unit = unit,
+                                   .tip = "How wide the bare paper is along all four edges."});
     const bool alike = by == 0;
     if (!alike) range.tip = "How wide the bare paper is along this edge.";
-    changed |= slider_row(alike ? "Margin" : "Top", margins.top, range);
+    changed |= slider_row(alike ? setting::margin.names.row : "Top", margins.top, range);
     if (alike) margins = {margins.top, margins.top, margins.top, margins.top};
     const Greyed greyed(alike ? "All margins are alike; choose \"each side\" above." : nullptr);
     changed |= slider_row("Right", margins.right, range);
@@ -124,16 +108,7 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
     changed |= draw_number_of_sheets("Sheets down", sheets.rows);
     {
         const Greyed greyed(is_several(sheets) ? nullptr : "One sheet shares nothing.");
-        changed |= slider_row("Overlap", sheets.overlap_mm,
-                              {.min = 0,
-                               .max = 30,
-                               .neutral = 0,
-                               .format = "%.3g",
-                               .hard_max = kWidestOverlapMm,
-                               .typed = TypedKind::length,
-                               .unit = unit,
-                               .tip = "How wide the strips are that neighbouring sheets share, to cut and to "
-                                      "glue in; SVG and PDF have marks where to cut."});
+        changed |= slider_row(setting::overlap, sheets.overlap_mm, {.unit = unit});
     }
     // Always a line, so that rows below keep their places.
     try {

@@ -246,18 +246,14 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     }
     {
         const Greyed greyed(settings.pens.set == PenSet::one ? "Of several pens only." : nullptr);
-        changed |=
-            switch_row("Registration", settings.registration,
-                       "A cross in each corner of the page, drawn by every pen, to lay one over the other "
-                       "by. Files for plotters and PDF have them; the canvas does not show them.");
+        changed |= switch_row(setting::registration, settings.registration);
     }
     {
         const Greyed greyed(settings.pens.set == PenSet::one ? nullptr
                                                              : "Several pens have colours of their own.");
-        changed |= colour_row("Ink", settings.ink, "The dots' colour, on screen and in the file.", kBlack);
+        changed |= colour_row(setting::ink, settings.ink, kBlack);
     }
-    changed |= colour_row("Paper", settings.paper,
-                          "What lies under the dots; in a file only where you ask for it.", kWhite);
+    changed |= colour_row(setting::paper, settings.paper, kWhite);
     changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     if (seen.shown) draw_shown_pens(seen.drawn, *seen.shown);

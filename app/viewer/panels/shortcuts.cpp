@@ -20,7 +20,7 @@ constexpr Shortcut kShortcuts[] = {
     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
     {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings"},
     {Action::undo, "Ctrl+Z", "Undo"},
-    {Action::redo, "Ctrl+Y", "Redo"},
+    {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo"},
     {Action::fit, "F", "Fit the page into the window"},
     {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"},
     {Action::zoom_in, "+", "Zoom in"},
@@ -59,7 +59,7 @@ constexpr Shortcut kLightShortcuts[] = {
     {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
     {Action::back, "", "Back to the drawing that the map was opened from"},
     {Action::undo, "Ctrl+Z", "Undo"},
-    {Action::redo, "Ctrl+Y", "Redo"},
+    {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo"},
     {Action::fit, "F", "Fit the map into the window"},
     {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"},
     {Action::zoom_in, "+", "Zoom in"},
@@ -79,8 +79,50 @@ constexpr Shortcut kLightShortcuts[] = {
     {Action::quit, "Ctrl+Q", "Quit"},
 };
 
-bool typed(ImWchar letter) {
-    return ImGui::GetIO().InputQueueCharacters.contains(letter);
+struct NamedKey {
+    std::string_view name;
+    Key key;
+};
+constexpr NamedKey kKeys[] = {
+    {"B", Key::b},         {"C", Key::c},   {"E", Key::e},       {"F", Key::f},       {"I", Key::i},
+    {"L", Key::l},         {"O", Key::o},   {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},
+    {"T", Key::t},         {"V", Key::v},   {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},
+    {",", Key::comma},     {"Up", Key::up}, {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right},
+    {"Space", Key::space}, {"F1", Key::f1}, {"F11", Key::f11},
+};
+
+bool is_arrow(Key key) {
+    return key == Key::left || key == Key::right || key == Key::up || key == Key::down;
+}
+
+// Whether one of an entry's keys went down, "Ctrl+Y, Ctrl+Shift+Z". What is no key's name is a letter that
+// has its place elsewhere on each keyboard. A row that has the keys keeps arrows and Space.
+bool are_pressed(std::string_view keys, bool row_has_keys) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool commands = io.KeyCtrl || io.KeySuper;
+    while (!keys.empty()) {
+        const std::size_t end = std::min(keys.find(", "), keys.size());
+        std::string_view key = keys.substr(0, end);
+        keys.remove_prefix(std::min(end + 2, keys.size()));
+        const auto takes = [&key](std::string_view modifier) {
+            const bool has = key.starts_with(modifier);
+            if (has) key.remove_prefix(modifier.size());
+            return has;
+        };
+        const bool command = takes("Ctrl+"), shift = takes("Shift+");
+        const auto named = std::ranges::find(kKeys, key, &NamedKey::name);
+        if (named == std::end(kKeys)) {
+            if (key.size() == 1 && !commands &&
+                io.InputQueueCharacters.contains(static_cast<ImWchar>(key[0])))
+                return true;
+            continue;
+        }
+        const bool arrow = is_arrow(named->key);
+        if (row_has_keys && (arrow || named->key == Key::space)) continue;
+        if (command == commands && shift == io.KeyShift && ImGui::IsKeyPressed(key_code(named->key), arrow))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -115,57 +157,18 @@ bool escape_pressed() {
 }
 
 bool help_pressed() {
-    return key_pressed(Key::f1) || typed('?');
+    return are_pressed(keys_of(Action::help), false);
 }
 
 bool repeating_key_down() {
-    return key_down(Key::left) || key_down(Key::right) || key_down(Key::up) || key_down(Key::down);
+    return std::ranges::any_of(kKeys, [](const NamedKey& key) { return is_arrow(key.key) && key_down(key.key); });
 }
 
-std::vector<Action> pressed_actions(bool row_has_keys) {
-    const ImGuiIO& io = ImGui::GetIO();
+std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool row_has_keys) {
     std::vector<Action> actions;
-    if (io.WantCaptureKeyboard) return actions;
-    auto when = [&](bool asked, Action action) {
-        if (asked) actions.push_back(action);
-    };
-    bool command = io.KeyCtrl || io.KeySuper;
-    if (command) {
-        when(key_pressed(Key::o), Action::open);
-        when(key_pressed(Key::t), Action::open_tile);
-        when(key_pressed(Key::v), Action::paste);
-        when(key_pressed(Key::s), io.KeyShift ? Action::save_project : Action::save);
-        when(key_pressed(Key::e), Action::save_as);
-        when(key_pressed(Key::z), io.KeyShift ? Action::redo : Action::undo);
-        when(key_pressed(Key::y), Action::redo);
-        when(key_pressed(Key::zero), Action::one_to_one);
-        when(key_pressed(Key::b), Action::toggle_panels);
-        when(key_pressed(Key::p), Action::palette);
-        when(key_pressed(Key::comma), Action::preferences);
-        when(key_pressed(Key::q), Action::quit);
-    } else {
-        when(key_pressed(Key::f), Action::fit);
-        when(key_pressed(Key::t), Action::toggle_tiles);
-        when(key_pressed(Key::c), Action::compare);
-        when(key_pressed(Key::l), Action::loupe);
-        when(key_pressed(Key::i), Action::explain_dots);
-        when(typed('+'), Action::zoom_in);
-        when(typed('-'), Action::zoom_out);
-        when(typed('['), Action::smaller_brush);
-        when(typed(']'), Action::larger_brush);
-        when(typed('e'), Action::lighter);
-        when(typed('E'), Action::darker);
-    }
-    if (!row_has_keys) {
-        when(key_pressed(Key::space) && !command, Action::play);
-        const auto repeated = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true); };
-        when(repeated(Key::left), Action::pan_left);
-        when(repeated(Key::right), Action::pan_right);
-        when(repeated(Key::up), Action::pan_up);
-        when(repeated(Key::down), Action::pan_down);
-    }
-    when(key_pressed(Key::f11), Action::full_screen);
-    when(help_pressed(), Action::help);
+    if (ImGui::GetIO().WantCaptureKeyboard) return actions;
+    for (const auto& [action, keys, meaning] : shortcuts)
+        if (are_pressed(keys, row_has_keys)) actions.push_back(action);
     return actions;
 }
 

@@ -54,7 +54,7 @@ enum class Action {
 
 struct Shortcut {
     Action action;
-    const char* keys;     // "Ctrl+O"; empty: none
+    const char* keys;     // "Ctrl+O", or several, "?, F1"; empty: none
     const char* meaning;  // "Open a picture"
 };
 /// Of the window of a drawing, and of an environment map's.
@@ -65,9 +65,9 @@ std::string keys_of(Action action);
 /// A tip, with them behind it.
 std::string with_keys(std::string_view tip, Action action);
 
-/// What the keys pressed since the last frame ask for; nothing while a text field has the keyboard. The
-/// arrows are the view's unless a row of the panels has them.
-std::vector<Action> pressed_actions(bool row_has_keys = false);
+/// What the keys pressed since the last frame ask for, of these; nothing while a text field has the keyboard.
+/// The arrows and Space are the view's unless a row of the panels has them.
+std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool row_has_keys = false);
 
 /// A key is held that moves or changes something again and again, so that frames have to follow one another.
 bool repeating_key_down();

@@ -42,7 +42,8 @@ struct StatusInfo {
     std::optional<LoupeInfo> loupe{};  // while it shows something
 };
 
-/// "40,000 dots", with how many there would be where a zoom brings more, and how many of them lie on another: for Figure 8 only.
+/// "40,000 dots", with how many there would be where a zoom brings more, and how many of them lie on another:
+/// for Figure 8 only.
 std::string dots_in_words(const StatusInfo& info);
 
 /// "210 x 297 mm", "8.5 x 11 in".

@@ -50,57 +50,29 @@ bool draw_source(DrawingSettings& settings, const Tone& drawn) {
 bool draw_levels(Tone& tone, const Tone& usual) {
     constexpr float kGap = 0.01f;  // black stays below white
     bool changed = false;
-    if (slider_row("Black point", tone.black_point,
-                   {.min = 0,
-                    .max = 1,
-                    .neutral = usual.black_point,
-                    .tip = "Light up to this becomes as dark as dots can make it."})) {
+    if (slider_row(setting::black_point, tone.black_point, {.usual = usual.black_point})) {
         tone.black_point = std::min(tone.black_point, 1 - kGap);
         tone.white_point = std::max(tone.white_point, tone.black_point + kGap);
         changed = true;
     }
-    if (slider_row(
-            "White point", tone.white_point,
-            {.min = 0,
-             .max = 1,
-             .neutral = usual.white_point,
-             .tip = "Light from this on is left to the bare paper."})) {
+    if (slider_row(setting::white_point, tone.white_point, {.usual = usual.white_point})) {
         tone.white_point = std::max(tone.white_point, kGap);
         tone.black_point = std::min(tone.black_point, tone.white_point - kGap);
         changed = true;
     }
-    changed |= slider_row("Contrast", tone.contrast,
-                          {.min = -1,
-                           .max = 1,
-                           .neutral = 0,
-                           .tip = "Parts light from dark, or brings them nearer to each other."});
-    changed |=
-        slider_row("Brightness", tone.brightness,
-                   {.min = -1, .max = 1, .neutral = 0, .tip = "Makes all of the picture lighter or darker."});
-    changed |= slider_row("Gamma", tone.gamma,
-                          {.min = 0.25,
-                           .max = 4,
-                           .neutral = usual.gamma,
-                           .curve = SliderCurve::logarithmic,
-                           .hard_min = 0.1,
-                           .hard_max = 10,
-                           .tip = "Makes the middle tones lighter or darker; black and white stay."});
+    changed |= slider_row(setting::contrast, tone.contrast);
+    changed |= slider_row(setting::brightness, tone.brightness);
+    changed |= slider_row(setting::gamma, tone.gamma, {.usual = usual.gamma});
     return changed;
 }
 
 // The usual one is automatic again: the next picture has its own.
 bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
     float stops = settings.automatic_exposure ? info.usual_exposure : settings.tone.exposure;
-    const bool changed =
-        slider_row("Exposure", stops,
-                   {.min = std::min(-8.0, info.usual_exposure - 4.0),
-                    .max = std::max(8.0, info.usual_exposure + 4.0),
-                    .neutral = info.usual_exposure,
-                    .format = "%+.1f EV",
-                    .hard_min = -kMostStops,
-                    .hard_max = kMostStops,
-                    .tip = "How much of the light is taken, in stops: +1 EV is twice as light. HDR pictures "
-                           "open with what shows most of them; a double-click on the name brings it back."});
+    const bool changed = slider_row(setting::exposure, stops,
+                                    {.usual = info.usual_exposure,
+                                     .track = Track{std::min(-8.0, info.usual_exposure - 4.0),
+                                                    std::max(8.0, info.usual_exposure + 4.0)}});
     if (changed) {
         settings.automatic_exposure = stops == info.usual_exposure;
         settings.tone.exposure = settings.automatic_exposure ? 0 : stops;
@@ -126,14 +98,7 @@ bool draw_black(DrawingSettings& settings, const ToneInfo& info) {
     std::optional<double>& black = settings.tone.black;
     const double automatic = info.usual.black.value_or(1), none = settings.automatic_tone ? automatic : 1;
     double shown = black.value_or(none);
-    if (!slider_row(
-            "Black", shown,
-            {.min = kLeastBlack,
-             .max = 1,
-             .neutral = is_true_light(settings) ? 1 : automatic,
-             .tip = "How solid black gets. At 1 dots cover the paper; with less they stand apart, and "
-                    "more of them are left for the rest of the picture."}))
-        return false;
+    if (!slider_row(setting::black, shown, {.usual = is_true_light(settings) ? 1 : automatic})) return false;
     black = shown;
     if (shown == none) black.reset();
     return true;
@@ -182,22 +147,10 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     if (own) take_own_tone(settings, shown, info.usual);
     changed |= own;
     Tone& tone = settings.tone;
-    changed |= slider_row("Detail", tone.detail,
-                          {.min = 0,
-                           .max = 1,
-                           .neutral = is_true_light(settings) ? 0 : kAutoDetail,
-                           .tip = "Brings out what is faint and only a few dots wide, such as whiskers."});
+    changed |= slider_row(setting::detail, tone.detail, {.usual = is_true_light(settings) ? 0 : kAutoDetail});
     changed |= draw_black(settings, info);
-    changed |= slider_row("Blur", tone.blur,
-                          {.min = 0,
-                           .max = 20,
-                           .neutral = 0,
-                           .format = "%.1f",
-                           .hard_min = 0,
-                           .hard_max = 100,
-                           .tip = "Smooths grain and noise away, over so many of the picture's pixels."});
-    changed |=
-        switch_row("Invert", tone.invert, "Dots where the picture is light: for light ink on dark paper.");
+    changed |= slider_row(setting::blur, tone.blur);
+    changed |= switch_row(setting::invert, tone.invert);
     return draw_light_ink(settings, info.mostly_black) || changed;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "app/files/file_ending.h"
 #include "app/shown_text.h"
@@ -415,7 +414,7 @@ bool FileDialog::draw_path() {
         }
         return 0;
     };
-    bool entered = ImGui::InputText("##path", &typed_,
+    bool entered = bytes_box("##path", typed_,
                                     ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
                                     to_the_end, &path_ends_);
     const bool typing = ImGui::IsItemActive(), activated = ImGui::IsItemActivated();

@@ -28,12 +28,9 @@ constexpr double kFarthest = 100'000;  // of a window's place: further than any 
 void describe(Fields& fields, Preferences& preferences) {
     auto& [appearance, dialog] = preferences;
     auto& [theme, text_size] = appearance;
-    fields.choice("theme", theme,
-                  {NamedValue{"light", Theme::light}, NamedValue{"dark", Theme::dark},
-                   NamedValue{"high_contrast", Theme::high_contrast}});
+    fields.choice("theme", theme);
     fields.number("text_size", text_size, {kSmallestText, kLargestText});
-    fields.choice("dialog", dialog,
-                  {NamedValue{"own", DialogChoice::own}, NamedValue{"desktop", DialogChoice::desktop}});
+    fields.choice("dialog", dialog);
 }
 
 void describe(Fields& fields, WindowPlace& place) {
@@ -47,10 +44,8 @@ void describe(Fields& fields, WindowPlace& place) {
 
 void describe(Fields& fields, KeptView& view) {
     auto& [zoom_mode, unit, saving, drawing] = view;
-    fields.choice("zoom_mode", zoom_mode,
-                  {NamedValue{"drawing", ZoomMode::drawing},
-                   NamedValue{"constant_density", ZoomMode::constant_density}});
-    fields.choice("unit", unit, {NamedValue{"mm", LengthUnit::mm}, NamedValue{"inch", LengthUnit::inch}});
+    fields.choice("zoom_mode", zoom_mode);
+    fields.choice("unit", unit);
     fields.group("saving", saving);
     fields.group("drawing", drawing);
 }

@@ -15,11 +15,15 @@
 #include "app/drawing_settings.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/widgets/theme.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
 /// Whose dialog asks for a file to open.
 enum class DialogChoice { own, desktop };
+constexpr auto names_of(DialogChoice) {
+    return names("own", "desktop");
+}
 
 struct Preferences {
     Appearance appearance = {};

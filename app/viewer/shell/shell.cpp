@@ -244,7 +244,7 @@ void Shell::frame(Document& document) {
     do_this = [&](Action action) { act(action, document, frame); };
     take_files(window_.take_dropped(), document);
     take_answers(document);
-    for (Action action : pressed_actions(row_has_keys)) do_this(action);
+    for (Action action : pressed_actions(document.shortcuts(), row_has_keys)) do_this(action);
     draw_dialogs(document, do_this);
     document.draw(frame);
     window_.end_frame();

@@ -17,6 +17,7 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/shell/window_icon.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/image/rectangle.h"
 
 namespace dapple {
@@ -154,7 +155,7 @@ Window::~Window() {
 }
 
 bool Window::should_close() const {
-    return glfwWindowShouldClose(window_);
+    return glfwWindowShouldClose(window_) && input_.empty();
 }
 void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
@@ -215,6 +216,7 @@ void Window::wake() {
 }
 
 std::vector<std::filesystem::path> Window::take_dropped() {
+    if (!input_.empty()) return {};
     return std::exchange(dropped_, {});
 }
 
@@ -350,7 +352,7 @@ void Window::begin_frame() {
     for (std::size_t button = 0; button < std::min(buttons_.size(), std::size(io.MouseDown)); ++button)
         io.MouseDown[button] = buttons_[button];
 #endif
-    ImGui::NewFrame();
+    new_frame();
     unseen_ = input_waits() && std::chrono::steady_clock::now() - seen_ < kLongestUnseen;
 }
 

@@ -26,6 +26,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
+    /// It was asked to, and what was typed and clicked before that has been seen.
     bool should_close() const;
     void close();
     /// Although it was to be closed.
@@ -47,7 +48,7 @@ class Window {
     /// Ends another thread's wait_for_events(), the next one if none is under way: it then returns true.
     static void wake();
 
-    /// Files dropped on the window since the last call.
+    /// Files dropped on the window since the last call, once what was typed and clicked before has been seen.
     std::vector<std::filesystem::path> take_dropped();
 
     /// Its text; empty if it has none.

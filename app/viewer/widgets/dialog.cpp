@@ -31,7 +31,8 @@ Dialog::Dialog(const char* title, bool& open, DialogPlace place)
     : open_(open), drawn_(begin_dialog(title, open, ImGuiWindowFlags_AlwaysAutoResize, place)) {}
 
 Dialog::~Dialog() {
-    if (!drawn_) return;
+    // No frame follows what was thrown in it, and ImGui would insist on what was left open.
+    if (!drawn_ || std::uncaught_exceptions() > failures_) return;
     const bool outside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                  ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);

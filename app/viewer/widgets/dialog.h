@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <exception>
+
 namespace dapple {
 
 /// Where a dialog is: one that grows and shrinks stays at the top.
@@ -30,6 +32,7 @@ class Dialog {
  private:
     bool& open_;
     bool drawn_ = false;
+    int failures_ = std::uncaught_exceptions();
 };
 
 }  // namespace dapple

@@ -155,6 +155,7 @@ inline void prepare_input() {
     io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
     io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
     io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
+    io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
 #else
     // What lies in which frame is decided here: by input_queue.h, and by tests.
     ImGui::GetIO().ConfigInputTrickleEventQueue = false;

@@ -18,7 +18,8 @@ void ListKeys::begin(const char* name, ImVec2 low, ImVec2 high) {
     marked_ = found.value_or(marked_);
     first_ = after_ = {};
     const auto& typed = ImGui::GetIO().InputQueueCharacters;
-    letter_ = keys_.focused && !typed.empty() && typed[0] < 128 ? std::tolower(static_cast<int>(typed[0])) : 0;
+    letter_ =
+        keys_.focused && !typed.empty() && typed[0] < 128 ? std::tolower(static_cast<int>(typed[0])) : 0;
     marked_ = std::clamp(marked_ - step, 0, std::max(entries - 1, 0));
     drawn_ = 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one, and letters the
-// next that begins with them.
+// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one, and letters
+// the next that begins with them.
 //
 //     keys.begin("files", low, high);
 //     for (const std::string& file : files) {

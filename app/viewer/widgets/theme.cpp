@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <string>
+#include <system_error>
 
 #include <fontconfig/fontconfig.h>
 #include <imgui.h>
@@ -139,8 +142,37 @@ std::optional<std::filesystem::path> find_font(const char* pattern) {
     if (found) FcPatternDestroy(found);
     FcPatternDestroy(wanted);
     FcFini();
-    if (file && !std::filesystem::is_regular_file(*file)) return std::nullopt;
+    if (file && !is_outline_font(*file)) return std::nullopt;
     return file;
+}
+
+bool is_outline_font(const std::filesystem::path& file) {
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(file, failed)) return false;
+    std::ifstream in(file, std::ios::binary);
+    const auto tag_at = [&](std::uint32_t at) {
+        std::string tag(4, '\0');
+        in.seekg(at).read(tag.data(), 4);
+        return in ? tag : "";
+    };
+    const auto number_at = [&](std::uint32_t at) {
+        std::uint32_t number = 0;
+        for (const char byte : tag_at(at)) number = number << 8 | static_cast<unsigned char>(byte);
+        return number;
+    };
+    const std::uint32_t font = tag_at(0) == "ttcf" ? number_at(12) : 0;  // a collection's first
+    const std::string kind = tag_at(font);
+    if (kind != std::string("\0\1\0\0", 4) && kind != "true" && kind != "OTTO") return false;
+    bool letters = false, outlines = false;
+    const std::uintmax_t size = std::filesystem::file_size(file, failed);
+    const std::uint32_t tables = number_at(font + 4) >> 16;
+    for (std::uint32_t entry = font + 12; entry < font + 12 + 16 * tables; entry += 16) {
+        const std::string table = tag_at(entry);
+        if (std::uintmax_t{number_at(entry + 8)} + number_at(entry + 12) > size) return false;
+        letters |= table == "cmap";
+        outlines |= table == "glyf" || table == "CFF ";
+    }
+    return letters && outlines;
 }
 
 void apply_theme(const Appearance& appearance, float content_scale) {

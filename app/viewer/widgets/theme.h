@@ -9,10 +9,15 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/text/names.h"
+
 namespace dapple {
 
 enum class ThemeColour { surround, panel, track, line, off, text, quiet, accent, warning };
 enum class Theme { light, dark, high_contrast };
+constexpr auto names_of(Theme) {
+    return names("light", "dark", "high_contrast");
+}
 
 /// What people choose of it.
 struct Appearance {
@@ -30,6 +35,10 @@ glm::vec3 rgb_of(ThemeColour colour);
 
 /// The file of a system font for a fontconfig pattern such as "sans-serif:bold"; none if there is no font.
 std::optional<std::filesystem::path> find_font(const char* pattern);
+
+/// Whether it is a whole TrueType or OpenType file with letters and their outlines (ISO/IEC 14496-22). Dear
+/// ImGui ends the program over any other, such as a bitmap font.
+bool is_outline_font(const std::filesystem::path& file);
 
 /// Loads fonts and sets ImGui's style for a content scale (1: 96 dpi). To be called between frames; sets up
 /// anew when called again.

@@ -8,8 +8,8 @@
 // on a track types into it. A mouse at rest on a row is told its tip: one sentence that teaches.
 
 #include <imgui.h>
-#include <cstdint>
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "app/setting.h"
 #include "app/viewer/widgets/typed_value.h"
 
 namespace dapple {
@@ -67,6 +68,14 @@ class RowListing {
     WidgetNotes notes_{};
     void* before_ = nullptr;
 };
+
+/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
+/// take a text field's old undo steps for those of another text, and insist that time passes.
+void new_frame();
+
+/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
+/// take a text field's old undo steps for those of another text, and insist that time passes.
+void new_frame();
 
 /// Notes the item drawn last under a label, or a place.
 void note_place(const char* label);
@@ -118,8 +127,23 @@ double track_value(double position, const SliderRange& range);
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
 
+/// What of a setting's row depends on the moment.
+struct SliderNow {
+    std::optional<double> usual = {};  // none: the setting's
+    std::optional<double> most = {};   // that can be typed, if less than the setting's
+    std::optional<Track> track = {};   // none: the setting's
+    const char* format = nullptr;      // none: the setting's
+    LengthUnit unit = LengthUnit::mm;  // that lengths are shown and typed in
+    const char* tip = nullptr;         // none: the setting's help
+};
+SliderRange range_of(const Setting& setting, const SliderNow& now = {});
+bool slider_row(const Setting& setting, double& value, const SliderNow& now = {});
+bool slider_row(const Setting& setting, float& value, const SliderNow& now = {});
+bool slider_row(const Setting& setting, int& value, const SliderNow& now = {});
+
 /// A tick box row. True when its value changed.
 bool switch_row(const char* label, bool& value, const char* tip, bool usual = false);
+bool switch_row(const Setting& setting, bool& value);
 
 /// A list to choose from. True when another entry was chosen. Enter or Space opens it, arrows walk it, Enter
 /// takes an entry and Escape none; while it is closed the arrows choose at once.
@@ -147,6 +171,10 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
 bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
                    int usual = 0);
 
+/// ImGui::InputText() for a text of any bytes, such as a file's name, which is edited as editable() has it.
+bool bytes_box(const char* name, std::string& bytes, ImGuiInputTextFlags flags = 0,
+               ImGuiInputTextCallback callback = nullptr, void* data = nullptr);
+
 /// A text, taken at each letter that leaves it a good one: `is_good` says so, and `wrong` what it should be,
 /// while it is none. True when it changed. Without a usual text there is none to bring back.
 bool text_row(const char* label, std::string& text, const std::function<bool(const std::string&)>& is_good,
@@ -155,6 +183,7 @@ bool text_row(const char* label, std::string& text, const std::function<bool(con
 /// A colour with a picker behind it; sRGB-encoded 0..1. Without a usual one there is none to bring back.
 bool colour_row(const char* label, glm::vec3& colour, const char* tip,
                 const std::optional<glm::vec3>& usual = {});
+bool colour_row(const Setting& setting, glm::vec3& colour, const glm::vec3& usual);
 
 /// A button over the whole row, which Space and Enter press too.
 bool wide_button(const char* label, const char* tip);

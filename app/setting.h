@@ -1,0 +1,331 @@
+#pragma once
+// What there is to say of a setting, once: files, the command's options and help, the window's rows and the
+// words of undo all have it from here.
+//
+//     fields.number(setting::contrast, tone.contrast);       // a project's "contrast", refused outside -1..1
+//     add_number(app, setting::contrast, tone.contrast);     // --contrast
+//     changed |= slider_row(setting::contrast, tone.contrast);
+//
+// Where a person's choices have other words in the window than in files and options, the row says what they
+// mean by itself.
+
+#include <limits>
+
+#include "app/drawing_settings.h"
+#include "core/image/exposure.h"
+#include "core/relaxing/relax.h"
+
+namespace dapple {
+
+/// How far a slider goes, where that is less than what can be typed, and how it goes there.
+struct Track {
+    double from = 0, to = 0;  // equal: all of the setting's range
+    bool logarithmic = false;
+};
+
+struct SettingNames {
+    const char* field;        // in files, for good
+    const char* row = "";     // its label in the window; undo speaks of it so, too
+    const char* option = "";  // "--contrast"; none: the command has it another way
+};
+
+struct NumberRange {
+    double least = 0, most = std::numeric_limits<double>::max();
+    enum class Least { included, excluded } at_least = Least::included;
+};
+
+struct Setting {
+    SettingNames names;
+    NumberRange range = {};  // of a number; of a length, in millimetres
+    double usual = 0;        // what a fresh drawing has
+    Track track = {};
+    const char* format = "%.2f";  // of the row's value
+    bool length = false;
+    const char* value = "";  // of the option, as help shows it: "EV"; none: its range
+    const char* help = "";   // a sentence without its full stop: the option's, and the row's tip
+    const char* more = "";   // what the option's help adds
+};
+
+namespace setting {
+
+// Tone.
+inline constexpr Setting automatic_tone{
+    .names = {"automatic_tone", "Tone from", "--tone"},
+    .value = "auto|true",
+    .help =
+        "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers just "
+        "the light that the picture lacks",
+    .more = ". --black-point, --white-point, --contrast, --brightness and --gamma switch it to true"};
+inline constexpr Setting automatic_exposure{.names = {"automatic_exposure", "Exposure"}};
+inline constexpr Setting exposure{
+    .names = {"exposure", "Exposure", "--exposure"},
+    .range = {-kMostStops, kMostStops},
+    .track = {-8, 8},
+    .format = "%+.1f EV",
+    .value = "auto|EV",
+    .help =
+        "How much of the light is taken, in stops: 1 makes all of the picture twice as light, -1 half. HDR "
+        "pictures begin with what shows most of them",
+    .more = ": auto"};
+inline constexpr Setting black_point{.names = {"black_point", "Black point", "--black-point"},
+                                     .range = {0, 1},
+                                     .help = "Grey up to this becomes as dark as dots can make it"};
+inline constexpr Setting white_point{.names = {"white_point", "White point", "--white-point"},
+                                     .range = {0, 1},
+                                     .usual = 1,
+                                     .help = "Grey from this on is left to the bare paper"};
+inline constexpr Setting contrast{.names = {"contrast", "Contrast", "--contrast"},
+                                  .range = {-1, 1},
+                                  .help =
+                                      "Over 0 parts light from dark, below 0 brings them nearer to each "
+                                      "other"};
+inline constexpr Setting brightness{.names = {"brightness", "Brightness", "--brightness"},
+                                    .range = {-1, 1},
+                                    .help = "Makes all of the picture lighter, or darker below 0"};
+inline constexpr Setting gamma{
+    .names = {"gamma", "Gamma", "--gamma"},
+    .range = {0.1, 10},
+    .usual = 1,
+    .track = {0.25, 4, true},
+    .help = "Makes the middle tones lighter, or darker below 1; black and white stay"};
+inline constexpr Setting blur{.names = {"blur", "Blur", "--blur"},
+                              .range = {0, 100},
+                              .track = {0, 20},
+                              .format = "%.1f",
+                              .help =
+                                  "Smooths grain and noise away, over so many thousandths of the picture's "
+                                  "longer side"};
+inline constexpr Setting detail{
+    .names = {"detail", "Detail", "--detail"},
+    .range = {0, 1},
+    .usual = kAutoDetail,
+    .help = "Brings out what is faint and only a few dots wide, such as whiskers"};
+inline constexpr Setting black{
+    .names = {"black", "Black", "--black"},
+    .range = {kLeastBlack, 1},
+    .usual = 1,
+    .value = "auto|0.5..1",
+    .help =
+        "How solid black gets. At 1 dots cover the paper; with less they stand apart, and more of them are "
+        "left for the rest of the picture",
+    .more = ". auto: 0.95 of few dots, 1 of 100,000 and more and with --tone true"};
+inline constexpr Setting invert{.names = {"invert", "Invert", "--invert"},
+                                .help = "Dots where the picture is light, for light ink on dark paper"};
+
+// Dots.
+inline constexpr Setting tile{.names = {"tile", "Tile", "--tile"},
+                              .value = "TILE",
+                              .help =
+                                  "A tile's name (dapple tile list), its file, or its two integers as in "
+                                  "14217,2895/16"};
+inline constexpr Setting ranking{.names = {"ranking", "Ranking", "--ranking"}};
+inline constexpr Setting placer{.names = {"placer", "Placer", "--placer"}};
+inline constexpr Setting count{.names = {"count", "Dots", "--dots"},
+                               .range = {1, kMostDots},
+                               .usual = kDefaultDots,
+                               .track = {100, 2'000'000, true},
+                               .format = "%.0f",
+                               .value = "N",
+                               .help = "Exactly so many dots on the page: 40000, 40,000 or 40k"};
+inline constexpr Setting scale{
+    .names = {"scale", "Fineness", "--scale"},
+    .range = {.at_least = NumberRange::Least::excluded},
+    .usual = 2500,
+    .track = {10, 100'000, true},
+    .format = "%.0f",
+    .value = "S",
+    .help = "How many dots black gets, on the same paper: four times as many at four times the value",
+    .more = ". Instead of --dots: a darker picture gets more dots, an all-black one about 16 S"};
+inline constexpr Setting relax{
+    .names = {"relax", "Even out", "--relax"},
+    .range = {0, kMostRelaxingSteps},
+    .usual = kUsualSteps,
+    .track = {0, 20},
+    .format = "%.0f",
+    .value = "auto|N",
+    .help =
+        "So many steps move each dot to the middle of the ink around it: more of them make the dots more "
+        "even, and take longer",
+    .more = ". 0 to 100, or auto: 5, or none for millions of dots too fine to see"};
+inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
+inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},
+                                .range = {kSmallestRadiusMm, kLargestRadiusMm},
+                                .usual = 0.3,
+                                .track = {0.02, 5, true},
+                                .format = "%.3f",
+                                .length = true,
+                                .value = "LENGTH",
+                                .help = "From the middle of a dot to its edge",
+                                .more =
+                                    ", on paper; 0.1..0.4: from the smallest, in light areas, to the "
+                                    "largest, on black, and as many dots as the tone then needs. Without "
+                                    "it, one for all that gives the picture's tone"};
+inline constexpr Setting smallest{.names = {"smallest_mm", "Smallest"},
+                                  .range = {kSmallestRadiusMm, kLargestRadiusMm},
+                                  .usual = 0.3,
+                                  .track = {0.02, 5, true},
+                                  .format = "%.3f",
+                                  .length = true,
+                                  .help = "The radius of the dots where the picture is lightest"};
+inline constexpr Setting largest{.names = {"largest_mm", "Largest"},
+                                 .range = {kSmallestRadiusMm, kLargestRadiusMm},
+                                 .usual = 0.3,
+                                 .track = {0.02, 5, true},
+                                 .format = "%.3f",
+                                 .length = true,
+                                 .help = "The radius of the dots where the picture is darkest"};
+inline constexpr Setting style{.names = {"style", "Draw", "--style"}};
+inline constexpr Setting dot_shape{.names = {"dot_shape", "Dot shape", "--dot-shape"}};
+inline constexpr Setting pen_width{
+    .names = {"pen_width_mm", "Pen width", "--pen-width"},
+    .range = {kFinestPenMm, kWidestPenMm},
+    .usual = 0.3,
+    .track = {0.05, 3, true},
+    .length = true,
+    .help = "How wide the pen's line is, of lines and of dots of another shape than circle",
+    .more =
+        ". With a plotter's file and no --dot-shape each dot is a touch of that pen, or a spiral that "
+        "fills it to --dot-radius"};
+inline constexpr Setting mask{.names = {"mask", "Mask", "--mask"}};
+
+// Page.
+inline constexpr Setting page_size{.names = {"paper", "Paper size", "--page"}};
+inline constexpr Setting orientation{.names = {"orientation", "Orientation", "--orientation"},
+                                     .help =
+                                         "How the page lies; auto: as the picture, and a size of your own as "
+                                         "you give it"};
+inline constexpr Setting width{.names = {"width_mm", "Width", "--width"},
+                               .range = {kShortestSideMm, kLongestSideMm},
+                               .usual = 200,
+                               .track = {20, 2000, true},
+                               .format = "%.4g",
+                               .length = true,
+                               .help =
+                                   "Width of the page, margins and all; its height follows from the "
+                                   "picture's shape, unless it is given too"};
+inline constexpr Setting height{.names = {"height_mm", "Height", "--height"},
+                                .range = {kShortestSideMm, kLongestSideMm},
+                                .usual = 200,
+                                .track = {20, 2000, true},
+                                .format = "%.4g",
+                                .length = true,
+                                .help =
+                                    "Height of the page, margins and all; its width follows from the "
+                                    "picture's shape, unless it is given too"};
+inline constexpr Setting margin{.names = {"margins_mm", "Margin", "--margin"},
+                                .range = {0, kLongestSideMm},
+                                .track = {0, 100},
+                                .format = "%.3g",
+                                .length = true,
+                                .value = "LENGTH",
+                                .help = "Bare paper on each side, in which no part of a dot lies",
+                                .more = ": 15mm, or top,right,bottom,left as in 10,15,20,15"};
+inline constexpr Setting fit{.names = {"fit", "Fit", "--fit"},
+                             .help =
+                                 "inside: all of the picture, in the middle of what the margins leave. fill: "
+                                 "the middle of the picture, cut to the shape of that"};
+inline constexpr Setting rotate{.names = {"quarter_turns", "Rotate", "--rotate"},
+                                .range = {0, 3},
+                                .value = "0|90|180|270",
+                                .help = "Turns the picture clockwise",
+                                .more = ", after --crop"};
+inline constexpr Setting overlap{.names = {"sheet_overlap_mm", "Overlap", "--overlap"},
+                                 .range = {0, kWidestOverlapMm},
+                                 .track = {0, 30},
+                                 .format = "%.3g",
+                                 .length = true,
+                                 .help =
+                                     "How wide the strips are that neighbouring sheets share, to cut and to "
+                                     "glue in; SVG and PDF have marks where to cut"};
+
+// Pens and colours.
+inline constexpr Setting pens{.names = {"pens", "Which pens", "--pens"}};
+inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-order"}};
+inline constexpr Setting registration{
+    .names = {"registration", "Registration", "--registration"},
+    .help =
+        "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other by"};
+inline constexpr Setting ink{.names = {"ink", "Ink", "--ink"},
+                             .help = "The dots' colour, on screen and in the file, where there is one pen"};
+inline constexpr Setting paper{.names = {"paper", "Paper", "--paper"},
+                               .help = "The page's colour; in an SVG or a PDF only where you ask for it"};
+inline constexpr Setting background{
+    .names = {"background", "Paper in files", "--background"},
+    .help = "SVG, PDF: paint the paper under the dots, as a PNG always has it; a plotter needs none"};
+inline constexpr Setting show_tiles{
+    .names = {"show_tiles", "Tile boundaries", "--tiles"},
+    .help = "Draws the square of each copy of the tile; an SVG has them as a layer"};
+
+// Saving.
+inline constexpr Setting order{.names = {"order", "Dot order", "--order"}};
+inline constexpr Setting dpi{.names = {"dpi", "Dots per inch", "--dpi"},
+                             .range = {1, 100'000},
+                             .usual = 300,
+                             .track = {50, 1200, true},
+                             .format = "%.0f",
+                             .value = "N",
+                             .help = "PNG, TIFF: pixels to the inch of the page"};
+inline constexpr Setting bits{.names = {"bits", "Bits", "--bits"},
+                              .value = "8|16",
+                              .help = "PNG, TIFF: bits for each channel of a pixel"};
+inline constexpr Setting separations{
+    .names = {"separations", "Separations", "--separations"},
+    .help =
+        "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for printers "
+        "who make a screen or a plate for each",
+    .more = ": cat-1-yellow.tif beside cat.tif"};
+inline constexpr Setting gcode_tool{.names = {"gcode_tool", "G-code for", "--gcode"}};
+inline constexpr Setting gcode_template{.names = {"gcode_template", "Template"}};
+inline constexpr Setting machine{
+    .names = {"machine", "Machine", "--machine"},
+    .help = "Whose plotting time is told, with its program's own settings; the file is the same for all",
+    .more = ". Without it, an AxiDraw V3, and a GRBL machine for G-code"};
+inline constexpr Setting feed{.names = {"feed_mm_per_min", "Feed, mm/min", "--feed"},
+                              .range = {0.01, 1e6},
+                              .usual = 3000,
+                              .track = {100, 20'000, true},
+                              .format = "%.0f",
+                              .value = "MM/MIN",
+                              .help = "G-code: how fast the tool moves, in millimetres a minute"};
+inline constexpr Setting dwell{
+    .names = {"dwell_s", "Dwell, s", "--dwell"},
+    .range = {0, 60},
+    .usual = 0.1,
+    .track = {0, 1},
+    .value = "SECONDS",
+    .help = "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds"};
+inline constexpr Setting acceleration{
+    .names = {"acceleration_mm_per_s2", "Accel., mm/s2", "--acceleration"},
+    .range = {1, 1e5},
+    .usual = 10,
+    .track = {10, 3000, true},
+    .format = "%.0f",
+    .value = "MM/S2",
+    .help =
+        "G-code: how fast the machine gains speed, for the plotting time that is told. Grbl comes with 10, "
+        "and machines are mostly set to 500 to 3000 ($120)"};
+inline constexpr Setting pen_up{.names = {"gcode_pen_up", "Pen up", "--pen-up"},
+                                .range = {-10'000, 10'000},
+                                .value = "Z|S",
+                                .help =
+                                    "G-code: where the pen is off the paper, Z in millimetres or the S of a "
+                                    "servo",
+                                .more = "; without it 2 or 20"};
+inline constexpr Setting pen_down{.names = {"gcode_pen_down", "Pen down", "--pen-down"},
+                                  .range = {-10'000, 10'000},
+                                  .value = "Z|S",
+                                  .help =
+                                      "G-code: where the pen is on the paper, Z in millimetres or the S of a "
+                                      "servo",
+                                  .more = "; without it 0 or 90"};
+inline constexpr Setting laser_power{
+    .names = {"laser_power", "Laser power", "--laser-power"},
+    .range = {0, 1e6},
+    .usual = 250,
+    .track = {0, 1000},
+    .format = "%.0f",
+    .value = "S",
+    .help = "G-code: the S of a laser's M3; Grbl comes with 1000 for full power ($30)"};
+
+}  // namespace setting
+}  // namespace dapple

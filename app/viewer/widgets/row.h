@@ -1,0 +1,65 @@
+#pragma once
+// What every row is made of: its label, its keys, its tip, its place in a list of all rows. For the files
+// beside this one alone; panels know widgets.h.
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/setting.h"
+#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/widgets.h"
+
+namespace dapple {
+
+inline constexpr float kLabelShare = 0.36f;  // of the row
+inline constexpr float kLabelAir = 0.4f;     // in letters' heights: behind a label
+
+struct Row {
+    ImVec2 start;
+    float width, height, control_x;
+};
+
+struct LabelLook {
+    float control_width = 0;      // of one at the row's end; 0: it begins after the labels' column
+    const char* shown = nullptr;  // none: the label itself
+};
+
+/// None without anyone to tell.
+WidgetNotes* widget_notes();
+
+/// Where rows are listed, whether the row took another value; none: it is to be drawn.
+std::optional<bool> as_listed(const char* label, std::span<const char* const> names, int& chosen);
+std::optional<bool> as_listed(const char* label);
+
+/// Draws the label and leaves the cursor where the control begins. True if the label was double-clicked. In a
+/// narrow window the label is cut off before the control.
+bool begin_row(const char* label, Row& row, const LabelLook& look = {});
+void end_row(const Row& row);
+
+RowKeys keys_of(const char* label, const Row& row, bool typing = false);
+
+/// Which of so many entries the arrows choose next.
+int stepped(int chosen, double step, std::size_t entries);
+
+/// The tip of a setting's row.
+std::string sentence_of(const Setting& setting);
+
+/// Whether a tooltip may begin: one that appears beside a dialog, in the frame in which that opens, ends the
+/// program by an assertion of ImGui's (see kNeverAsksForFocus, which a tooltip cannot have).
+bool may_have_tooltip();
+/// Round, whatever the window is that its row is in.
+void begin_tooltip();
+
+/// A tip, once the mouse has come to rest on what it is about; moving on must not make it flicker. `beside`:
+/// a place left of which it stands, where there is room.
+void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {});
+/// Beside the row, so that it hides none of the next ones.
+void show_row_tip(const char* text, const Row& row);
+
+void close_on_escape();
+
+}  // namespace dapple
