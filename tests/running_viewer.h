@@ -210,8 +210,9 @@ class RunningViewer {
             arguments.insert(arguments.begin() + 1, "--fresh");
         } else {
             const std::string folder = memory.folder.string();
-            arguments.insert(arguments.begin(), {"env", "XDG_CONFIG_HOME=" + folder,
-                                                 "XDG_STATE_HOME=" + folder, "XDG_DATA_HOME=" + folder});
+            arguments.insert(arguments.begin(),
+                             {"env", "XDG_CACHE_HOME=" + folder, "XDG_CONFIG_HOME=" + folder,
+                              "XDG_STATE_HOME=" + folder, "XDG_DATA_HOME=" + folder});
         }
         return arguments;
     }

@@ -375,6 +375,30 @@ TEST_CASE("Tab walks from the path to the folder, the format, its options and th
     CHECK(f.chosen == folder.root.path() / "cat.svG");
 }
 
+TEST_CASE(
+    "a row of the options may have the keys at first, and the key that opened the dialog accepts nothing") {
+    Folder folder;
+    DialogUi f;
+    f.further = 40;  // so that it is scrolled to
+    ImGui::GetIO().DisplaySize = {900, 700};
+    static_cast<WidgetNotes*>(ImGui::GetIO().UserData)->reveal = ListedRow{.label = "Further 39"};
+    f.dialog.ask_where_to_save({.title = "Export",
+                                .formats = {{"SVG", ".svg"}, {"PNG", ".png"}},
+                                .start = folder.root.path() / "a.svg",
+                                .has_options = true,
+                                .begins_below = true});
+    f.key(Key::enter);
+    CHECK(f.dialog.is_open());
+    CHECK_FALSE(f.chosen);
+    CHECK_FALSE(f.option);
+    REQUIRE(f.has_keys("Further 39"));
+    CHECK(f.ui.place("Further 39").max.y < f.ui.place("Accept").min.y);
+    f.key(Key::space);
+    CHECK(f.option);
+    f.key(Key::escape);
+    CHECK_FALSE(f.dialog.is_open());
+}
+
 TEST_CASE("Tab walks options that scroll in their order, and one row alone has the keys") {
     Folder folder;
     DialogUi f;

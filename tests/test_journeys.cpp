@@ -124,9 +124,11 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
             viewer.xdotool("type '" + (files.folder / "mask.pgm").string() + "'");
             viewer.key("Return");
         });
-        viewer.key("ctrl+e");
-        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
-        walk_to(viewer, "Paper in SVG");
+        viewer.key("ctrl+p");
+        REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+        viewer.xdotool("type 'paper in svg'");
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return has_keys(viewer, "Paper in SVG"); }));
         viewer.key("space");
         walk_to(viewer, "Accept");
         viewer.key("Return");

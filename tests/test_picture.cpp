@@ -120,6 +120,37 @@ TEST_CASE("a first look at a large JPEG is the same picture, smaller") {
     for (const char* name : {"small.jpg", "missing.jpg"}) CHECK_FALSE(read_first_look(folder / name));
 }
 
+TEST_CASE("a first look at a file with mipmaps is one of them") {
+    const TemporaryFolder folder;
+    const std::string to = folder.path().string();
+    run("convert -size 3600x2400 gradient:white-black " + to + "/whole.png");
+    for (const char* name : {"mip.tif", "mip.exr"})
+        run("oiiotool " + to + "/whole.png -d half -otex " + to + "/" + name + " >/dev/null");
+    // Pages: the picture, its halves, and one that is another picture.
+    run("convert " + to + "/whole.png -depth 8 ptif:" + to + "/pages.tif");
+    std::string pages = to + "/pages.tif";
+    CHECK_FALSE(read_first_look(folder / "pages.tif"));  // nothing says that they are the same
+    for (const char* page : {"1", "2"}) run("tiffset -d " + std::string(page) + " -s 254 1 " + pages);
+    for (const char* name : {"mip.tif", "mip.exr", "pages.tif"}) {
+        CAPTURE(std::string(name));
+        const Picture whole = read_picture(folder / name);
+        CHECK(whole.light.width == 3600);
+        const auto look = read_first_look(folder / name, PictureColours::kept);
+        REQUIRE(look);
+        CHECK(look->light.width == 900);
+        CHECK(look->light.height == 600);
+        CHECK_FALSE(look->colours.empty());
+        CHECK(look->description == whole.description);
+        for (const int row : {10, 300, 590})
+            CHECK(look->light.at(450, row) ==
+                  doctest::Approx(whole.light.at(1800, 4 * row + 2)).epsilon(0.03));
+    }
+    run("oiiotool " + to + "/whole.png --resize 1700x1200 -d half -otex " + to + "/small.exr >/dev/null");
+    run("oiiotool " + to + "/whole.png -d half --tile 64 64 -o " + to + "/tiles.exr >/dev/null");
+    for (const char* name : {"small.exr", "tiles.exr", "whole.png"})
+        CHECK_FALSE(read_first_look(folder / name));
+}
+
 TEST_CASE("reading that is stopped ends at once, with a sentence") {
     const TemporaryFolder folder;
     write_picture(folder / "a.jpg", {.width = 100, .height = 100, .values = ramp(10'000)});

@@ -28,7 +28,8 @@ TEST_CASE("ranks are a permutation: the tile's own points first, then its childr
     }
 }
 
-TEST_CASE("farthest-point ranks: each point that appears is the one farthest from all before it") {
+TEST_CASE(
+    "farthest-point ranks: each point that appears is, on the mean, the one farthest from all before it") {
     const Tile tile = make_tile(Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}},
                                 {"0301213303211022", "2011>3", "33121>17", "002>7", "2211>9"});
     const auto neighbours = legal_neighbours(tile.rule);
@@ -41,15 +42,23 @@ TEST_CASE("farthest-point ranks: each point that appears is the one farthest fro
         ranks.emplace_back(ranking.newborn[i], to_unit_square(newborns[i].position));
     std::sort(ranks.begin(), ranks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
+    const auto squared = [](glm::dvec2 d) { return d.x * d.x + d.y * d.y; };
     const auto distance = [&](glm::dvec2 p, std::size_t count) {
-        double nearest = 10;
-        for (std::size_t j = 0; j < count; ++j) {
-            const glm::dvec2 q = ranks[j].second;
-            nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+        double own = 10;
+        for (std::size_t j = 0; j < count; ++j) own = std::min(own, squared(p - ranks[j].second));
+        double nearest = own;
+        for (int place = 0; place < 9; ++place) {
+            const glm::ivec2 offset(place % 3 - 1, place / 3 - 1);
+            double mean = 0, all = 0;
             for (const Neighbour& n : neighbours) {
-                const glm::dvec2 copy = position_in(n, q);
-                nearest = std::min(nearest, std::hypot(p.x - copy.x, p.y - copy.y));
+                if (n.offset != offset) continue;
+                double with_it = own;
+                for (std::size_t j = 0; j < count; ++j)
+                    with_it = std::min(with_it, squared(p - position_in(n, ranks[j].second)));
+                mean += n.probability * with_it;
+                all += n.probability;
             }
+            if (all > 0) nearest = std::min(nearest, mean);
         }
         return nearest;
     };
@@ -58,6 +67,30 @@ TEST_CASE("farthest-point ranks: each point that appears is the one farthest fro
         const std::size_t end = k < tile.size() ? tile.size() : ranks.size();
         for (std::size_t other = k + 1; other < end; ++other)
             CHECK(distance(ranks[other].second, k) <= chosen + 1e-9);
+    }
+}
+
+TEST_CASE("neither order leaves a tile's border to the end") {
+    const Tile tile = make_tile(Rule{{Orientation{3}, Orientation{7}, Orientation{6}, Orientation{0}}},
+                                even_words(1024, 4));
+    const auto newborns = newborns_of(tile);
+    for (const RankingMethod method : {RankingMethod::farthest, RankingMethod::energy}) {
+        const Ranking ranking = rank(tile, method);
+        for (const double shown : {512.0, 1500.0, 2500.0, 3300.0}) {
+            CAPTURE(shown);
+            // As wide as two dots are apart.
+            const double strip = 1 / std::sqrt(shown);
+            int held = 0;
+            const auto count = [&](BinaryPoint point, float rank) {
+                const glm::dvec2 p = to_unit_square(point);
+                held += rank < shown && std::min({p.x, p.y, 1 - p.x, 1 - p.y}) < strip;
+            };
+            for (std::size_t i = 0; i < tile.size(); ++i) count(tile.points[i], ranking.tile[i]);
+            for (std::size_t i = 0; i < newborns.size(); ++i) count(newborns[i].position, ranking.newborn[i]);
+            const double even = shown * (1 - std::pow(1 - 2 * strip, 2));
+            CHECK(held > 0.88 * even);
+            CHECK(held < 1.12 * even);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -687,6 +688,36 @@ TEST_CASE("what undo and redo would change is said in a word or two") {
     session.undo();
     CHECK_FALSE(session.undo_words());
     CHECK(session.redo_words() == "Contrast");
+}
+
+TEST_CASE("each change has the name of its row") {
+    Session session({}, [] {});
+    ViewerSettings& settings = session.settings;
+    const auto words_after = [&](const std::function<void()>& change) {
+        change();
+        session.remember(false);
+        return session.undo_words().value_or("");
+    };
+    Comparison& right = settings.comparison;
+    CHECK(words_after([&] { right = toggled(right, settings.drawing); }) == "Split view");
+    CHECK(words_after([&] { right.placer = PlacerKind::figure8; }) == "Right placer");
+    CHECK(words_after([&] { right.tile = "lattice24"; }) == "Right tile");
+    CHECK(words_after([&] { right.by = CompareBy::count; }) == "Right side has");
+    CHECK(words_after([&] { settings.loupe.step = 2; }) == "Its tiles");
+    CHECK(words_after([&] { settings.loupe.on = true; }) == "Loupe");
+    CHECK(words_after([&] { settings.density.grey = 0.3f; }) == "Grey");
+    CHECK(words_after([&] { settings.density.source = DensitySource::ramp; }) == "Density");
+    DrawingSettings& drawing = settings.drawing;
+    CHECK(words_after([&] { drawing.dot_size.sizing = DotSizing::by_tone; }) == "Dot size");
+    CHECK(words_after([&] { drawing.dot_size.largest_mm = 2; }) == "Largest");
+    CHECK(words_after([&] { drawing.page.margins = {10, 10, 10, 10}; }) == "Margins");
+    CHECK(words_after([&] { drawing.page.margins.left = 20; }) == "Left");
+    CHECK(words_after([&] {
+              drawing.page.crop = Crop{{{10, 10}, {90, 90}}, Crop::Unit::percent};
+          }) == "Crop");
+    CHECK(words_after([&] { drawing.page.crop->box.low.x = 20; }) == "From left");
+    CHECK(words_after([&] { drawing.page.crop.reset(); }) == "Crop");
+    CHECK(words_after([&] { settings.saving.gcode_template = {"dot {x}", "a.txt"}; }) == "Template");
 }
 
 TEST_CASE(

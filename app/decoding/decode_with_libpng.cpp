@@ -1,11 +1,14 @@
 // PNG. By itself, since libraries for all the other formats take a quarter of a second to load.
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "app/decoding/decode.h"
@@ -79,6 +82,18 @@ int orientation_of(png_structp png, png_infop info) {
     return 1;
 }
 
+ThumbnailSubject thumbnail_in(png_structp png, png_infop info) {
+    ThumbnailSubject subject;
+    png_textp texts = nullptr;
+    const int count = png_get_text(png, info, &texts, nullptr);
+    for (const png_text& text : std::span(texts, static_cast<std::size_t>(std::max(count, 0)))) {
+        const std::string_view keyword = text.key;
+        if (keyword == kThumbnailUri) subject.uri = text.text;
+        if (keyword == kThumbnailTime) subject.modified = text.text;
+    }
+    return subject;
+}
+
 }  // namespace
 
 void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
@@ -112,10 +127,14 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     if (channels % 2 == 0) layout.channels.alpha = channels - 1;
     layout.encoding = encoding_of(png, info);
     layout.eight_bit = !wide;
-    const ImageHeader header{static_cast<int>(width), static_cast<int>(height), orientation_of(png, info),
-                             layout.channels.grey(),
-                             describe(static_cast<int>(width), static_cast<int>(height),
-                                      std::to_string(stored_bits) + "-bit", layout.channels, "png")};
+    const ImageHeader header{
+        .width = static_cast<int>(width),
+        .height = static_cast<int>(height),
+        .orientation = orientation_of(png, info),
+        .grey = layout.channels.grey(),
+        .description = describe(static_cast<int>(width), static_cast<int>(height),
+                                std::to_string(stored_bits) + "-bit", layout.channels, "png"),
+        .thumbnail_of = thumbnail_in(png, info)};
     if (!request.over_paper) layout.channels.alpha.reset();
     const StoredPixels decoder(layout);
 

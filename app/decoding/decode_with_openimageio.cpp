@@ -3,6 +3,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -107,15 +109,44 @@ std::string kind_of(const OIIO::ImageSpec& spec) {
     return std::to_string(bits) + "-bit";
 }
 
+// Goes to the smallest of the picture's copies in the file whose longer side is long enough: mipmaps, and in
+// TIFF pages that are said to be such. Throws DecodeError if there is none of half its size or less.
+void go_to_smaller(OIIO::ImageInput& input, int enough_side) {
+    constexpr int kMostCopies = 31;  // each is half as large
+    const OIIO::ImageSpec whole = input.spec();
+    const auto longer_side = [](const OIIO::ImageSpec& spec) { return std::max(spec.width, spec.height); };
+    const int picture = input.current_subimage();
+    int smallest = longer_side(whole) / 2 + 1, found_in = -1, found_level = 0;
+    const auto look = [&](int subimage, int level) {
+        const OIIO::ImageSpec& copy = input.spec();
+        const int side = longer_side(copy);
+        const std::int64_t skew =
+            std::int64_t{copy.width} * whole.height - std::int64_t{copy.height} * whole.width;
+        if (side < enough_side || side >= smallest || std::abs(skew) > longer_side(whole)) return;
+        smallest = side;
+        found_in = subimage;
+        found_level = level;
+    };
+    for (int level = 1; level <= kMostCopies && input.seek_subimage(picture, level); ++level)
+        look(picture, level);
+    const auto is_copy = [&] { return (input.spec().get_int_attribute("tiff:subfiletype") & 1) != 0; };
+    for (int page = picture + 1; page <= picture + kMostCopies && input.seek_subimage(page, 0) && is_copy();
+         ++page)
+        look(page, 0);
+    static_cast<void>(input.geterror());  // of the copy after the last
+    if (found_in < 0 || !input.seek_subimage(found_in, found_level))
+        throw DecodeError("is read as a whole only");
+}
+
 // Rows [begin, end) of the file as floats.
 bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* pixels) {
-    const int subimage = input.current_subimage();
+    const int subimage = input.current_subimage(), level = input.current_miplevel();
     if (spec.tile_width == 0) {
-        return input.read_scanlines(subimage, 0, spec.y + begin, spec.y + end, spec.z, 0, spec.nchannels,
+        return input.read_scanlines(subimage, level, spec.y + begin, spec.y + end, spec.z, 0, spec.nchannels,
                                     OIIO::TypeDesc::FLOAT, pixels);
     }
-    return input.read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, spec.z,
-                            spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
+    return input.read_tiles(subimage, level, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end,
+                            spec.z, spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
 }
 
 }  // namespace
@@ -124,19 +155,22 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
             ImageSink& sink) {
     const std::string name = "/dev/fd/" + std::to_string(file);
     const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format);
+    const OIIO::ImageSpec whole = input->spec();
+    check_size(whole.width, whole.height, whole.nchannels, request);
+    if (request.enough_side > 0) go_to_smaller(*input, request.enough_side);
     const OIIO::ImageSpec spec = input->spec();
     check_size(spec.width, spec.height, spec.nchannels, request);
     if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")
         throw DecodeError("has the inks of a print, which cannot be mixed here; save it as RGB or grey");
 
     PixelLayout layout = layout_of(spec);
-    const int orientation = spec.get_int_attribute("Orientation", 1);
+    const int orientation = whole.get_int_attribute("Orientation", 1);
     const ImageHeader header{
         spec.width,
         spec.height,
         orientation >= 1 && orientation <= 8 ? orientation : 1,
         layout.channels.grey(),
-        describe(spec.width, spec.height, kind_of(spec), layout.channels, input->format_name()),
+        describe(whole.width, whole.height, kind_of(whole), layout.channels, input->format_name()),
         spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear};
     if (!request.over_paper) layout.channels.alpha.reset();
     const StoredPixels decoder(layout);

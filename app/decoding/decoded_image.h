@@ -12,12 +12,21 @@ namespace dapple {
 inline constexpr std::int64_t kUsualPixels = 400'000'000;
 inline constexpr std::int64_t kAnyPixels = INT64_MAX;
 
+/// What a PNG says that it is a thumbnail of, by the Thumbnail Managing Standard: keywords of its texts.
+inline constexpr const char *kThumbnailUri = "Thumb::URI", *kThumbnailTime = "Thumb::MTime";
+struct ThumbnailSubject {
+    std::string uri, modified;  // empty: of nothing; modified in seconds since 1970
+
+    bool operator==(const ThumbnailSubject&) const = default;
+};
+
 struct ImageHeader {
     int width = 0, height = 0;  // as stored, over 0
     int orientation = 1;        // EXIF's, 1..8: how the camera was held
     bool grey = false;          // red, green and blue are the same everywhere
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
     bool scene_light = false;   // as it was in front of a camera, where white is not 1
+    ThumbnailSubject thumbnail_of = {};
 };
 
 /// Takes a picture: begin() once, then row() for each row from the top down.
@@ -34,13 +43,17 @@ struct DecodeRequest {
     bool over_paper = true;                   // transparent parts show white; else alpha is left out
     std::int64_t most_pixels = kUsualPixels;  // larger ones are refused before they are read
     /// A smaller picture will do whose longer side is at least so many pixels; it is refused if the whole one
-    /// is hardly larger. 0: the whole one, which every decoder but JPEG's own gives anyway.
+    /// is hardly larger, or has no such copy in its file. 0: the whole one, which PNG's decoder gives anyway.
     int enough_side = 0;
 };
 
 /// Why a file is no picture: a sentence without the file's name.
 struct DecodeError : std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+/// The file itself is the reason, today and tomorrow.
+struct DamagedFile : DecodeError {
+    using DecodeError::DecodeError;
 };
 inline constexpr const char* kTooMuchMemory = "needs more memory to decode than a picture of its size should";
 /// It has more pixels than asked for.

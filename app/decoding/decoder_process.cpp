@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -58,6 +59,37 @@ PictureFormat format_in(const Descriptor& file) {
     const PictureFormat format = format_or_refusal({beginning.data(), static_cast<std::size_t>(got)});
     ::lseek(file.get(), 0, SEEK_SET);
     return format;
+}
+
+// Some bytes of the file as a whole number; 0 where it ends before.
+std::uint64_t number_at(const Descriptor& file, std::uint64_t at, int bytes, bool big_endian) {
+    std::array<unsigned char, 8> read{};
+    if (at > INT64_MAX ||
+        ::pread(file.get(), read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
+        return 0;
+    std::uint64_t number = 0;
+    for (int i = 0; i < bytes; ++i)
+        number = number << 8 | read[static_cast<std::size_t>(big_endian ? i : bytes - 1 - i)];
+    return number;
+}
+
+// Whether it is worth the time to start the decoder for a smaller copy of the picture: any JPEG can be read
+// smaller, and a TIFF with more than one page or an EXR in tiles or parts may have such copies.
+bool may_hold_smaller(const Descriptor& file, PictureFormat format) {
+    if (format == PictureFormat::jpeg) return true;
+    if (format == PictureFormat::openexr) {
+        constexpr std::uint64_t kTiles = 0x200, kParts = 0x1000;
+        return (number_at(file, 4, 4, false) & (kTiles | kParts)) != 0;
+    }
+    if (format != PictureFormat::tiff) return false;
+    constexpr std::uint64_t kBigTiff = 43;
+    const bool big_endian = number_at(file, 0, 1, true) == 'M';
+    const bool wide = number_at(file, 2, 2, big_endian) == kBigTiff;
+    // A page's entries are so many, of equal length; then it says where the next page is.
+    const int count_bytes = wide ? 8 : 2, entry_bytes = wide ? 20 : 12, place_bytes = wide ? 8 : 4;
+    const std::uint64_t page = number_at(file, wide ? 8 : 4, place_bytes, big_endian);
+    const std::uint64_t entries = number_at(file, page, count_bytes, big_endian) & 0xffff;
+    return number_at(file, page + count_bytes + entries * entry_bytes, place_bytes, big_endian) != 0;
 }
 
 // Above the numbers that the decoder knows files by: a descriptor given as itself would be closed.
@@ -144,7 +176,7 @@ class Process {
             throw DecodeError("takes far longer to decode than a picture of its size should");
         if (signal == SIGINT || signal == SIGTERM || signal == SIGKILL)
             throw DecodeError("cannot be read: its decoder was stopped");
-        throw DecodeError(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
+        throw DamagedFile(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
                           ")");
     }
     constexpr int kNotLoaded = 127;  // by the system
@@ -210,8 +242,10 @@ void decode_file_smaller(const fs::path& path, const DecodeRequest& request, Ima
     if (!fs::is_regular_file(path, ignored)) throw DecodeError("is not a file");
     const Descriptor file = open_file(path);
     const PictureFormat format = format_in(file);
-    if (format != PictureFormat::jpeg) throw DecodeError("is read as a whole only");
-    decode_open(file, format, decoder_named("dapple-decode-jpeg"), request, sink, stop);
+    if (!may_hold_smaller(file, format)) throw DecodeError("is read as a whole only");
+    const bool jpeg = format == PictureFormat::jpeg;
+    decode_open(file, format, jpeg ? decoder_named("dapple-decode-jpeg") : decoder_for(format), request, sink,
+                stop);
 }
 
 void decode_file_by(const fs::path& decoder, const fs::path& path, const DecodeRequest& request,

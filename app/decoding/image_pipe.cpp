@@ -58,7 +58,9 @@ class Reader {
 [[noreturn]] void fail(Reader& reader, char kind) {
     const std::string sentence = reader.text();
     if (kind == kTooManyPixels) throw TooManyPixels(sentence);
-    throw DecodeError(kind == kError ? sentence : "its decoder says nothing that can be understood");
+    if (kind != kError) throw DecodeError("its decoder says nothing that can be understood");
+    if (sentence == kTooMuchMemory) throw DecodeError(sentence);
+    throw DamagedFile(sentence);
 }
 
 }  // namespace
@@ -74,7 +76,9 @@ void ImagePipe::row(std::span<const glm::vec3> colours) {
         const Numbers numbers{header_.width, header_.height, header_.orientation, header_.grey ? 1 : 0,
                               header_.scene_light ? 1 : 0};
         put(&numbers, sizeof numbers);
-        put_text(header_.description);
+        for (const auto* text :
+             {&header_.description, &header_.thumbnail_of.uri, &header_.thumbnail_of.modified})
+            put_text(*text);
     }
     put(&kRow, 1);
     if (header_.grey) {
@@ -122,8 +126,14 @@ bool receive_image(int descriptor, const DecodeRequest& request, ImageSink& sink
     if (kind != kPicture) fail(reader, kind);
     Numbers numbers{};
     if (!reader.get(&numbers, sizeof numbers)) return false;
-    const ImageHeader header{numbers.width,     numbers.height, numbers.orientation,
-                             numbers.grey != 0, reader.text(),  numbers.scene_light != 0};
+    // In braces, each is read after the one before.
+    const ImageHeader header{.width = numbers.width,
+                             .height = numbers.height,
+                             .orientation = numbers.orientation,
+                             .grey = numbers.grey != 0,
+                             .description = reader.text(),
+                             .scene_light = numbers.scene_light != 0,
+                             .thumbnail_of = {.uri = reader.text(), .modified = reader.text()}};
     check_size(header.width, header.height, 1, request);
     sink.begin(header);
     std::vector<glm::vec3> colours(static_cast<std::size_t>(header.width));

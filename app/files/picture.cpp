@@ -17,17 +17,19 @@ class PictureSink : public ImageSink {
     explicit PictureSink(PictureColours colours) : colours_(colours) {}
     void begin(const ImageHeader& header) override {
         builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
-        description_ = header.description;
-        scene_light_ = header.scene_light;
+        header_ = header;
     }
     void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() { return builder_->finish(std::move(description_), scene_light_); }
+    Picture finish() {
+        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
+        picture.thumbnail_of = std::move(header_.thumbnail_of);
+        return picture;
+    }
 
  private:
     PictureColours colours_;
     std::optional<PictureBuilder> builder_;
-    std::string description_;
-    bool scene_light_ = false;
+    ImageHeader header_;
     int row_ = 0;
 };
 
@@ -42,6 +44,8 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit, Pict
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; --huge reads it all the same");
+    } catch (const DamagedFile& error) {
+        throw NoPicture(printable(path.string()) + ": " + error.what());
     } catch (const DecodeError& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }

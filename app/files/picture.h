@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <glm/gtc/type_precision.hpp>
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <string_view>
 
+#include "app/decoding/decoded_image.h"
 #include "core/image/grid.h"
 #include "core/image/linear_colour.h"
 
@@ -33,6 +35,7 @@ struct Picture {
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
     std::string description{};  // "512 x 512 pixels, 8-bit grey png"
+    ThumbnailSubject thumbnail_of{};
 };
 
 enum class PictureLimit {
@@ -41,6 +44,11 @@ enum class PictureLimit {
 };
 
 enum class PictureColours { left_out, kept };
+
+/// Of a file that no decoder makes a picture of, as long as it stays what it is.
+struct NoPicture : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
@@ -51,13 +59,14 @@ enum class PictureColours { left_out, kept };
 /// time.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
-/// damaged, too large, has pixels that are NaN or infinite, or reading was stopped.
+/// damaged, too large, has pixels that are NaN or infinite, or reading was stopped; NoPicture if a decoder
+/// found it so.
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
                      PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
 
-/// A first look at a large JPEG, in a fraction of the time: smaller, its longer side kFirstLookSide pixels or
-/// up to twice as many, and described as the whole is. Nothing of a picture that is small or of another kind,
-/// or cannot be read: read_picture() says why.
+/// A first look at a large JPEG, or at a TIFF or EXR with mipmaps, in a fraction of the time: smaller, its
+/// longer side kFirstLookSide pixels or up to twice as many, and described as the whole is. Nothing of a
+/// picture that is small or of another kind, or cannot be read: read_picture() says why.
 std::optional<Picture> read_first_look(const std::filesystem::path& path,
                                        PictureColours colours = PictureColours::left_out,
                                        std::stop_token stop = {});

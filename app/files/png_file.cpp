@@ -105,13 +105,14 @@ void write_pixels_as_png(
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_pHYs(png, info, pixels_per_metre, pixels_per_metre, PNG_RESOLUTION_METER);
-        if (!header.settings.empty()) {
-            png_text settings{};
-            settings.compression = PNG_TEXT_COMPRESSION_NONE;
-            settings.key = const_cast<png_charp>(kPngSettingsKeyword);  // only read
-            settings.text = const_cast<png_charp>(header.settings.c_str());
-            settings.text_length = header.settings.size();
-            png_set_text(png, info, &settings, 1);
+        for (const PngText& said : header.texts) {
+            if (said.text.empty()) continue;
+            png_text text{};
+            text.compression = PNG_TEXT_COMPRESSION_NONE;
+            text.key = const_cast<png_charp>(said.keyword);  // only read
+            text.text = const_cast<png_charp>(said.text.c_str());
+            text.text_length = said.text.size();
+            png_set_text(png, info, &text, 1);
         }
         // Pages are even paper and even ink for the most part: the filters, made for photographs, only cost
         // time.

@@ -5,6 +5,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "core/image/grid.h"
 
@@ -15,12 +16,17 @@ enum class PngColours { rgb, grey };
 /// What the settings that a drawing was made with are called in it.
 inline constexpr const char* kPngSettingsKeyword = "dapple";
 
+struct PngText {
+    const char* keyword = "";
+    std::string text = {};  // Latin-1
+};
+
 struct PngHeader {
     int width = 0, height = 0;
     double dpi = 300;
     PngColours colours =
-        PngColours::rgb;        // grey takes red, green and blue to be equal, and is a third of the work
-    std::string settings = {};  // a text in ASCII for whoever opens the drawing again; empty: none
+        PngColours::rgb;  // grey takes red, green and blue to be equal, and is a third of the work
+    std::vector<PngText> texts = {};  // empty ones are left out
 };
 
 /// A stretch of rows, from the top down.

@@ -42,8 +42,11 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
                                 .dpi = drawing.saving.dpi,
                                 .threads = settings.placing.threads};
     const bool grey = drawing.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
-    const PngHeader header{size.width, size.height, drawing.saving.dpi,
-                           grey ? PngColours::grey : PngColours::rgb, drawing.settings};
+    const PngHeader header{size.width,
+                           size.height,
+                           drawing.saving.dpi,
+                           grey ? PngColours::grey : PngColours::rgb,
+                           {{kPngSettingsKeyword, drawing.settings}}};
     write_image(header, [&](const auto& pixels) {
         if (!drawing.pens.empty()) {
             std::vector<glm::vec3> inks;

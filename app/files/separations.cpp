@@ -80,7 +80,7 @@ void write_separation(std::ostream& out, DrawingFormat format, const DrawingSett
     const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm,
                                 .dpi = drawing.saving.dpi,
                                 .threads = settings.placing.threads};
-    const PngHeader header{size.width, size.height, drawing.saving.dpi, PngColours::grey, ""};
+    const PngHeader header{size.width, size.height, drawing.saving.dpi, PngColours::grey};
     const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
     const auto draw = [&]<class Channel>(Channel, const auto& pixels) {
         const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {

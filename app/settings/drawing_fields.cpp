@@ -44,10 +44,10 @@ static void describe(Fields& fields, std::optional<Crop>& crop) {
     Crop part = crop.value_or(Crop{{{0, 0}, {100, 100}}, Crop::Unit::percent});
     auto& [box, unit] = part;
     fields.flag("on", on);
-    fields.number("left", box.low.x, {});
-    fields.number("top", box.low.y, {});
-    fields.number("right", box.high.x, {});
-    fields.number("bottom", box.high.y, {});
+    fields.number({"left", "From left"}, box.low.x, {});
+    fields.number({"top", "From top"}, box.low.y, {});
+    fields.number({"right", "To right"}, box.high.x, {});
+    fields.number({"bottom", "To bottom"}, box.high.y, {});
     fields.choice("unit", unit);
     if (!(box.low.x < box.high.x)) fields.refuse("left", "has to be below right");
     if (!(box.low.y < box.high.y)) fields.refuse("top", "has to be below bottom");
@@ -82,7 +82,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.whole(setting::count, placing.count);
     fields.number(setting::scale, placing.scale);
     fields.whole(setting::relax, relax);
-    fields.group({"dot_size", "Dot size"}, dot_size);
+    fields.group("dot_size", dot_size);
     fields.group("page", page);
     fields.text({"sheets", "Sheets across"}, grid_text(sheets), [&sheets = sheets](const std::string& text) {
         const Sheet read = parse_sheets(text);

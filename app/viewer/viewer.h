@@ -15,7 +15,8 @@ struct ViewerOptions {
     /// Print a line of JSON on standard output whenever what is shown or where the widgets are changes: see
     /// status_log.h. For tests and scripts that drive the window from outside.
     bool log_status = false;
-    bool fresh = false;  // neither reads nor writes what is remembered between runs: see memory.h
+    /// Neither reads nor writes what is remembered between runs (see memory.h) or kept of pictures.
+    bool fresh = false;
 };
 
 struct LightViewerOptions {

@@ -9,29 +9,88 @@ namespace dapple {
 
 namespace {
 
-// Cost: minus the squared distance to the nearest point so far.
+// Squared distances of candidates to the nearest point so far. What lies beside a tile is the tile in one of
+// several orientations: over these, as often as they occur, the mean is taken. The nearest of all of them at
+// once is nearer than any drawing has it, and a tile's border would stay empty to the end.
+class Distances {
+ public:
+    static constexpr double kFarther = 9;  // than any two points of touching tiles, squared
+
+    Distances(std::size_t candidates, const std::vector<Neighbour>& neighbours)
+        : neighbours_(neighbours),
+          columns_(neighbours.size() + 1),
+          nearest_(candidates * columns_, kFarther) {}
+
+    /// Of a candidate, to a point of its own tile. True if none was nearer.
+    bool add_own(std::uint32_t i, double squared) { return add(i, neighbours_.size(), squared); }
+    /// To a point of one of the neighbours.
+    bool add(std::uint32_t i, std::size_t neighbour, double squared) {
+        double& nearest = nearest_[i * columns_ + neighbour];
+        if (squared >= nearest) return false;
+        nearest = squared;
+        return true;
+    }
+
+    double own(std::uint32_t i) const { return nearest_[i * columns_ + neighbours_.size()]; }
+
+    double mean(std::uint32_t i) const {
+        const double* const nearest = &nearest_[i * columns_];
+        double smallest = own(i);
+        for (std::size_t n = 0; n < neighbours_.size();) {
+            const glm::ivec2 place = neighbours_[n].offset;
+            double mean = 0;
+            for (; n < neighbours_.size() && neighbours_[n].offset == place; ++n)
+                mean += neighbours_[n].probability * std::min(own(i), nearest[n]);
+            smallest = std::min(smallest, mean);
+        }
+        return smallest;
+    }
+
+ private:
+    const std::vector<Neighbour>& neighbours_;  // by offset
+    std::size_t columns_;
+    std::vector<double> nearest_;  // of each candidate: to each neighbour, and then to its own tile
+};
+
+// Cost: minus the mean squared distance to the nearest point so far.
 std::vector<int> farthest_order(const std::vector<glm::dvec2>& placed, std::vector<glm::dvec2> positions,
                                 const std::vector<Neighbour>& neighbours) {
-    constexpr double kFarther = 9;  // than any two points of touching tiles, squared
-    Candidates candidates(std::move(positions), -kFarther);
+    Candidates candidates(std::move(positions), -Distances::kFarther);
+    Distances distances(candidates.size(), neighbours);
     std::vector<int> rank(candidates.size());
     const auto add = [&](glm::dvec2 p, double radius) {
-        for_copies(p, neighbours, radius, [&](glm::dvec2 copy, double) {
+        const auto add_copy = [&](glm::dvec2 copy, const auto& take) {
             candidates.for_each_near(copy, radius, [&](std::uint32_t i, double squared) {
-                if (-squared > candidates.cost(i)) candidates.set_cost(i, -squared);
+                if (take(i, squared)) candidates.set_cost(i, -distances.mean(i));
             });
-        });
+        };
+        add_copy(p, [&](std::uint32_t i, double squared) { return distances.add_own(i, squared); });
+        for (std::size_t n = 0; n < neighbours.size(); ++n)
+            add_copy(position_in(neighbours[n], p),
+                     [&](std::uint32_t i, double squared) { return distances.add(i, n, squared); });
+    };
+    // A neighbour's point farther away than the own tile's counts for nothing. The bound is found anew now
+    // and then: it only shrinks.
+    constexpr double kBetweenBounds = 1.05;  // of the count
+    double count = static_cast<double>(placed.size()), bounded_at = 0, bound = std::sqrt(Distances::kFarther);
+    const auto find_bound = [&] {
+        if (count < kBetweenBounds * bounded_at) return;
+        bounded_at = count;
+        double farthest = 0;
+        for (std::uint32_t i = 0; i < candidates.size(); ++i)
+            if (candidates.is_waiting(i)) farthest = std::max(farthest, distances.own(i));
+        bound = std::sqrt(farthest) * (1 + 1e-9);
     };
     // The placed points fill the tile: no candidate is farther from all of them than a few of their spacings.
-    const double reach = placed.empty() ? 0 : 4 / std::sqrt(static_cast<double>(placed.size()));
+    const double reach = placed.empty() ? 0 : 4 / std::sqrt(count);
     for (const glm::dvec2 p : placed) add(p, reach);
     for (std::size_t k = 0; k < rank.size(); ++k) {
+        find_bound();
         const std::uint32_t next = candidates.cheapest();
         rank[next] = static_cast<int>(k);
-        // Nobody is farther from the points so far than the one chosen now.
-        const double radius = std::sqrt(-candidates.cost(next)) * (1 + 1e-9);
         candidates.remove(next);
-        add(candidates.position(next), radius);
+        add(candidates.position(next), bound);
+        ++count;
     }
     return rank;
 }

@@ -30,7 +30,8 @@ struct Ranking {
     std::vector<float> newborn;  // 3 N ranks, in the order of newborns_of()
 };
 
-/// Ranks a tile. Distances and energies are over all legal neighbours of the tile's rule.
+/// Ranks a tile. Where a neighbour may be oriented in several ways, distances (squared) to the nearest of its
+/// points and energies are means over them, as often as they occur.
 Ranking rank(const Tile& tile, RankingMethod method);
 
 /// The paper's newborn ranks from the ranks of a tile's own points: a child of density 1..4 parents shows

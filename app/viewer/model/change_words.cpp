@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,9 +14,6 @@
 namespace dapple {
 namespace {
 
-// What is said of all of a group is its name.
-constexpr std::array kGroupsOfGroups{"drawing", "saving", "view", "tone", "page"};
-
 using Rows = std::map<std::string, std::string>;
 
 // Of a field whose row is called as it is.
@@ -27,13 +23,21 @@ std::string words_of(std::string field) {
     return field;
 }
 
+// Whether a group's changes are one, of its own row: a margin on all sides, a frame that is dragged, a switch
+// that says what goes with it, a template and its name.
+bool is_one_change(const std::string& name, const nlohmann::ordered_json& changed) {
+    const std::size_t count = changed.size();
+    return changed.contains("on") || name == "mask" || name == "gcode_template" ||
+           (name == "margins_mm" && count == 4) || (name == "crop" && count > 1);
+}
+
 void collect_rows(const std::string& before, const nlohmann::ordered_json& changed, const Rows& known,
                   std::vector<std::string>& rows) {
     for (const auto& [name, value] : changed.items()) {
         const auto row = known.find(before + name);
-        if (std::ranges::find(kGroupsOfGroups, name) != kGroupsOfGroups.end())
+        if (value.is_object() && !is_one_change(name, value))
             collect_rows(before + name + ".", value, known, rows);
-        else if (name != kVersionField)
+        else
             rows.push_back(row == known.end() ? words_of(name) : row->second);
     }
 }
@@ -47,8 +51,9 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
     };
     std::vector<std::string> rows;
     try {
-        collect_rows("", nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from))),
-                     rows_of(all_of(to)), rows);
+        auto changed = nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from)));
+        changed.erase(kVersionField);
+        collect_rows("", changed, rows_of(all_of(to)), rows);
     } catch (const std::exception&) {  // a tile's name that no text can hold
         return "Tile";
     }

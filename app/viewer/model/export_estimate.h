@@ -33,8 +33,8 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
 /// What saving would write.
 struct ExportInfo {
     std::uint64_t dots = 0;
-    std::optional<double> bytes;              // about; none if it cannot be written
-    std::string trouble;                      // why not
+    std::optional<double> bytes = {};         // about; none if it cannot be written
+    std::string trouble = {};                 // why not
     PlottingTime plotting = {};               // about, of the machine chosen
     double way_m = 0;                         // of the pen, about,
     std::optional<double> way_before_m = {};  // and before it is shortened, if it is

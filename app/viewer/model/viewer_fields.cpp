@@ -8,24 +8,24 @@ namespace dapple {
 
 static void describe(Fields& fields, DensityChoice& density) {
     auto& [source, grey] = density;
-    fields.choice("source", source);
+    fields.choice({"source", "Density"}, source);
     fields.number("grey", grey, {0, 1});
 }
 
 static void describe(Fields& fields, Comparison& comparison) {
     auto& [on, placer, tile, ranking, by, divider] = comparison;
     fields.flag("on", on);
-    fields.choice("placer", placer);
-    fields.tile("tile", tile);
-    fields.choice("ranking", ranking);
-    fields.choice("by", by);
+    fields.choice({"placer", "Right placer"}, placer);
+    fields.tile({"tile", "Right tile"}, tile);
+    fields.choice({"ranking", "Right ranking"}, ranking);
+    fields.choice({"by", "Right side has"}, by);
     fields.number("divider", divider, {0, 1});
 }
 
 static void describe(Fields& fields, LoupeChoice& loupe) {
     auto& [on, step] = loupe;
     fields.flag("on", on);
-    fields.whole("step", step, {-3, 3});
+    fields.whole({"step", "Its tiles"}, step, {-3, 3});
 }
 
 void describe(Fields& fields, ViewerSettings& settings) {
@@ -33,7 +33,7 @@ void describe(Fields& fields, ViewerSettings& settings) {
            saving, unit, every_frame] = settings;
     static_cast<void>(every_frame);  // measures the computer: it is over with the window
     describe_drawing(fields, drawing, saving);
-    fields.group({"density", "Density"}, density);
+    fields.group("density", density);
     fields.group("view", [&](Fields& view) {
         view.number({"picture_opacity", "Photograph"}, settings.picture_opacity, {0, 1});
         view.choice({"zoom_mode", "Zooming in"}, settings.zoom_mode);

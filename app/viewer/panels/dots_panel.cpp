@@ -52,11 +52,6 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         if (drawn.dots > 0) largest = most / static_cast<double>(drawn.dots) * drawn.scale;
         changed |= slider_row(setting::scale, request.scale, {.most = largest});
     }
-    if (static_cast<double>(drawn.dots) > 0.99 * most) {
-        hint(("More than " + grouped(drawn.most_dots) + " dots do not fit into this computer's memory.")
-                 .c_str());
-        note_place("Most dots");
-    }
     return changed;
 }
 

@@ -77,6 +77,8 @@ class Document {
     virtual void save_film(const std::filesystem::path&) {}
     /// For a format of where_to_save(), as FileDialog::DrawOptions.
     virtual std::string draw_saving_options(std::size_t format) = 0;
+    /// Their rows alone, to be listed as those of draw_rows().
+    virtual void draw_saving_rows(std::size_t) {}
 
     /// The file that is shown, for the list of recent ones; empty: none, or none yet.
     virtual std::filesystem::path file() const = 0;

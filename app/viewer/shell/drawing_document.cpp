@@ -209,6 +209,11 @@ std::string DrawingDocument::draw_saving_options(std::size_t format) {
     return estimate_.info(session_.pane(), session_.settings, kind).trouble;
 }
 
+void DrawingDocument::draw_saving_rows(std::size_t format) {
+    draw_export_panel(session_.settings, static_cast<DrawingFormat>(format),
+                      {.dots = session_.drawn(session_.pane()).dots});
+}
+
 void DrawingDocument::act(Action action, const Frame&) {
     ViewerSettings& settings = session_.settings;
     switch (action) {

@@ -62,6 +62,7 @@ class DrawingDocument : public Document {
     std::optional<SaveQuestion> where_to_save_film() const override;
     void save_film(const std::filesystem::path& file) override { session_.save_film(file); }
     std::string draw_saving_options(std::size_t format) override;
+    void draw_saving_rows(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
     void draw(const Frame& frame) override;
     void draw_rows() override { SidePanel::draw_rows(session_); }

@@ -100,10 +100,11 @@ void FileDialog::ask_what_to_open(OpenQuestion question) {
 void FileDialog::ask_where_to_save(SaveQuestion question) {
     saves_ = true;
     question_ = std::move(question);
-    format_ = format_of(question_.start).value_or(0);
+    format_ = format_of(question_, question_.start).value_or(0);
     options_height_ =
         std::numeric_limits<float>::max();  // until they are drawn: what is below is in the window
     show(question_.start);
+    focus_path_ = !question_.begins_below;
 }
 
 void FileDialog::show(const fs::path& start) {
@@ -126,14 +127,14 @@ std::vector<std::string> FileDialog::endings() const {
     return endings;
 }
 
-std::optional<std::size_t> FileDialog::format_of(const fs::path& path) const {
-    const std::string ending = ending_of(path);
+std::optional<std::size_t> format_of(const SaveQuestion& question, const fs::path& file) {
+    const std::string ending = ending_of(file);
     const auto is_its = [&](const FileFormat& format) {
         return !ending.empty() && (ending == format.ending || ending == format.others);
     };
-    const auto found = std::ranges::find_if(question_.formats, is_its);
-    if (found == question_.formats.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - question_.formats.begin());
+    const auto found = std::ranges::find_if(question.formats, is_its);
+    if (found == question.formats.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - question.formats.begin());
 }
 
 fs::path FileDialog::with_ending(const fs::path& path) const {
@@ -173,7 +174,7 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::st
         trouble_ = "There is no such file.";
     } else if (!is_folder(path.parent_path())) {
         trouble_ = "There is no such folder.";
-    } else if (!format_of(path)) {
+    } else if (!format_of(question_, path)) {
         trouble_ = has_formats() ? "No format has that ending; choose one above."
                                  : "The name must end in " + endings().front() + ".";
     } else if (is_folder(path)) {
@@ -339,7 +340,7 @@ bool FileDialog::has_formats() const {
 
 void FileDialog::draw_formats() {
     fs::path path = typed_;
-    if (const auto by_name = format_of(path)) format_ = *by_name;
+    if (const auto by_name = format_of(question_, path)) format_ = *by_name;
     std::vector<const char*> names;
     for (const FileFormat& format : question_.formats) names.push_back(format.name);
     int chosen = static_cast<int>(format_);

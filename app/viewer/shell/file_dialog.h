@@ -55,9 +55,13 @@ struct SaveQuestion {
     std::filesystem::path own_file{};   // replaced without asking; none: empty
     bool has_options = false;           // draw() is given some, with room as they need it
     const char* button = "Export";
+    bool begins_below = false;  // one of its rows has the keys at first (WidgetNotes::reveal), not the name
     /// What is written under a name; none: the file of that name.
     std::function<std::vector<std::filesystem::path>(const std::filesystem::path& name)> files{};
 };
+
+/// The index of the format that a file's ending says.
+std::optional<std::size_t> format_of(const SaveQuestion& question, const std::filesystem::path& file);
 
 class FileDialog {
  public:
@@ -110,7 +114,6 @@ class FileDialog {
     std::optional<std::filesystem::path> accept(const std::filesystem::path& path,
                                                 const std::string& refusal);
     std::vector<std::string> endings() const;
-    std::optional<std::size_t> format_of(const std::filesystem::path& path) const;
     /// Of what is written under that name.
     std::vector<std::filesystem::path> files_there(const std::filesystem::path& name) const;
     /// Of a file to open, the first of the folder's whose name begins as what is typed; null: none does.

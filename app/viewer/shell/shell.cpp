@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -49,17 +50,21 @@ double work_ms() {
     return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
 }
 
+// Sections of rows that are in dialogs, where rows are listed.
+constexpr const char *kPreferenceRows = "Preferences", *kExportRows = "Export";
+
 void toggle(bool& value) {
     value = !value;
 }
 
 }  // namespace
 
-Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
+Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::filesystem::path thumbnails)
     : log_status_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
       thumbnails_(&Window::wake),
+      kept_thumbnails_(std::move(thumbnails)),
       unsaved_(std::move(unsaved)),
       desktop_dialog_(&Window::wake),
       pasting_(&Window::wake) {
@@ -364,8 +369,10 @@ void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked)
 }
 
 EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
-    return thumbnails_.of(thumbnail_key(file),
-                          [file](const std::stop_token& stop) { return thumbnail_of(file, stop); });
+    const auto make = [file, kept = kept_thumbnails_](const std::stop_token& stop) {
+        return thumbnail_of(file, kept, stop);
+    };
+    return thumbnails_.of(thumbnail_key(file), make);
 }
 
 // In a window beyond the screen: what panels draw beside rows has to be in one.
@@ -378,24 +385,57 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
     {
         const RowListing listing(rows, taken, value);
         document.draw_rows();
-        section("Preferences");
+        section(kPreferenceRows);
         bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
         if (draw_preferences(memory_.preferences.appearance, desktop)) take_preferences(desktop);
+        if (const auto question = document.where_to_save(); question && question->has_options)
+            list_export_rows(*question, document, rows);
     }
     ImGui::End();
 }
 
+// Of rows that several formats have one is enough: that of the format which the dialog begins with, if it
+// can.
+void Shell::list_export_rows(const SaveQuestion& question, Document& document, std::vector<ListedRow>& rows) {
+    const std::size_t before = rows.size(), first = format_of(question, question.start).value_or(0);
+    const auto list = [&](std::size_t format) {
+        section(kExportRows);
+        subsection(question.formats[format].name);
+        const auto known = static_cast<std::ptrdiff_t>(rows.size());
+        document.draw_saving_rows(format);
+        const auto is_known = [&](const ListedRow& row) {
+            return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.begin() + known,
+                               [&](const ListedRow& other) { return other.label == row.label; });
+        };
+        rows.erase(std::remove_if(rows.begin() + known, rows.end(), is_known), rows.end());
+    };
+    list(first);
+    for (std::size_t format = 0; format < question.formats.size(); ++format)
+        if (format != first) list(format);
+}
+
 void Shell::take_row(const ListedRow& row, int value, Document& document) {
-    const bool in_panels = row.sections.empty() || row.sections.front() != "Preferences";
+    const std::string outer = row.sections.empty() ? "" : row.sections.front();
     if (value >= 0) {
         std::vector<ListedRow> rows;
         list_rows(document, rows, &row, value);
-    } else if (!in_panels) {
-        preferences_shown_ = true;
     }
-    if (!in_panels) return;
-    panels_shown_ = true;
+    if (outer == kPreferenceRows) {
+        preferences_shown_ |= value < 0;
+        return;
+    }
     widgets_.reveal = row;
+    if (outer != kExportRows) {
+        panels_shown_ = true;
+    } else if (auto question = document.where_to_save()) {
+        const FileFormat& format = *std::ranges::find_if(
+            question->formats, [&](const FileFormat& each) { return each.name == row.sections.back(); });
+        const auto begun = format_of(*question, question->start);
+        if (!begun || question->formats[*begun].name != row.sections.back())
+            question->start.replace_extension(format.ending);
+        question->begins_below = true;
+        ask_where_to_save(std::move(question), Asked::drawing);
+    }
 }
 
 void Shell::take_preferences(bool desktop) {

@@ -23,7 +23,8 @@ namespace dapple {
 class Shell {
  public:
     /// Opens the window. Throws std::runtime_error if there is no display.
-    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved = UnsavedDrawings());
+    /// `thumbnails`: the folder of all programs' thumbnails; see thumbnail_cache.h.
+    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::filesystem::path thumbnails);
 
     const Memory& memory() const { return memory_; }
 
@@ -63,6 +64,8 @@ class Shell {
     // Of the panels and the preferences; one of them takes a value of its own.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
                    int value = -1);
+    static void list_export_rows(const SaveQuestion& question, Document& document,
+                                 std::vector<ListedRow>& rows);
     void take_row(const ListedRow& row, int value, Document& document);
     void take_preferences(bool desktop);
     void report_outside(const Document& document);
@@ -79,6 +82,7 @@ class Shell {
     Window window_;
     FileDialog dialog_;
     EntryPictures thumbnails_;  // of its entries
+    std::filesystem::path kept_thumbnails_;
     Asked asked_ = Asked::picture;
     bool panels_shown_ = true, help_shown_ = false, preferences_shown_ = false, about_shown_ = false;
     CommandPalette palette_;
