@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/files/tile_library.h"
+#include "app/settings/palettes.h"
 #include "app/settings/presets.h"
 #include "app/settings/xdg_folders.h"
 #include "app/viewer/shell/drawing_document.h"
@@ -24,7 +25,8 @@ int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
     Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
-                                                       options.fresh ? "" : presets_folder()));
+                                                       options.fresh ? "" : presets_folder(),
+                                                       options.fresh ? "" : palettes_folder()));
 }
 
 int run_viewer(const LightViewerOptions& options) {

@@ -82,12 +82,12 @@ DrawingSettings drawing_to_begin_with(DrawingSettings kept, const std::optional<
 }  // namespace
 
 DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile,
-                                 const KeptView& view, const fs::path& presets)
+                                 const KeptView& view, const fs::path& presets, const fs::path& palettes)
     : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake),
-      side_panel_(presets),
+      side_panel_(presets, palettes),
       previews_(&Window::wake),
       mask_reading_(&Window::wake),
       plot_(&Window::wake) {
