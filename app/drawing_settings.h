@@ -82,7 +82,9 @@ struct SavingChoice {
     double feed_mm_per_min = 3000, dwell_s = 0.1, acceleration_mm_per_s2 = 10;
     std::optional<double> pen_up = {}, pen_down = {};  // as GcodeHeights; none: usual_heights()
     double laser_power = 250;                          // the S of G-code for a laser
-    bool separations = false;  // of several pens in pixels: a grey picture for each too, see separations.h
+    // Of several pens, see separations.h:
+    bool separations = false;  // in pixels: a grey picture for each too
+    bool pen_files = false;    // as lines: a file for each in place of one for all
 
     bool operator==(const SavingChoice&) const = default;
 };

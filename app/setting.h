@@ -244,7 +244,8 @@ inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-or
 inline constexpr Setting registration{
     .names = {"registration", "Registration", "--registration"},
     .help =
-        "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other by"};
+        "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other by; "
+        "separations have them too"};
 inline constexpr Setting ink{.names = {"ink", "Ink", "--ink"},
                              .help = "The dots' colour, on screen and in the file, where there is one pen"};
 inline constexpr Setting paper{.names = {"paper", "Paper", "--paper"},
@@ -274,6 +275,12 @@ inline constexpr Setting separations{
         "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for printers "
         "who make a screen or a plate for each",
     .more = ": cat-1-yellow.tif beside cat.tif"};
+inline constexpr Setting pen_files{
+    .names = {"pen_files", "Pen files", "--pen-files"},
+    .help =
+        "SVG, PDF, G-code, HPGL, DXF of several pens: a file for each pen in place of one for all; none of "
+        "them waits for another pen",
+    .more = ": cat-1-yellow.gcode and so on for cat.gcode"};
 inline constexpr Setting gcode_tool{.names = {"gcode_tool", "G-code for", "--gcode"}};
 inline constexpr Setting gcode_template{.names = {"gcode_template", "Template"}};
 inline constexpr Setting machine{

@@ -22,6 +22,7 @@
 #include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/panels/page_panel.h"
+#include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/pen_panel.h"
 #include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/tile_panel.h"
@@ -49,6 +50,7 @@ struct Everything {
     ShownPens shown_pens = {};
     Palette drawn_pens = palette_of({.set = PenSet::cmyk});
     PresetRow presets{{}};
+    PaletteRow palettes{{}};
     Banner banner = {};
 };
 
@@ -110,7 +112,8 @@ std::vector<PanelToTest> all_panels(Everything& one) {
          }},
         {"pens",
          [&] {
-             draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, &one.shown_pens});
+             draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, &one.shown_pens},
+                            {&one.palettes, &one.banner});
          }},
         {"method",
          [&, nothing, view] {

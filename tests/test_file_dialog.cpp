@@ -1,11 +1,14 @@
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/widgets/list_keys.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/row_keys.h"
+#include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"
 
@@ -283,6 +286,40 @@ TEST_CASE("Enter chooses the file that was clicked") {
     CHECK_FALSE(f.chosen);
     f.ui.key(Key::enter);
     CHECK(f.chosen == folder.root.path() / "ant.png");
+}
+
+TEST_CASE("files of an own drawing that it had not before are asked about as any others") {
+    Folder folder;
+    const fs::path own = folder.root.path() / "own.svg", pen = folder.root.path() / "own-1.svg",
+                   other = folder.root.path() / "own-2.svg";
+    for (const fs::path& file : {pen, other}) put_text(file, "drawn");
+    DialogUi f;
+    ImGui::GetIO().DisplaySize = {900, 700};
+    std::vector<fs::path> written{pen};
+    f.dialog.ask_where_to_save({.title = "Export",
+                                .formats = {{"SVG", ".svg"}},
+                                .start = own,
+                                .own_file = own,
+                                .own_files = {pen},
+                                .files = [&](const fs::path&) { return written; }});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    written.push_back(other);  // as a row of the dialog may have it
+    f.ui.click("Accept");
+    CHECK_FALSE(f.chosen);
+    REQUIRE(f.ui.has("Replace"));
+    f.ui.click("Replace");
+    CHECK(f.chosen == own);
+    f.chosen.reset();
+    written = {pen};
+    f.dialog.ask_where_to_save({.title = "Export",
+                                .formats = {{"SVG", ".svg"}},
+                                .start = own,
+                                .own_file = own,
+                                .own_files = {pen},
+                                .files = [&](const fs::path&) { return written; }});
+    for (int i = 0; i < 4; ++i) f.ui.frame();
+    f.ui.click("Accept");
+    CHECK(f.chosen == own);
 }
 
 TEST_CASE("another name takes the question whether to replace back") {

@@ -762,6 +762,13 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     settings.drawing.pens.set = PenSet::cmyk;
     ui.click("Separations");
     CHECK(settings.saving.separations);
+    format = DrawingFormat::gcode;
+    ui.frame();
+    ui.click("Pen files");
+    CHECK(settings.saving.pen_files);
+    format = DrawingFormat::png;
+    ui.frame();
+    CHECK_FALSE(ui.has("Pen files"));
     settings.drawing.pens.set = PenSet::one;
     ui.click("16");
     CHECK(settings.saving.bits == 16);

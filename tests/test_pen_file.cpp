@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -90,6 +91,36 @@ TEST_CASE("the command takes pens from a file of JSON, and what is wrong in it i
     put_text(scene("bad.json"), R"([{"name": "Sky"}])");
     scene.must_fail(draw + scene("bad.json") + " -o " + scene("c.csv"),
                     "bad.json: pen 1: colour: is missing");
+}
+
+TEST_CASE("the command takes a palette by its name, and the shell is offered those there are") {
+    const Scene scene;
+    const std::filesystem::path palettes = scene.folder / "config/dapple/palettes";
+    std::filesystem::create_directories(palettes);
+    put_text(palettes / "sky.json", R"([{"name": "Sky", "colour": "#9cf", "width_mm": 0.4},
+                                        {"name": "Ink", "colour": "#111"}])");
+    put_text(palettes / "broken.json", "[]");
+    put_text(palettes / "cmyk.json", "a set's name is the set's");
+    const std::string at_home = "XDG_CONFIG_HOME=" + scene("config") + " \"$DAPPLE\" ";
+    const std::string draw = at_home + "render " + scene("cat.png") + " --dots 500 --pens ";
+    REQUIRE(run_in_shell(draw + "sky -o " + scene("a.csv")).status == 0);
+    REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 500 --pens Sky:#9cf:0.4,Ink:#111 -o " +
+                       scene("b.csv"))
+                .status == 0);
+    CHECK(text_of(scene("a.csv")) == text_of(scene("b.csv")));
+    CHECK(run_in_shell(draw + "cmyk -o " + scene("c.csv")).status == 0);
+    const auto complaint = [&](const std::string& pens) {
+        const Outcome outcome = run_in_shell(draw + pens + " -o " + scene("d.csv"));
+        CHECK(outcome.status != 0);
+        CHECK(outcome.sentences() == 1);
+        return outcome.err;
+    };
+    CHECK(complaint("broken").find("broken.json: 0 pens are not possible") != std::string::npos);
+    CHECK(complaint("Sea").find("there is no file or palette \"Sea\"; palettes are ballpoints, ") !=
+          std::string::npos);
+    const std::string offered = run_in_shell(at_home + "complete -- render --pens ''").out;
+    for (const char* word : {"cmyk\t", "ballpoints\t", "sky\t"})
+        CHECK(offered.find(word) != std::string::npos);
 }
 
 }  // namespace dapple

@@ -103,7 +103,8 @@ ViewerSettings nothing_usual() {
                   .pen_up = 25,
                   .pen_down = 75.5,
                   .laser_power = 900,
-                  .separations = true};
+                  .separations = true,
+                  .pen_files = true};
     return all;
 }
 

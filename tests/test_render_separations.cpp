@@ -1,16 +1,23 @@
-// A grey picture for each pen beside a PNG or a TIFF.
+// Files for each pen: grey pictures beside a PNG or a TIFF, and drawings in place of one.
 
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/machines.h"
 #include "tests/render_scene.h"
 
 namespace dapple {
@@ -131,6 +138,107 @@ TEST_CASE("separations that cannot be are refused, and none overwrites the pictu
     REQUIRE(run_in_shell("cp " + scene("cat.png") + " " + scene("a-1-yellow.png")).status == 0);
     scene.must_fail("render " + scene("a-1-yellow.png") + " --separations --pens cmyk -o " + scene("a.png"),
                     "a-1-yellow.png");
+}
+
+TEST_CASE("with registration each separation has crosses in its corners, and nothing else changes") {
+    const Scene scene;
+    const std::string draw = "render " + scene("cat.png") +
+                             " --pens Sand:#d0a040,Night:#102060 --dots 900 --width 60 --dpi 254 "
+                             "--separations -o ";
+    REQUIRE(run_dapple(draw + scene("a.png")).status == 0);
+    REQUIRE(run_dapple(draw + scene("b.png") + " --registration").status == 0);
+    const Pixels before = pixels_of(scene("a.png")), after = pixels_of(scene("b.png"));
+    CHECK(before.values == after.values);
+    for (const std::string pen : {"-1-sand.png", "-2-night.png"}) {
+        CAPTURE(pen);
+        const Pixels bare = pixels_of(scene("a" + pen)), marked = pixels_of(scene("b" + pen));
+        REQUIRE(bare.values.size() == marked.values.size());
+        // 60 x 40 mm, 10 pixels to each: crosses 2 mm wide and high, 2 mm from the sides, of lines 0.2 mm
+        // wide.
+        const auto along = [](int place, int side) { return std::min(place, side - 1 - place); };
+        double wrong = 0, white = 0;
+        for (int y = 0; y < 400; ++y)
+            for (int x = 0; x < 600; ++x) {
+                const int across = along(x, 600), down = along(y, 400);
+                const bool in_row = (down == 19 || down == 20) && across >= 9 && across < 31;
+                const bool in_column = (across == 19 || across == 20) && down >= 9 && down < 31;
+                if (in_row || in_column)
+                    white += marked.at(x, y);
+                else
+                    wrong += std::abs(marked.at(x, y) - bare.at(x, y));
+            }
+        CHECK(white == 0);
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("with pen files each pen's file has its own dots alone, and waits for no other pen") {
+    const Scene scene;
+    const std::string draw = "render " + scene("cat.png") +
+                             " --pens 'Pale (blue):#9cf,Rust:#b52,Ink:#111' --dots 900 --width 60 -o ";
+    const std::vector<std::string> pens{"-1-pale-blue", "-2-rust", "-3-ink"};
+    for (const std::string ending : {".gcode", ".hpgl"}) {
+        CAPTURE(ending);
+        const auto plotted = [&](const std::string& name) {
+            const std::string text = text_of(scene(name + ending));
+            return ending == ".hpgl" ? plotted_hpgl(text) : plotted_gcode(text);
+        };
+        REQUIRE(run_dapple(draw + scene("all" + ending)).status == 0);
+        const Outcome made = run_dapple(draw + scene("own" + ending) + " --pen-files");
+        REQUIRE(made.status == 0);
+        CHECK(made.err.find("a file for each pen: ") != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(scene("own" + ending)));
+        const Plotted all = plotted("all");
+        REQUIRE(all.changes.size() == 3);
+        std::size_t dots = 0;
+        for (std::size_t pen = 0; pen < 3; ++pen) {
+            CHECK(all.changes[pen].first_dot == dots);
+            const Plotted own = plotted("own" + pens[pen]);
+            // A plotter is told to take the first pen; no other machine waits.
+            CHECK(own.changes.size() == (ending == ".hpgl" ? 1 : 0));
+            REQUIRE(own.dots.size() > 50);
+            REQUIRE(dots + own.dots.size() <= all.dots.size());
+            const auto from = all.dots.begin() + static_cast<std::ptrdiff_t>(dots);
+            CHECK(std::equal(own.dots.begin(), own.dots.end(), from));
+            dots += own.dots.size();
+        }
+        CHECK(dots == all.dots.size());
+        CHECK(text_of(scene("own-2-rust" + ending)).find("by the pen Rust on a page of 60 x 40 mm") !=
+              std::string::npos);
+    }
+    const auto circles = [&](const std::string& name) {
+        std::istringstream lines(text_of(scene(name + ".svg")));
+        std::vector<glm::dvec2> found;
+        glm::dvec2 at{};
+        for (std::string line; std::getline(lines, line);)
+            if (std::sscanf(line.c_str(), "<circle cx=\"%lf\" cy=\"%lf\"", &at.x, &at.y) == 2)
+                found.push_back(at);
+        return found;
+    };
+    REQUIRE(run_dapple(draw + scene("all.svg")).status == 0);
+    REQUIRE(run_dapple(draw + scene("own.svg") + " --pen-files").status == 0);
+    std::vector<glm::dvec2> together;
+    for (const std::string& pen : pens) std::ranges::copy(circles("own" + pen), std::back_inserter(together));
+    const std::vector<glm::dvec2> all = circles("all");
+    CHECK(all.size() == 900);
+    REQUIRE(together.size() == all.size());
+    double farthest = 0;  // they have as many decimals as so many dots need
+    for (std::size_t i = 0; i < all.size(); ++i)
+        farthest = std::max(farthest, glm::distance(all[i], together[i]));
+    CHECK(farthest < 0.05);
+    const std::string pale = text_of(scene("own-1-pale-blue.svg"));
+    CHECK(pale.find("inkscape:label=\"1 Pale (blue)\"") != std::string::npos);
+    CHECK(pale.find("fill=\"#99ccff\"") != std::string::npos);
+    CHECK(pale.find("fill=\"#bb5522\"") == std::string::npos);
+    for (const std::string ending : {".pdf", ".dxf"}) {
+        REQUIRE(run_dapple(draw + scene("own" + ending) + " --pen-files").status == 0);
+        for (const std::string& pen : pens) CHECK(std::filesystem::exists(scene("own" + pen + ending)));
+    }
+    const std::string fails = "render " + scene("cat.png") + " --pen-files -o ";
+    scene.must_fail(fails + scene("a.gcode"), "--pen-files: is for several pens");
+    scene.must_fail(fails + scene("a.png") + " --pens cmyk", "--pen-files: is of what is plotted");
+    scene.must_fail(fails + scene("a.csv") + " --pens cmyk", "--pen-files: is of what is plotted");
+    scene.must_fail(fails + "- --format gcode --pens cmyk", "--pen-files: makes several files");
 }
 
 }  // namespace dapple

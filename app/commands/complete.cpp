@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/files/tile_library.h"
+#include "app/settings/palettes.h"
 #include "app/settings/presets.h"
 
 namespace dapple {
@@ -26,6 +27,13 @@ std::vector<Completion> values_of(const CLI::Option& option) {
     if (type == "PRESET") {
         for (const Preset& preset : built_in_presets()) values.push_back({preset.name, preset.about});
         for (const std::string& name : own_presets(presets_folder())) values.push_back({name, ""});
+        return values;
+    }
+    if (type == "PENS") {
+        for (const char* const set : {"greys", "cmyk", "auto:4"}) values.push_back({set, ""});
+        for (const NamedPalette& palette : built_in_palettes())
+            values.push_back({palette.name, palette.about});
+        for (const std::string& name : own_palettes(palettes_folder())) values.push_back({name, ""});
         return values;
     }
     std::istringstream parts(type);

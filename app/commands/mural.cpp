@@ -60,8 +60,9 @@ void render_mural(const RenderOptions& options) {
         }
     }
     save_assembly_plan(options.output, page, sheets);
-    fmt::print(stderr, "{}: {}\n", sheets_in_words(page, sheets),
-               sheet_files_in_words(options.output, sheets));
+    const bool by_pen = options.saving.pen_files && options.drawing.pens.set != PenSet::one;
+    fmt::print(stderr, "{}: {}{}\n", sheets_in_words(page, sheets),
+               sheet_files_in_words(options.output, sheets), by_pen ? ", a file for each pen" : "");
     for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
     if (options.stats) save_stats(*options.stats, stats_of_all(stats));
 }

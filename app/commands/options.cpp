@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/settings/palettes.h"
 #include "app/settings/pen_file.h"
 #include "app/shown_text.h"
 #include "core/image/detail.h"
@@ -87,11 +88,13 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
 
-// What is not a set of pens and has no colour in it is a file's name.
+// What is not a set of pens and has no colour in it is a file's name, or a palette's.
 PenChoice pens_in(const std::string& text) {
     std::error_code error;
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
         return read_pens(text);
+    if (is_pen_name(text) && !names_pen_set(text))
+        return own_pens(palette_named(text, palettes_folder()).pens);
     return parse_pens(text);
 }
 
@@ -362,9 +365,9 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         app, settings.pens,
         "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
         "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
-        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON. No two "
-        "dots of "
-        "any pens collide. With a width all dots are that large, and so much larger as the dot gain says "
+        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON; or a "
+        "palette by its name, such as fineliners, or one that the window saved. No two dots of any pens "
+        "collide. With a width all dots are that large, and so much larger as the dot gain says "
         "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
         "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");

@@ -177,11 +177,12 @@ std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const P
     return held;
 }
 
-// The files beside the drawing, made sure not to be those that it is drawn of.
-std::vector<std::filesystem::path> separations_of(const RenderOptions& options, DrawingFormat format,
-                                                  std::span<const Pen> pens) {
-    if (!options.saving.separations || !has_pixels(format) || is_standard_stream(options.output)) return {};
-    const auto files = separation_files(options.output, pens);
+// The files for each pen, made sure not to be those that the drawing is of.
+std::vector<std::filesystem::path> pen_files_of(const RenderOptions& options, DrawingFormat format,
+                                                std::span<const Pen> pens) {
+    if (is_standard_stream(options.output)) return {};
+    auto files = files_of(options.output, format, options.saving, pens);
+    std::erase(files, options.output);
     FileInUse picture{options.image, "the picture"};
     if (reads_standard_input(options)) picture.path.reset();
     for (const auto& file : files)
@@ -270,7 +271,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
                        .settings = embedded_settings(options.output, settings, options.saving),
                        .part_corner_mm = part_corner_mm(page, options, format)};
     file.saving.order = DotOrder::recursion;
-    const auto separations = separations_of(options, format, plan.pens);
+    const auto pen_files = pen_files_of(options, format, plan.pens);
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes =
         measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);
@@ -291,8 +292,10 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.write = stages.lap();
     stages.end();
     std::vector<std::string> names;
-    for (const auto& separation : separations) names.push_back(printable(separation.string()));
-    if (!names.empty()) stages.say(fmt::format("separations: {}", fmt::join(names, ", ")));
+    for (const auto& own : pen_files) names.push_back(printable(own.string()));
+    if (!names.empty())
+        stages.say(fmt::format("{}: {}", has_pixels(format) ? "separations" : "a file for each pen",
+                               fmt::join(names, ", ")));
 
     Rendered rendered = figures.get();
     times.check = stages.lap();

@@ -79,10 +79,16 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     } else if (command.count("--sheet") == 0)
         refuse(command, {"--overlap"}, "is of sheets; give --sheets or --sheet too");
     if (options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--registration", "--pen-order"}, "is for several pens; give --pens too");
-    if (has_pixels(format) || is_table(format))
-        refuse(command, {"--registration"},
-               "is of what is plotted; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf"));
+        refuse(command, {"--registration", "--pen-order", "--pen-files"},
+               "is for several pens; give --pens too");
+    if (has_pixels(format) || is_table(format)) {
+        const std::string plotted =
+            "is of what is plotted; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
+        refuse(command, {"--pen-files"}, plotted);
+        if (!has_pixels(format)) refuse(command, {"--registration"}, plotted);
+        if (!options.saving.separations)
+            refuse(command, {"--registration"}, plotted + ", or give --separations too");
+    }
     if (format != DrawingFormat::svg)
         refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
     if (!has_pixels(format))
@@ -92,7 +98,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (!has_pixels(format))
         refuse(command, {"--separations"}, "are of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
     if (is_standard_stream(options.output))
-        refuse(command, {"--separations"}, "makes several files; name one to call them after");
+        refuse(command, {"--separations", "--pen-files"}, "makes several files; name one to call them after");
     if (!has_pixels(format))
         refuse(command, {"--bits"}, "is of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
     const DrawingSettings& drawing = options.drawing;

@@ -167,6 +167,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->default_str("8")
         ->group("Page");
     add_flag(*command, setting::separations, options_.saving.separations)->group("Page");
+    add_flag(*command, setting::pen_files, options_.saving.pen_files)->group("Page");
     add_flag(*command, setting::background, options_.drawing.background)->group("Page");
     add_flag(*command, setting::show_tiles, options_.drawing.show_tiles)->group("Page");
     add_flag(*command, setting::registration, options_.drawing.registration)->group("Page");

@@ -10,21 +10,32 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
+#include "app/files/separations.h"
 #include "app/shown_text.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {
 namespace {
 
-// Of a file that was saved; none of the standard output or a pipe.
-std::optional<std::uint64_t> bytes_in(const std::filesystem::path& output) {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(output, error);
-    if (error || is_standard_stream(output)) return std::nullopt;
+// Of the drawing that was saved, or of the files that each pen has in its place; none of the standard output
+// or a pipe.
+std::optional<std::uint64_t> bytes_written(const RenderOptions& options, const Rendered& drawn) {
+    if (is_standard_stream(options.output)) return std::nullopt;
+    std::vector<std::filesystem::path> files{options.output};
+    const DrawingFormat format = format_of(options);
+    if (has_pen_files(format, options.saving, drawn.pens))
+        files = files_of(options.output, format, options.saving, drawn.pens);
+    std::uint64_t bytes = 0;
+    for (const std::filesystem::path& file : files) {
+        std::error_code error;
+        bytes += std::filesystem::file_size(file, error);
+        if (error) return std::nullopt;
+    }
     return bytes;
 }
 
@@ -73,7 +84,7 @@ std::string strokes_in_words(const StrokeFigures& strokes) {
 }  // namespace
 
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
-    const std::optional<std::uint64_t> bytes = bytes_in(options.output);
+    const std::optional<std::uint64_t> bytes = bytes_written(options, drawn);
     const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
     const std::string saved =
         drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m)
@@ -231,7 +242,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"strokes", strokes},
         {"pens", pens_json(drawn)},
         {"nearest", drawn.evenness ? json_of(drawn.evenness->all) : nlohmann::ordered_json()},
-        {"file_bytes", bytes_in(options.output).value_or(0)},
+        {"file_bytes", bytes_written(options, drawn).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
         {"read_ms", drawn.times.read},

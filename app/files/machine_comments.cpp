@@ -29,7 +29,8 @@ std::vector<std::string> machine_comments(const DrawingToSave& drawing,
     const SavingChoice& saving = drawing.saving;
     const Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
     const PlottingTime time = time_for(drawing, strokes, speeds_for(machine, format, saving));
-    return {fmt::format("{} dots on a page of {:.4g} x {:.4g} mm", grouped(drawing.dots.count),
+    const std::string by = drawing.pens.size() == 1 ? " by the pen " + drawing.pens[0].name : "";
+    return {fmt::format("{} dots{} on a page of {:.4g} x {:.4g} mm", grouped(drawing.dots.count), by,
                         drawing.page.width_mm, drawing.page.height_mm),
             "0 0 is the lower left corner of the page",
             fmt::format("{} on {}", time_in_words(time.total_s()), words_for(machine))};

@@ -262,16 +262,28 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
         write_drawing(out, format, settings, ordered, title, progress);
         progress(1);
     };
+    const auto for_each_pen = [&](const auto& write_pen) {
+        for (std::size_t pen = 0; pen < drawing.pens.size(); ++pen)
+            save_atomically(file_of_pen(path, pen, drawing.pens[pen]),
+                            [&](std::ostream& out) { write_pen(out, pen); });
+    };
     try {
-        if (to_standard_output)
+        if (to_standard_output) {
             write_to_standard_output(write);
-        else
-            save_atomically(path, write);
-        const bool separate = drawing.saving.separations && has_pixels(format) && !to_standard_output;
-        for (std::size_t pen = 0; separate && pen < drawing.pens.size(); ++pen)
-            save_atomically(separation_file(path, pen, drawing.pens[pen]), [&](std::ostream& out) {
-                write_separation(out, format, settings, ordered, static_cast<int>(pen), progress);
+        } else if (has_pen_files(format, drawing.saving, drawing.pens)) {
+            for_each_pen([&](std::ostream& out, std::size_t pen) {
+                const auto done = static_cast<double>(pen), pens = static_cast<double>(drawing.pens.size());
+                write_drawing(out, format, settings, drawing_of_pen(ordered, pen), title,
+                              [&](double share) { progress((done + share) / pens); });
             });
+            progress(1);
+        } else {
+            save_atomically(path, write);
+            if (has_separations(format, drawing.saving, drawing.pens))
+                for_each_pen([&](std::ostream& out, std::size_t pen) {
+                    write_separation(out, format, settings, ordered, pen, progress);
+                });
+        }
     } catch (const Stopped&) {
         return false;
     }

@@ -93,8 +93,9 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                    const DrawingToSave& drawing, const std::string& title,
                    const WritingProgress& progress = {});
 
-/// Writes what the format or the name's ending says, and separations beside it if they are asked for; to the
-/// standard output if the name is kStandardStream, which needs a format and takes no TIFF. Returns false if
+/// Writes what the format or the name's ending says, and files for each pen if they are asked for: see
+/// files_of() in separations.h. To the standard output if the name is kStandardStream, which needs a format
+/// and takes no TIFF, and has all in one. Returns false if
 /// stopped. Throws what drawing_format() and save_atomically() throw, or if the format cannot hold such a
 /// drawing. In both cases an existing file stays as it was.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <ostream>
 
 #include "app/files/atomic_file.h"
+#include "app/files/drawing_format.h"
+#include "app/files/separations.h"
 #include "app/shown_text.h"
 #include "core/output/assembly_plan.h"
 
@@ -22,10 +26,14 @@ fs::path plan_file(const fs::path& drawing) {
     return sheet_file(drawing, "plan").replace_extension(".svg");
 }
 
-std::vector<fs::path> files_of(const fs::path& drawing, const Sheet& sheets) {
-    if (!is_several(sheets)) return {drawing};
+std::vector<fs::path> files_of(const fs::path& drawing, const Sheet& sheets, const SavingChoice& saving,
+                               std::span<const Pen> pens) {
+    const DrawingFormat format = drawing_format(drawing);
+    if (!is_several(sheets)) return files_of(drawing, format, saving, pens);
     std::vector<fs::path> files;
-    for (const Sheet& sheet : all_sheets(sheets)) files.push_back(sheet_file(drawing, name_of(sheet)));
+    for (const Sheet& sheet : all_sheets(sheets))
+        std::ranges::copy(files_of(sheet_file(drawing, name_of(sheet)), format, saving, pens),
+                          std::back_inserter(files));
     files.push_back(plan_file(drawing));
     return files;
 }

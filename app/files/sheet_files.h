@@ -2,10 +2,13 @@
 // The files of a mural: one for each sheet, and the plan of how they join.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/drawing_settings.h"
 #include "core/output/sheet.h"
+#include "core/pens/pen.h"
 #include "core/text/length.h"
 
 namespace dapple {
@@ -16,8 +19,10 @@ std::filesystem::path sheet_file(const std::filesystem::path& drawing, const std
 /// "mural-plan.svg", whatever the drawing's format.
 std::filesystem::path plan_file(const std::filesystem::path& drawing);
 
-/// All that is written for a drawing of that name: itself, or the sheets and their plan.
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& drawing, const Sheet& sheets);
+/// All that is written for a drawing of that name: itself, or the sheets and their plan; each with what there
+/// is for each pen, see separations.h.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& drawing, const Sheet& sheets,
+                                            const SavingChoice& saving = {}, std::span<const Pen> pens = {});
 
 /// Writes the plan. Throws what save_atomically() throws.
 void save_assembly_plan(const std::filesystem::path& drawing, const PageSize& page, const Sheet& sheets);

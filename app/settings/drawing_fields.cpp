@@ -116,7 +116,7 @@ static void describe(Fields& fields, OwnTemplate& own) {
 
 void describe(Fields& fields, SavingChoice& saving) {
     auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s, acceleration_mm_per_s2,
-           pen_up, pen_down, laser_power, separations] = saving;
+           pen_up, pen_down, laser_power, separations, pen_files] = saving;
     fields.choice(setting::order, order);
     fields.number(setting::dpi, dpi);
     fields.choice(setting::gcode_tool, tool);
@@ -130,6 +130,7 @@ void describe(Fields& fields, SavingChoice& saving) {
     fields.number(setting::pen_down, pen_down);
     fields.number(setting::laser_power, laser_power);
     fields.flag(setting::separations, separations);
+    fields.flag(setting::pen_files, pen_files);
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

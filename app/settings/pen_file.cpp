@@ -120,4 +120,17 @@ PenChoice read_pens(const std::filesystem::path& file) {
     }
 }
 
+std::string pens_text(const Palette& pens) {
+    std::string text;
+    for (const Pen& pen : pens) {
+        nlohmann::ordered_json json{{"name", pen.name}, {"colour", hex_of(pen.colour)}};
+        // Without a width a pen has neither.
+        if (pen.width_mm > 0) json["width_mm"] = std::max(pen.width_mm, kFinestPenMm);
+        if (pen.width_mm > 0 && pen.gap_mm > 0) json["gap_mm"] = pen.gap_mm;
+        if (pen.width_mm > 0 && pen.gain_mm > 0) json["gain_mm"] = pen.gain_mm;
+        text += (text.empty() ? "[" : ",\n ") + json.dump();
+    }
+    return text + "]\n";
+}
+
 }  // namespace dapple

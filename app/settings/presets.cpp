@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <system_error>
 
-#include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/settings/drawing_fields.h"
+#include "app/settings/named_files.h"
 #include "app/settings/project.h"
 #include "app/settings/settings_text.h"
 #include "app/settings/xdg_folders.h"
@@ -18,8 +17,6 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kLongestName = 60;
 
 PageSetup upright_page(Paper paper, double margin_mm) {
     PageSetup page;
@@ -76,22 +73,14 @@ std::vector<Preset> made_presets() {
     };
 }
 
-fs::path file_of_preset(const std::string& name, const fs::path& folder) {
-    return folder / (name + kProjectEnding);
-}
-
-bool is_built_in(const std::string& name) {
-    return std::ranges::count(built_in_presets(), name, &Preset::name) > 0;
+NamedFiles files_in(const fs::path& folder) {
+    NamedFiles files{.folder = folder, .what = "preset", .ending = kProjectEnding};
+    for (const Preset& preset : built_in_presets()) files.built_in.push_back(preset.name);
+    return files;
 }
 
 Describe all_of_preset(SavedSettings& settings) {
     return [&](Fields& fields) { describe_drawing(fields, settings.drawing, settings.saving); };
-}
-
-bool names_a_file(const std::string& name) {
-    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
-    return !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
-           name.find('/') == name.npos && std::ranges::none_of(name, is_control) && printable(name) == name;
 }
 
 }  // namespace
@@ -107,25 +96,15 @@ fs::path presets_folder() {
 }
 
 std::vector<std::string> own_presets(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    if (folder.empty()) return names;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const std::string name = entry->path().stem().string();
-        const bool is_one = entry->path().extension() == kProjectEnding && names_a_file(name);
-        if (is_one && !is_built_in(name)) names.push_back(name);
-    }
-    std::ranges::sort(names);
-    return names;
+    return files_in(folder).names();
 }
 
 Preset preset_named(const std::string& name, const fs::path& folder) {
     const auto& built_in = built_in_presets();
     const auto found = std::ranges::find(built_in, name, &Preset::name);
     if (found != built_in.end()) return *found;
-    std::error_code ignored;
-    const fs::path file = file_of_preset(name, folder);
-    if (folder.empty() || !names_a_file(name) || !fs::exists(file, ignored))
+    const fs::path file = files_in(folder).find(name);
+    if (file.empty())
         throw std::runtime_error(fmt::format(
             "there is no preset \"{}\"; `dapple presets` lists those there are", printable(name)));
     Preset preset{name, "", {}};
@@ -134,29 +113,13 @@ Preset preset_named(const std::string& name, const fs::path& folder) {
 }
 
 void save_preset(const std::string& name, const SavedSettings& settings, const fs::path& folder) {
-    if (!names_a_file(name))
-        throw std::runtime_error(fmt::format(
-            "\"{}\" is no name for a preset; give one of 1 to {} letters that has no / and does not begin "
-            "with a point",
-            printable(name), kLongestName));
-    if (is_built_in(name))
-        throw std::runtime_error(
-            fmt::format("the preset {} comes with the program and stays; give another name", name));
-    if (folder.empty())
-        throw std::runtime_error("there is no home folder to keep presets in; set HOME to one");
-    fs::create_directories(folder);
-    const fs::path file = file_of_preset(name, folder);
+    const NamedFiles files = files_in(folder);
     SavedSettings written = settings;
-    const std::string text = settings_text("", {file}, all_of_preset(written));
-    save_atomically(file, [&](std::ostream& out) { out << text; });
+    files.save(name, settings_text("", {files.path_of(name)}, all_of_preset(written)));
 }
 
 void remove_preset(const std::string& name, const fs::path& folder) {
-    std::error_code error;
-    const bool could = !folder.empty() && names_a_file(name);
-    if (!could || !fs::remove(file_of_preset(name, folder), error))
-        throw std::runtime_error(fmt::format("the preset {} cannot be removed, {}", printable(name),
-                                             error ? error.message() : "there is none of that name"));
+    files_in(folder).remove(name);
 }
 
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/files/tile_library.h"
+#include "app/settings/palettes.h"
 #include "app/settings/presets.h"
 #include "app/settings/xdg_folders.h"
 #include "app/viewer/shell/drawing_document.h"
@@ -31,7 +32,8 @@ int run_viewer(const ViewerOptions& options) {
     Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh),
                 thumbnails_of_person(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
-                                                       options.fresh ? "" : presets_folder()));
+                                                       options.fresh ? "" : presets_folder(),
+                                                       options.fresh ? "" : palettes_folder()));
 }
 
 int run_viewer(const LightViewerOptions& options) {

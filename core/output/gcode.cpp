@@ -206,7 +206,7 @@ void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, co
 }
 
 void write_gcode_start(TextBuffer& text, const GcodeStyle& style) {
-    if (!style.pens.empty() && style.lines.pen.empty())
+    if (style.pens.size() > 1 && style.lines.pen.empty())
         throw std::runtime_error(
             "the template for G-code does not say how pens are changed; add a line that begins with pen, "
             "such as pen M0");
@@ -289,7 +289,7 @@ class GcodePen {
 
     void take(int pen) {
         if (style_.pens.empty() || std::exchange(pen_, pen) == pen) return;
-        write_gcode_pieces(text_, style_.lines.pen, style_, {.pen = pen});
+        if (style_.pens.size() > 1) write_gcode_pieces(text_, style_.lines.pen, style_, {.pen = pen});
         for (const CutMark& mark : style_.registration) {
             const auto turned = [&](glm::dvec2 p) { return glm::dvec2(p.x, page_.height_mm - p.y); };
             write_gcode_stroke(text_, std::array{turned(mark.from), turned(mark.to)}, 0, style_);

@@ -90,7 +90,7 @@ struct GcodeStyle {
     double laser_power = 250;                    // the S of its M3: of Grbl's usual 1000 ($30), a quarter
     std::span<const std::string> comments = {};  // a line each, before all others
     double dot_radius_mm = 0;                    // where dots have none of their own
-    std::span<const Pen> pens = {};              // several; none: one, which is in the machine
+    std::span<const Pen> pens = {};              // one is in the machine as it begins; none: it has no name
     std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -119,6 +120,11 @@ bool is_pen_name(std::string_view name) {
            std::ranges::all_of(name, fits);
 }
 
+bool names_pen_set(std::string_view name) {
+    const std::optional<PenSet> set = value_named<PenSet>(name);
+    return set && set != PenSet::own;
+}
+
 Palette palette_of(const PenChoice& choice) {
     if (choice.set == PenSet::own) return choice.own;
     Palette pens;
@@ -166,10 +172,9 @@ PenChoice own_pens(Palette pens) {
     if (pens.empty() || pens.size() > kMostPens)
         throw std::runtime_error(
             fmt::format("{} pens are not possible; give 1 to {}", pens.size(), kMostPens));
-    for (const PenSet set : {PenSet::one, PenSet::greys, PenSet::cmyk, PenSet::automatic})
-        if (pens.front().name == name_of(set))
-            throw std::runtime_error(
-                fmt::format("{} is a set of pens; give the pen another name", pens.front().name));
+    if (names_pen_set(pens.front().name))
+        throw std::runtime_error(
+            fmt::format("{} is a set of pens; give the pen another name", pens.front().name));
     return {.set = PenSet::own, .own = std::move(pens)};
 }
 

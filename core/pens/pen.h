@@ -50,6 +50,8 @@ inline constexpr double kUsualBlack = 0.5;
 constexpr auto names_of(PenSet) {
     return names("one", "greys", "cmyk", "own", "auto");
 }
+/// Whether it is one of those that need no pens of one's own, which text that begins so is read as.
+bool names_pen_set(std::string_view name);
 
 /// In which order several pens draw. Of equally light ones, as they are listed.
 enum class PenOrder {

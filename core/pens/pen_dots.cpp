@@ -128,10 +128,12 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
     Dots dots = along_curve(placed);
     Sharing sharing(dots, densities, request);
     PenLabels labels = shared_out(sharing.to_share());
-    exchange_labels(sharing.to_share(), labels, kFirstSweeps, request.threads);
+    // Dots move by less than the distance between them, so that those near each other stay so.
+    LabelExchange exchange(sharing.to_share(), request.threads);
+    exchange.exchange(labels, kFirstSweeps);
     for (int round = 0; request.move && round < kMovingRounds; ++round) {
         if (!sharing.move(labels, kForAll, stop)) return {};
-        exchange_labels(sharing.to_share(), labels, kSweeps, request.threads);
+        exchange.exchange(labels, kSweeps);
     }
     if (stop.stop_requested()) return {};
     DotPieces pieces;

@@ -28,8 +28,31 @@ PenLabels shared_out(const DotsToShare& dots);
 
 /// Dots that lie near each other exchange their pens wherever that lowers the energy of each pen's dots, a
 /// sum over pairs of the same pen of exp(-u / 2) + 3 exp(-2 u), u the squared distance over that at which the
-/// pen's dots would lie there, times 0.62 squared. So many times through all dots, as far as there is
-/// something to gain. Numbers of dots stay. On any number of threads the same; 0: all cores.
-void exchange_labels(const DotsToShare& dots, PenLabels& labels, int sweeps, int threads);
+/// pen's dots would lie there, times 0.62 squared. Numbers of dots stay. On any number of threads the same.
+class LabelExchange {
+ public:
+    /// Which dots are near each other is found here: later they may move by less than the distance between
+    /// them. What `dots` refers to has to live on. Threads 0: all cores.
+    LabelExchange(const DotsToShare& dots, int threads);
+
+    /// So many times through all dots, as they are now, as far as there is something to gain.
+    void exchange(PenLabels& labels, int sweeps);
+
+ private:
+    void sum_up(const PenLabels& labels, std::size_t dot);
+    void exchange_once(PenLabels& labels, bool shifted);
+    float distance2(std::size_t a, std::size_t b) const;
+    float between(std::size_t a, std::size_t b, float distance2, std::size_t pen) const;
+    bool improve(PenLabels& labels, std::size_t dot, std::size_t first, std::size_t last);
+    void relabel(PenLabels& labels, std::size_t dot, std::size_t pen, std::size_t first, std::size_t last);
+
+    DotsToShare dots_;
+    std::size_t threads_;
+    std::size_t near_ = 1;
+    std::vector<std::uint32_t> others_;  // near_ of each dot, the nearest first
+    std::vector<float> per_sigma2_;      // of each dot, pen after pen: 1 over the square of where u is 1
+    std::vector<float> energy_;          // of each dot, pen after pen
+    std::vector<float> kernel_;          // of u, at equal steps
+};
 
 }  // namespace dapple

@@ -1,5 +1,7 @@
 #include "app/viewer/model/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
@@ -7,6 +9,7 @@
 
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
+#include "app/files/separations.h"
 #include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/film/save_film.h"
@@ -290,7 +293,7 @@ void Session::save(const fs::path& path) {
             return save_placed(file, drawing, watch);
         };
     };
-    saves_[path] = settings.drawing;
+    saves_[path] = {settings.drawing, settings.saving};
     pane_.worker().save(path, prepare);
 }
 
@@ -427,20 +430,31 @@ void Session::take(TaskFailed& event) {
               .offer = picture_is_missing() ? kFindPicture : ""};
 }
 
+std::vector<fs::path> Session::files_to_save(const fs::path& path) const {
+    return files_of(path, settings.drawing.sheets, settings.saving, pane_.page().pens);
+}
+
 void Session::take(DrawingSaved& event) {
+    std::string words = event.path.string();
     if (event.path != film_path_) {
-        saved_path_ = event.path;
-        saved_sheets_ = saves_[event.path].sheets;
+        const auto& [drawing, saving] = saves_[event.path];
         const DrawingFormat format = drawing_format(event.path);
-        if (format == DrawingFormat::svg || format == DrawingFormat::png) know_safe(saves_[event.path]);
+        const bool by_pen = has_pen_files(format, saving, pane_.page().pens);
+        saved_path_ = event.path;
+        saved_files_ = files_of(event.path, drawing.sheets, saving, pane_.page().pens);
+        if (format == DrawingFormat::svg || format == DrawingFormat::png) know_safe(drawing);
+        if (is_several(drawing.sheets))
+            words =
+                sheet_files_in_words(event.path, drawing.sheets) + (by_pen ? ", a file for each pen" : "");
+        else if (by_pen)
+            words = fmt::format("{} to {}", saved_files_.front().string(),
+                                saved_files_.back().filename().string());
     }
-    const bool several = event.path != film_path_ && is_several(saved_sheets_);
-    banner = {BannerKind::notice,
-              "Saved " + (several ? sheet_files_in_words(event.path, saved_sheets_) : event.path.string())};
+    banner = {BannerKind::notice, "Saved " + words};
 }
 
 void Session::take(SavingCancelled& event) {
-    const bool several = event.path != film_path_ && is_several(saves_[event.path].sheets);
+    const bool several = event.path != film_path_ && is_several(saves_[event.path].drawing.sheets);
     banner = {BannerKind::notice,
               several ? "Cancelled: not all sheets of " + event.path.string() + " were written"
                       : "Cancelled: " + event.path.string() + " was not written"};

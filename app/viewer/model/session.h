@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
@@ -129,8 +130,10 @@ class Session {
     const std::filesystem::path& picture_path() const { return source_.picture; }  // empty: none yet
     /// The file that this picture was saved in last; empty: none yet.
     const std::filesystem::path& saved_path() const { return saved_path_; }
-    /// The sheets that it was saved as then.
-    const Sheet& saved_sheets() const { return saved_sheets_; }
+    /// What was written then.
+    const std::vector<std::filesystem::path>& saved_files() const { return saved_files_; }
+    /// What saving under that name would write, of the pens that draw at present.
+    std::vector<std::filesystem::path> files_to_save(const std::filesystem::path& path) const;
 
     /// The project that was opened or saved last, and not left for another picture; empty: none.
     const std::filesystem::path& project_path() const { return source_.project_path; }
@@ -195,9 +198,9 @@ class Session {
     OpenedPicture picture_;
     int pictures_ = 0, previews_ = 0;
     std::filesystem::path saved_path_;
-    Sheet saved_sheets_;
-    std::map<std::filesystem::path, DrawingSettings> saves_;  // under way
-    std::filesystem::path film_path_;                         // saved last
+    std::vector<std::filesystem::path> saved_files_;
+    std::map<std::filesystem::path, SavedSettings> saves_;  // under way
+    std::filesystem::path film_path_;                       // saved last
     Source source_;
     std::deque<Reading> readings_;  // in the order in which they were asked for
 };

@@ -236,6 +236,10 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
         changed |= switch_row(setting::separations, settings.saving.separations);
     }
+    if (!has_pixels(format) && !is_table(format)) {
+        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        changed |= switch_row(setting::pen_files, settings.saving.pen_files);
+    }
     if (has_order(format, settings.drawing.style))
         changed |= draw_order(settings.saving.order, usual_order(format, info.dots, settings.drawing.style));
     if (format == DrawingFormat::gcode) changed |= draw_gcode(settings.saving);

@@ -59,6 +59,12 @@ Palette palette_to_begin_with(const DrawingSettings& settings) {
                         : pens;
 }
 
+// Automatic ones are known once they drew.
+Palette pens_to_keep(const PenChoice& choice, const PensSeen& seen) {
+    if (choice.set != PenSet::automatic) return palette_of(choice);
+    return Palette(seen.drawn.begin(), seen.drawn.end());
+}
+
 bool draw_set(DrawingSettings& settings) {
     int set = static_cast<int>(settings.pens.set);
     if (!choice_row("Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
@@ -113,12 +119,6 @@ bool is_free(const Palette& pens, const std::string& name) {
     return std::ranges::find(pens, name, &Pen::name) == pens.end();
 }
 
-// A set's name would be read as that set.
-bool names_a_set(const std::string& name) {
-    return std::ranges::any_of(std::array{PenSet::one, PenSet::greys, PenSet::cmyk, PenSet::automatic},
-                               [&](PenSet set) { return name == name_of(set); });
-}
-
 // Another common pen, or a numbered one.
 Pen another(const Palette& pens) {
     for (const Pen& pen : common_pens())
@@ -139,7 +139,7 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
     ImGui::PushID(static_cast<int>(place));
     ImGui::Dummy({0, ImGui::GetTextLineHeight() / 5});
     const auto good = [&](const std::string& name) {
-        return is_pen_name(name) && !names_a_set(name) && (name == pen.name || is_free(pens, name));
+        return is_pen_name(name) && !names_pen_set(name) && (name == pen.name || is_free(pens, name));
     };
     bool changed = text_row(("Pen" + number).c_str(), pen.name, good,
                             "Up to 40 plain letters, digits, spaces and - _ . ( ), and no other pen's name",
@@ -230,9 +230,11 @@ void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
 
 }  // namespace
 
-bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
+bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen,
+                    const KeptPalettes& kept) {
     if (!section("Pens")) return false;
     bool changed = draw_set(settings);
+    if (kept.row) changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     changed |= draw_made_set(settings.pens, unit);
     changed |= draw_order(settings.pens);
     {

@@ -8,6 +8,7 @@
 
 #include "app/settings/presets.h"
 #include "app/viewer/model/banner.h"
+#include "app/viewer/panels/kept_row.h"
 #include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {
@@ -28,13 +29,10 @@ class PresetRow {
  private:
     void read(Banner& banner);
     bool draw_preset(const Preset& preset, bool marked, const SavedSettings& now, const Preview& preview);
-    void draw_naming(const SavedSettings& now, Banner& banner);
 
     std::filesystem::path folder_;
     std::vector<Preset> presets_;  // all that can be chosen; empty: not read yet
-    bool naming_ = false;          // the settings are about to be saved as one,
-    std::string typed_;            // of this name
-    bool ask_for_keys_ = false;    // its field is to have the keyboard
+    KeptRow row_;
 };
 
 }  // namespace dapple

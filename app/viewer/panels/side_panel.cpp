@@ -68,13 +68,14 @@ void draw_picture_section(Session& session) {
     draw_mask_panel(drawing.mask, session.brush);
 }
 
-void draw_settings(Session& session) {
+void draw_settings(Session& session, PaletteRow* palettes) {
     ViewerSettings& settings = session.settings;
     draw_picture_section(session);
     const DrawnInfo drawn = session.drawn(session.pane());
     draw_dots_panel(settings.drawing, drawn, settings.unit);
     draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
-    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens});
+    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens},
+                   {palettes, &session.banner});
 }
 
 void draw_method(Session& session, const std::function<void()>& open_tile) {
@@ -99,7 +100,7 @@ void draw_export_section(const std::function<void(Action)>& act) {
 }  // namespace
 
 void SidePanel::draw_rows(Session& session) {
-    draw_settings(session);
+    draw_settings(session, nullptr);
     section("The method");
     draw_method(session, [] {});
 }
@@ -117,7 +118,7 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
     presets_.draw(
         {settings.drawing, settings.saving},
         [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
-    draw_settings(session);
+    draw_settings(session, &palettes_);
     draw_export_section(act);
     OpenSections open{.method = section("The method", false)};
     if (open.method) {

@@ -7,6 +7,7 @@
 
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/action_buttons.h"
+#include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/panels/spectrum_panel.h"
@@ -34,8 +35,9 @@ struct OpenSections {
 /// That of a drawing: what an artist does, from the picture to the file, and at last the method.
 class SidePanel {
  public:
-    /// `presets` is the folder of the person's own: see preset_row.h.
-    explicit SidePanel(std::filesystem::path presets = {}) : presets_(std::move(presets)) {}
+    /// The folders of the person's own: see preset_row.h and palette_row.h.
+    explicit SidePanel(std::filesystem::path presets = {}, std::filesystem::path palettes = {})
+        : presets_(std::move(presets)), palettes_(std::move(palettes)) {}
 
     /// Its rows alone, to be listed: see RowListing.
     static void draw_rows(Session& session);
@@ -46,6 +48,7 @@ class SidePanel {
 
  private:
     PresetRow presets_;
+    PaletteRow palettes_;
     TilePanelState tile_;
     int tiles_seen_ = 0;
 };

@@ -13,7 +13,6 @@
 
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
-#include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
@@ -82,12 +81,12 @@ DrawingSettings drawing_to_begin_with(DrawingSettings kept, const std::optional<
 }  // namespace
 
 DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile,
-                                 const KeptView& view, const fs::path& presets)
+                                 const KeptView& view, const fs::path& presets, const fs::path& palettes)
     : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
       spectrum_(Measure::everything, &Window::wake),
       left_repetition_(Measure::repetition, &Window::wake),
       right_repetition_(Measure::repetition, &Window::wake),
-      side_panel_(presets),
+      side_panel_(presets, palettes),
       previews_(&Window::wake),
       mask_reading_(&Window::wake),
       plot_(&Window::wake) {
@@ -170,17 +169,20 @@ fs::path DrawingDocument::folder_to_save_in() const {
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save() const {
     const fs::path& saved = session_.saved_path();
-    const Sheet sheets = session_.settings.drawing.sheets;
+    const std::vector<fs::path>& own = session_.saved_files();
     const fs::path name = fs::path(session_.picture().name).stem().concat(".svg");
     std::vector<FileFormat> formats;
     for (const DrawingFormatName& each : kDrawingFormats)
         formats.push_back({each.shown, each.ending, each.others});
+    const auto was_written = [&](const fs::path& file) { return std::ranges::find(own, file) != own.end(); };
+    const bool is_own = !saved.empty() && std::ranges::all_of(session_.files_to_save(saved), was_written);
     return SaveQuestion{.title = "Export the drawing",
                         .formats = std::move(formats),
                         .start = saved.empty() ? folder_to_save_in() / name : saved,
-                        .own_file = session_.saved_sheets() == sheets ? saved : fs::path(),
+                        .own_file = is_own ? saved : fs::path(),
+                        .own_files = own,
                         .has_options = true,
-                        .files = [sheets](const fs::path& chosen) { return files_of(chosen, sheets); }};
+                        .files = [this](const fs::path& chosen) { return session_.files_to_save(chosen); }};
 }
 
 std::optional<SaveQuestion> DrawingDocument::where_to_save_project() const {

@@ -32,7 +32,8 @@ class DrawingDocument : public Document {
     /// tile that is given is drawn with, whatever a project says. Throws std::runtime_error if the project
     /// cannot be read.
     DrawingDocument(const std::optional<std::filesystem::path>& image, const std::optional<std::string>& tile,
-                    const KeptView& view = {}, const std::filesystem::path& presets = {});
+                    const KeptView& view = {}, const std::filesystem::path& presets = {},
+                    const std::filesystem::path& palettes = {});
 
     std::span<const Shortcut> shortcuts() const override;
     void open(const std::filesystem::path& file) override { session_.take_dropped(file); }

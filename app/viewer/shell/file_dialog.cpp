@@ -181,7 +181,7 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::st
         trouble_ = "That is a folder.";
     } else if (!refusal.empty()) {
         trouble_ = "That cannot be written; above it says why.";
-    } else if (replaced_ = files_there(path); !replaced_.empty() && path != question_.own_file) {
+    } else if (replaced_ = files_there(path); !replaced_.empty()) {
         replaces_ = path;
     } else {
         return path;
@@ -200,7 +200,12 @@ const FolderEntry* FileDialog::entry_begun() const {
 
 std::vector<fs::path> FileDialog::files_there(const fs::path& name) const {
     std::vector<fs::path> files = question_.files ? question_.files(name) : std::vector{name};
-    std::erase_if(files, [](const fs::path& file) { return !is_there(file); });
+    const auto is_own = [&](const fs::path& file) {
+        const auto& own = question_.own_files;
+        if (name != question_.own_file) return false;
+        return own.empty() ? file == name : std::ranges::find(own, file) != own.end();
+    };
+    std::erase_if(files, [&](const fs::path& file) { return !is_there(file) || is_own(file); });
     return files;
 }
 

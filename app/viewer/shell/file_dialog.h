@@ -53,6 +53,7 @@ struct SaveQuestion {
     std::vector<FileFormat> formats{};  // the first is chosen unless the name's ending says another
     std::filesystem::path start{};      // its folder is opened, its name filled in
     std::filesystem::path own_file{};   // replaced without asking; none: empty
+    std::vector<std::filesystem::path> own_files{};  // that are then; none: itself
     bool has_options = false;           // draw() is given some, with room as they need it
     const char* button = "Export";
     bool begins_below = false;  // one of its rows has the keys at first (WidgetNotes::reveal), not the name
