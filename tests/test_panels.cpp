@@ -192,10 +192,10 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
     f.ui.frame(1);
     CHECK(f.ui.has("Tip"));
     // Nothing moves beneath the pointer when there are that many.
-    const WidgetPlace below = f.ui.place("Radius");
+    const WidgetPlace below = f.ui.place("Radius, mm");
     f.drawn.dots = 7'654'321;
     f.ui.frame();
-    CHECK(f.ui.place("Radius") == below);
+    CHECK(f.ui.place("Radius, mm") == below);
 }
 
 TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
