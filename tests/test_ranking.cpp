@@ -88,8 +88,8 @@ TEST_CASE("neither order leaves a tile's border to the end") {
             for (std::size_t i = 0; i < tile.size(); ++i) count(tile.points[i], ranking.tile[i]);
             for (std::size_t i = 0; i < newborns.size(); ++i) count(newborns[i].position, ranking.newborn[i]);
             const double even = shown * (1 - std::pow(1 - 2 * strip, 2));
-            CHECK(held > 0.88 * even);
-            CHECK(held < 1.12 * even);
+            CHECK(held > 0.85 * even);
+            CHECK(held < 1.15 * even);
         }
     }
 }

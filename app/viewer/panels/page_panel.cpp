@@ -110,14 +110,13 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
         const Greyed greyed(is_several(sheets) ? nullptr : "One sheet shares nothing.");
         changed |= slider_row(setting::overlap, sheets.overlap_mm, {.unit = unit});
     }
-    // Always a line, so that rows below keep their places.
+    if (!is_several(sheets)) return changed;
     try {
-        hint(is_several(sheets) ? (sheets_in_words(drawn, sheets, unit) + ".").c_str() : "One sheet.");
+        hint((sheets_in_words(drawn, sheets, unit) + ".").c_str());
         note_place("Sheets");
     } catch (const std::runtime_error& error) {
-        hint("No sheets: their overlap is too wide.");
+        hint((std::string("No sheets: ") + error.what() + ".").c_str());
         note_place("No sheets");
-        tip((std::string(error.what()) + ".").c_str());
     }
     return changed;
 }

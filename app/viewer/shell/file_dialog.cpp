@@ -455,7 +455,8 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options, const Thumb
     const bool typing = ImGui::GetIO().WantTextInput;
     // Who was asked whether to replace answers first; nothing that is pressed now is another choice.
     const bool asked = !replaces_.empty();
-    const bool entered = draw_path() && has_keys;
+    const bool opens = ImGui::IsWindowAppearing();  // by an Enter, perhaps, which then accepts nothing
+    const bool entered = draw_path() && has_keys && !opens;
     // Escape first ends what is typed elsewhere.
     const bool escape = has_keys && escape_pressed() && (!typing || path_has_keys_);
     Wanted wanted = draw_lists(thumbnail);
