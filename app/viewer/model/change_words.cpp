@@ -23,12 +23,12 @@ std::string words_of(std::string field) {
     return field;
 }
 
-// Whether a group's changes are one, of its own row: a margin on all sides, a frame that is dragged, a switch
-// that says what goes with it, a template and its name.
+// Whether what has several parts was changed as one, by its own row: a switch that says what goes with it,
+// margins made alike, a frame that was dragged, and what is always chosen as a whole.
 bool is_one_change(const std::string& name, const nlohmann::ordered_json& changed) {
-    const std::size_t count = changed.size();
-    return changed.contains("on") || name == "mask" || name == "gcode_template" ||
-           (name == "margins_mm" && count == 4) || (name == "crop" && count > 1);
+    const bool several = changed.size() > 1;
+    return changed.contains("on") || (several && (name == "margins_mm" || name == "crop")) ||
+           name == "tile" || name == "mask" || name == "gcode_template";
 }
 
 void collect_rows(const std::string& before, const nlohmann::ordered_json& changed, const Rows& known,

@@ -116,7 +116,8 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     if (kept(kFocus) != id) return {};
     keep(kSeen, 1);
     if (!kept(kCovered)) show_ring(low, high);
-    if (!here || !had || tab || typing) return {.focused = true};
+    // Nor is the key that brought it here its own.
+    if (!here || !had || tab || typing || revealed) return {.focused = true};
     const bool enter = key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
     return {.focused = true,
             .press = enter || key_pressed(Key::space),
