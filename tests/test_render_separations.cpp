@@ -196,7 +196,7 @@ TEST_CASE("with pen files each pen's file has its own dots alone, and waits for 
             const Plotted own = plotted("own" + pens[pen]);
             // A plotter is told to take the first pen; no other machine waits.
             CHECK(own.changes.size() == (ending == ".hpgl" ? 1 : 0));
-            REQUIRE(own.dots.size() > 50);
+            REQUIRE(own.dots.size() > 20);
             REQUIRE(dots + own.dots.size() <= all.dots.size());
             const auto from = all.dots.begin() + static_cast<std::ptrdiff_t>(dots);
             CHECK(std::equal(own.dots.begin(), own.dots.end(), from));
