@@ -157,8 +157,12 @@ void compare_rested(const RunningViewer& viewer, const Look& look, const std::st
 
 TEST_CASE("each section of the panels looks as it did, in each theme, at both scales") {
     if (!are_there()) return;
-    for (const Look& look :
-         {Look{"light", 1}, {"dark", 1}, {"high_contrast", 1}, {"light", 2}, {"dark", 2}}) {
+    for (const Look& look : {Look{"light", 1},
+                             {"dark", 1},
+                             {"high_contrast", 1},
+                             {"light", 2},
+                             {"dark", 2},
+                             {"high_contrast", 2}}) {
         const int scale = look.scale;
         const Display display(700 * scale, 3000 * scale, 96 * scale);
         const Home home(look);

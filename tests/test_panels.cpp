@@ -314,16 +314,21 @@ TEST_CASE("a mural's sheets share strips, and say how large they are or why they
     PageSetup setup;
     Sheet sheets;
     LengthUnit unit = LengthUnit::mm;
-    HeadlessUi ui([&] { draw_page_panel(setup, sheets, {200, 150, 200}, unit); });
+    HeadlessUi ui([&] {
+        draw_page_panel(setup, sheets, {200, 150, 200}, unit);
+        wide_button("Below", "");
+    });
     CHECK(sheets == Sheet{});
-    CHECK_FALSE(ui.has("Sheets"));
+    const WidgetPlace below = ui.place("Below");
     ui.enter("Sheets across", "2");
     ui.enter("Sheets down", "3");
     ui.enter("Overlap, mm", "1.5cm");
     CHECK(sheets == Sheet{.columns = 2, .rows = 3, .overlap_mm = 15});
     CHECK(ui.has("Sheets"));
+    CHECK(ui.place("Below") == below);
     ui.enter("Overlap, mm", "120");
     CHECK(ui.has("No sheets"));
+    CHECK(ui.place("Below") == below);
     ui.enter("Sheets across", "1000");
     CHECK(sheets.columns == kMostSheetsAtOnce);
 }

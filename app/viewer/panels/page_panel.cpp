@@ -110,13 +110,14 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
         const Greyed greyed(is_several(sheets) ? nullptr : "One sheet shares nothing.");
         changed |= slider_row(setting::overlap, sheets.overlap_mm, {.unit = unit});
     }
-    if (!is_several(sheets)) return changed;
+    // Always a line, so that rows below keep their places.
     try {
-        hint((sheets_in_words(drawn, sheets, unit) + ".").c_str());
+        hint(is_several(sheets) ? (sheets_in_words(drawn, sheets, unit) + ".").c_str() : "One sheet.");
         note_place("Sheets");
     } catch (const std::runtime_error& error) {
-        hint((std::string("No sheets: ") + error.what() + ".").c_str());
+        hint("No sheets: their overlap is too wide.");
         note_place("No sheets");
+        tip((std::string(error.what()) + ".").c_str());
     }
     return changed;
 }
