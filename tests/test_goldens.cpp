@@ -168,6 +168,11 @@ TEST_CASE("each section of the panels looks as it did, in each theme, at both sc
         const Home home(look);
         RunningViewer viewer({}, {}, home.memory());
         viewer.resize(700 * scale, 3000 * scale);
+        // Where rows were in the larger window there is no screen.
+        REQUIRE(viewer.shows([&] {
+            const json widgets = viewer.status()["widgets"];
+            return widgets.contains("Mask") && widgets["Mask"][2] < 700 * scale;
+        }));
         REQUIRE(viewer.is_relaxed());
         for (const char* folded : {"Mask", "The method"}) {
             const json before = viewer.status()["widgets"].size();

@@ -1,0 +1,232 @@
+// What the rows of dots do. Clicked and dragged without a window.
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/shown_text.h"
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/method_panel.h"
+#include "tests/headless_ui.h"
+
+namespace dapple {
+namespace {
+
+const std::array<std::string, 2> kTiles{"paper16", "wild64"};
+
+struct DotsUi {
+    ViewerSettings all = {};
+    DrawingSettings& settings = all.drawing;
+    DrawnInfo drawn{.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25};
+    HeadlessUi ui{[this] {
+        draw_dots_panel(settings, drawn);
+        draw_method_rows(all, {kTiles});
+    }};
+};
+
+}  // namespace
+
+TEST_CASE("going from count to scale and back keeps the drawing") {
+    DotsUi f;
+    REQUIRE(f.settings.placing.count == kDefaultDots);
+    f.ui.click("tone");
+    CHECK_FALSE(f.settings.placing.count);
+    CHECK(f.settings.placing.scale == 777);
+    f.ui.click("number");
+    CHECK(f.settings.placing.count == 12'345);
+}
+
+TEST_CASE("the scale slider is logarithmic") {
+    DotsUi f;
+    f.ui.click("tone");
+    f.ui.drag("Fineness", 0.3f, 0.5f);
+    CHECK(f.settings.placing.scale == doctest::Approx(1000).epsilon(0.05));
+    f.ui.drag("Fineness", 0.5f, 1.0f);
+    CHECK(f.settings.placing.scale == 100'000);
+}
+
+TEST_CASE("the count slider gives whole numbers") {
+    DotsUi f;
+    f.ui.drag("Dots", 0.2f, 1.0f);
+    CHECK(f.settings.placing.count == 2'000'000);
+    f.ui.drag("Dots", 0.9f, 0.0f);
+    CHECK(f.settings.placing.count == 100);
+}
+
+TEST_CASE("a typed count is at most what fits into memory, and the panel says why") {
+    DotsUi f;
+    f.drawn.most_dots = 7'654'321;
+    f.ui.frame();
+    f.ui.enter("Dots", "99999999999");
+    CHECK(f.settings.placing.count == 7'654'321);
+    CHECK(f.ui.has("Refusal"));
+    f.ui.move_to({1, 899});
+    f.ui.frame(5);
+    CHECK_FALSE(f.ui.has("Tip"));
+    f.ui.move_to(f.ui.at("Dots", 0.3f));
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
+    // Nothing moves beneath the pointer when there are that many.
+    const WidgetPlace below = f.ui.place("Radius, mm");
+    f.drawn.dots = 7'654'321;
+    f.ui.frame();
+    CHECK(f.ui.place("Radius, mm") == below);
+}
+
+TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
+    DotsUi f;
+    f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
+    f.ui.click("tone");
+    f.ui.enter("Fineness", "99999999999");
+    CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
+    f.ui.drag("Fineness", 0.5f, 1.0f);
+    CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
+}
+
+TEST_CASE("no value is so long that it reaches over its slider's track") {
+    DotsUi f;
+    for (const std::uint64_t count : {2'000'000ull, 1'000'000'000ull}) {
+        f.settings.placing.count = count;
+        f.ui.frame();
+        const WidgetPlace value = f.ui.place("Dots value"), track = f.ui.place("Dots");
+        CHECK(value.min.x >= track.max.x);
+        CHECK(value.max.x - value.min.x > ImGui::CalcTextSize(grouped(count).c_str()).x);
+        CHECK(track.max.x - track.min.x > 60);
+    }
+}
+
+TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row moves meanwhile") {
+    DotsUi f;
+    const DrawingSettings before = f.settings;
+    const auto rows = [&] {
+        std::vector<WidgetPlace> places;
+        for (const char* row : {"Dots", "Even out", "exact", "Tile", "Ranking"})
+            places.push_back(f.ui.place(row));
+        return places;
+    };
+    const std::vector<WidgetPlace> places = rows();
+    f.ui.click("Figure 8");
+    CHECK(f.settings.placer == PlacerKind::figure8);
+    CHECK(f.settings.placing.count == before.placing.count);
+    CHECK(tile_in_use(f.settings) == "paper16");
+    CHECK(rows() == places);
+    f.ui.click("exact");
+    CHECK(f.settings == before);
+}
+
+TEST_CASE("what Figure 8 does not know is greyed, says why and cannot be used") {
+    DotsUi f;
+    f.ui.click("Figure 8");
+    const DrawingSettings before = f.settings;
+    f.ui.drag("Even out", 0.1f, 0.9f);
+    f.ui.click("Ranking");
+    CHECK_FALSE(f.ui.has("farthest point"));
+    CHECK(f.settings == before);
+    f.ui.move_to(f.ui.at("Even out", 0.5f));
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
+}
+
+TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
+    DotsUi f;
+    f.ui.enter("Dots", "40k");
+    CHECK(f.settings.placing.count == 40'000);
+    CHECK_FALSE(f.ui.has("Refusal"));
+    f.ui.enter("Dots", "0");
+    CHECK(f.settings.placing.count == 1);
+    CHECK(f.ui.has("Refusal"));
+    f.ui.frame(5);
+    f.ui.frame();
+    CHECK_FALSE(f.ui.has("Refusal"));
+    f.ui.enter("Dots", "many");
+    CHECK(f.settings.placing.count == 1);
+    CHECK(f.ui.has("Refusal"));
+}
+
+TEST_CASE("a fixed dot size begins at the one on screen") {
+    DotsUi f;
+    const WidgetPlace place = f.ui.place("Radius, mm");
+    f.ui.drag("Radius, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_size == DotSize{});  // greyed
+    f.ui.click("fixed");
+    CHECK(f.ui.place("Radius, mm") == place);
+    CHECK(f.settings.dot_size.sizing == DotSizing::fixed);
+    CHECK(f.settings.dot_size.radius_mm == 0.25);
+    f.ui.drag("Radius, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_size.radius_mm == 5);
+    f.ui.click("auto");
+    CHECK(f.settings.dot_size.sizing == DotSizing::automatic);
+}
+
+TEST_CASE("dots sized by tone have two radii that never cross, and no count of their own") {
+    DotsUi f;
+    f.ui.click("by tone");
+    CHECK(f.settings.dot_size.sizing == DotSizing::by_tone);
+    const std::optional<std::uint64_t> count = f.settings.placing.count;
+    f.ui.drag("Dots", 0.5f, 1.0f);
+    CHECK(f.settings.placing.count == count);  // greyed, and says why
+    f.ui.frame(1);
+    CHECK(f.ui.has("Tip"));
+    f.ui.drag("Smallest, mm", 0.5f, 1.0f);
+    CHECK(f.settings.dot_size.largest_mm >= f.settings.dot_size.smallest_mm);
+    f.ui.drag("Largest, mm", 1.0f, 0.0f);
+    CHECK(f.settings.dot_size.smallest_mm <= f.settings.dot_size.largest_mm);
+    CHECK(f.settings.dot_size.largest_mm < 0.03);
+}
+
+TEST_CASE("the relax row shows the usual steps until it is moved") {
+    DotsUi f;
+    f.drawn.steps = 4;
+    f.ui.frame();
+    CHECK_FALSE(f.settings.relax);
+    f.ui.drag("Even out", 0.2f, 1.0f);
+    CHECK(f.settings.relax == 20);
+    f.ui.drag("Even out", 1.0f, 0.0f);
+    CHECK(f.settings.relax == 0);
+}
+
+TEST_CASE("another tile and ranking can be chosen from their lists") {
+    DotsUi f;
+    f.ui.click("Tile");
+    f.ui.click("wild64");
+    CHECK(f.settings.tile == "wild64");
+    f.ui.click("Ranking");
+    f.ui.click("farthest point");
+    CHECK(f.settings.ranking == RankingMethod::farthest);
+}
+
+TEST_CASE("dots are drawn as lines or in another shape by the pen whose width is typed") {
+    DrawingSettings drawing;
+    HeadlessUi ui([&] { draw_dots_panel(drawing, {}); });
+    ui.click("Dot shape");
+    ui.click("spiral");
+    CHECK(drawing.mark.shape == DotShape::spiral);
+    ui.enter("Pen width, mm", "0.5");
+    CHECK(drawing.pen_width_mm == 0.5);
+    ui.click("one line");
+    CHECK(drawing.style == DrawingStyle::line);
+    ui.click("nearest");
+    CHECK(drawing.style == DrawingStyle::nearest);
+    ui.click("dots");
+    CHECK(drawing.style == DrawingStyle::dots);
+}
+
+TEST_CASE("a dot's own path is typed: what is none is told and changes nothing") {
+    DrawingSettings drawing;
+    drawing.mark.shape = DotShape::path;
+    drawing.mark.path = "M0,0 L1,1";
+    HeadlessUi ui([&] { draw_dots_panel(drawing, {}); });
+    ui.click("Own shape");
+    ui.key(Key::end);
+    ui.type(" L9,9");
+    CHECK(drawing.mark.path == "M0,0 L1,1");
+    CHECK(ui.has("Refusal"));
+    for (int i = 0; i < 3; ++i) ui.key(Key::backspace);
+    ui.type("1,0");
+    CHECK(drawing.mark.path == "M0,0 L1,1 L1,0");
+    CHECK_FALSE(ui.has("Refusal"));
+}
+
+}  // namespace dapple

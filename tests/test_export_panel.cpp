@@ -1,0 +1,147 @@
+// What the rows of an export do. Clicked and dragged without a window.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "app/files/gcode_choice.h"
+#include "app/viewer/panels/export_panel.h"
+#include "tests/file_text.h"
+#include "tests/headless_ui.h"
+#include "tests/temporary_folder.h"
+
+namespace dapple {
+
+TEST_CASE("an export's resolution and order are set where it is asked for, for the formats that have them") {
+    ViewerSettings settings;
+    DrawingFormat format = DrawingFormat::svg;
+    ExportInfo info{.dots = 400'000, .bytes = 23.8e6, .trouble = {}};
+    HeadlessUi ui([&] { draw_export_panel(settings, format, info); });
+    CHECK_FALSE(ui.has("Dots per inch"));
+    CHECK_FALSE(ui.has("Finding tone"));
+    info.findings = {{FindingKind::tone, "the drawing is paler than the picture", "more dots"},
+                     {FindingKind::overlap, "40 % of the dots overlap others", "fewer dots"}};
+    ui.frame();
+    CHECK(ui.has("Finding tone"));
+    CHECK(ui.has("Finding overlap"));
+    ui.click("as placed");
+    CHECK(settings.saving.order == DotOrder::recursion);
+    ui.click("short moves");
+    CHECK(settings.saving.order == DotOrder::space);
+    ui.click("shortest");
+    CHECK(settings.saving.order == DotOrder::shortest);
+    ui.click("by priority");
+    CHECK(settings.saving.order == DotOrder::priority);
+    CHECK(ui.has("Machine"));
+    CHECK(ui.has("Plotting time"));
+    ui.click("Machine");
+    ui.click("iDraw");
+    CHECK(settings.saving.machine == Machine::idraw);
+    ui.click("Paper in SVG");
+    CHECK(settings.drawing.background);
+    format = DrawingFormat::gcode;
+    ui.frame();
+    CHECK_FALSE(ui.has("Paper in SVG"));
+    ui.click("laser");
+    CHECK(settings.saving.tool == GcodeTool::laser);
+    format = DrawingFormat::png;
+    ui.frame();
+    CHECK_FALSE(ui.has("Dot order"));
+    CHECK_FALSE(ui.has("Paper in SVG"));
+    ui.enter("Dots per inch", "600");
+    CHECK(settings.saving.dpi == 600);
+    ui.click("Separations");  // greyed: of several pens only
+    CHECK_FALSE(settings.saving.separations);
+    settings.drawing.pens.set = PenSet::cmyk;
+    ui.click("Separations");
+    CHECK(settings.saving.separations);
+    format = DrawingFormat::gcode;
+    ui.frame();
+    ui.click("Pen files");
+    CHECK(settings.saving.pen_files);
+    format = DrawingFormat::png;
+    ui.frame();
+    CHECK_FALSE(ui.has("Pen files"));
+    settings.drawing.pens.set = PenSet::one;
+    ui.click("16");
+    CHECK(settings.saving.bits == 16);
+    ui.click("8");
+    CHECK(settings.saving.bits == 8);
+}
+
+TEST_CASE("what is wrong with an export is mended by a click, where there is one way to mend it") {
+    ViewerSettings settings;
+    settings.drawing.show_tiles = true;
+    settings.drawing.page.margins = {0, 7, 0, 0};
+    ExportInfo info{.dots = 400, .bytes = 1e4, .trouble = {}};
+    info.findings = {{FindingKind::hours, "plotting takes long", "8,400 dots take an hour", 8400},
+                     {FindingKind::overlap, "dots overlap", "fewer part them"},
+                     {FindingKind::joined, "dots are joined", "fewer part them"},
+                     {FindingKind::over_edge, "dots reach over", "a margin helps", 0.4},
+                     {FindingKind::fine_pixels, "dots are fine", "more pixels show them", 720},
+                     {FindingKind::tile_layer, "the layer is drawn", "leave it out"},
+                     {FindingKind::rings, "rings are drawn", "spirals fill them"}};
+    HeadlessUi ui([&] { draw_export_panel(settings, DrawingFormat::svg, info); });
+    ui.click("8,400 dots");
+    CHECK(settings.drawing.placing.count == 8400);
+    ui.click("Black 0.7");
+    CHECK(settings.drawing.tone.black == 0.7);
+    ui.frame();
+    CHECK_FALSE(ui.has("Black 0.7"));  // it would change nothing
+    ui.click("Margins of 0.4 mm");
+    CHECK(settings.drawing.page.margins == Margins{0.4, 7, 0.4, 0.4});
+    ui.click("720 dots per inch");
+    CHECK(settings.saving.dpi == 720);
+    ui.click("Leave the tile boundaries out");
+    CHECK_FALSE(settings.drawing.show_tiles);
+    ui.click("Fill the dots with spirals");
+    CHECK(settings.drawing.mark.shape == DotShape::spiral);
+}
+
+TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
+    const TemporaryFolder folder;
+    const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
+    put_text(name, says);
+    put_text(name + "x", "this is no template");
+    ViewerSettings settings;
+    HeadlessUi ui([&] {
+        draw_export_panel(settings, DrawingFormat::gcode, {.dots = 400, .bytes = 1e4, .trouble = {}});
+    });
+    SavingChoice& saving = settings.saving;
+    ui.click("Template");  // greyed: nothing happens
+    ui.type(name.c_str());
+    CHECK(saving == SavingChoice{});
+    ui.click("servo");
+    ui.click("own");
+    CHECK(saving.gcode_template.text == gcode_template_of(GcodeTool::servo));  // until a file is named
+    ui.click("Template");
+    ui.type((name + "x").c_str());
+    CHECK(ui.has("Refusal"));
+    CHECK(saving.gcode_template.file.empty());
+    ui.key(Key::backspace);
+    CHECK(saving.gcode_template == OwnTemplate{says, name});
+    ui.enter("Feed, mm/min", "1234");
+    ui.enter("Dwell, s", "0.5");
+    CHECK(saving.feed_mm_per_min == 1234);
+    CHECK(saving.dwell_s == 0.5);
+    ui.enter("Accel., mm/s2", "750");
+    CHECK(saving.acceleration_mm_per_s2 == 750);
+    CHECK(gcode_style_of(saving).lines == parse_gcode_template(says));
+    ui.enter("Pen down", "75");
+    CHECK(saving.pen_down == 75);
+    ui.enter("Laser power", "800");
+    CHECK(saving.laser_power == 800);
+    ui.click("laser");
+    CHECK(saving.gcode_template == OwnTemplate{});
+    CHECK(saving.tool == GcodeTool::laser);
+    CHECK_FALSE(saving.pen_down);  // a servo's
+}
+
+TEST_CASE("a file's size is told in round words") {
+    CHECK(size_in_words({.dots = 400'000, .bytes = 23.8e6, .trouble = {}}) == "about 24 MB, 400,000 dots");
+    CHECK(size_in_words({.dots = 1, .bytes = 500, .trouble = {}}) == "about 0.5 kB, 1 dot");
+    CHECK(size_in_words({.dots = 10, .bytes = 1.26e9, .trouble = {}}) == "about 1.3 GB, 10 dots");
+    CHECK(size_in_words({.dots = 10, .bytes = 999.9e3, .trouble = {}}) == "about 1.0 MB, 10 dots");
+}
+
+}  // namespace dapple

@@ -1,0 +1,139 @@
+// What the rows of page and crop do. Clicked and dragged without a window.
+
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <string>
+
+#include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/panels/crop_rows.h"
+#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/page_panel.h"
+#include "app/viewer/panels/pen_panel.h"
+#include "tests/headless_ui.h"
+
+namespace dapple {
+
+TEST_CASE("the page is a paper, or as large as is typed, with margins alike or each its own") {
+    PageSetup setup;
+    Sheet sheets;
+    LengthUnit unit = LengthUnit::mm;
+    const PageSize drawn{200, 150, 200};
+    HeadlessUi ui([&] {
+        draw_rotate_row(setup.quarter_turns);
+        draw_page_panel(setup, sheets, drawn, unit);
+    });
+    // A page of the picture's shape has no orientation, and one side rules.
+    ui.click("Orientation");
+    CHECK_FALSE(ui.has("landscape"));
+    ui.enter("Height, mm", "8in");
+    CHECK(*setup.height_mm == doctest::Approx(203.2));
+    ui.enter("Width, mm", "180");
+    CHECK(setup == PageSetup{.width_mm = 180});
+
+    ui.click("Paper size");
+    ui.click("A4");
+    ui.click("Orientation");
+    ui.click("landscape");
+    ui.click("fill");
+    ui.click("90");
+    ui.enter("Margin, mm", "15");
+    CHECK(setup == PageSetup{.paper = Paper::a4,
+                             .orientation = PageOrientation::landscape,
+                             .width_mm = 180,
+                             .margins = {15, 15, 15, 15},
+                             .fit = PageFit::fill,
+                             .quarter_turns = 1});
+    ui.click("each side");
+    ui.enter("Left, mm", "1in");
+    CHECK(setup.margins == Margins{15, 15, 15, 25.4});
+    ui.click("equal");
+    CHECK(setup.margins == Margins{15, 15, 15, 15});
+    ui.click("Paper size");
+    ui.click("custom");
+    CHECK(setup.width_mm == 200);
+    CHECK(*setup.height_mm == 150);
+    CHECK(setup.orientation == PageOrientation::automatic);
+}
+
+TEST_CASE("a mural's sheets share strips, and say how large they are or why they cannot be") {
+    PageSetup setup;
+    Sheet sheets;
+    LengthUnit unit = LengthUnit::mm;
+    HeadlessUi ui([&] {
+        draw_page_panel(setup, sheets, {200, 150, 200}, unit);
+        wide_button("Below", "");
+    });
+    CHECK(sheets == Sheet{});
+    const WidgetPlace below = ui.place("Below");
+    ui.enter("Sheets across", "2");
+    ui.enter("Sheets down", "3");
+    ui.enter("Overlap, mm", "1.5cm");
+    CHECK(sheets == Sheet{.columns = 2, .rows = 3, .overlap_mm = 15});
+    CHECK(ui.has("Sheets"));
+    CHECK(ui.place("Below") == below);
+    ui.enter("Overlap, mm", "120");
+    CHECK(ui.has("No sheets"));
+    CHECK(ui.place("Below") == below);
+    ui.enter("Sheets across", "1000");
+    CHECK(sheets.columns == kMostSheetsAtOnce);
+}
+
+TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept in millimetres") {
+    ViewerSettings all;
+    DrawingSettings& settings = all.drawing;
+    HeadlessUi ui([&] {
+        draw_dots_panel(settings, {}, all.unit);
+        draw_page_panel(settings.page, settings.sheets, {200, 150, 200}, all.unit);
+        draw_pen_panel(settings, all.unit);
+    });
+    ImGui::GetIO().DisplaySize.y = 2000;
+    ui.frame();
+    ui.enter("Margin, mm", "10");
+    CHECK(settings.page.margins.top == 10);
+    const DrawingSettings before = settings;
+    ui.click("inch");
+    CHECK(all.unit == LengthUnit::inch);
+    CHECK(settings == before);
+    for (const auto& [name, place] : ui.places()) {
+        const std::string& label = name;
+        CAPTURE(label);
+        CHECK(label.find(", mm") == std::string::npos);
+    }
+    ui.enter("Width, in", "8.5");
+    CHECK(settings.page.width_mm == doctest::Approx(215.9));
+    ui.enter("Margin, in", "12mm");
+    CHECK(settings.page.margins.left == doctest::Approx(12));
+    ui.click("fixed");
+    ui.enter("Radius, in", "0.01");
+    CHECK(settings.dot_size.radius_mm == doctest::Approx(0.254));
+    // A page larger than 100 m is refused in inches.
+    ui.enter("Width, in", "5000000");
+    CHECK(settings.page.width_mm == 100'000);
+    CHECK(ui.has("Refusal"));
+}
+
+TEST_CASE("the crop's rows are percent of the picture, keep a rest of it, and all of it is no crop") {
+    std::optional<Crop> crop;
+    bool framing = false;
+    HeadlessUi ui([&] { draw_crop_rows(crop, {400, 200}, framing); });
+    ui.click("Crop");
+    ui.click("Crop frame");
+    CHECK(framing);
+    ui.enter("From left, %", "25");
+    REQUIRE(crop);
+    CHECK(crop->unit == Crop::Unit::percent);
+    CHECK(crop->box == Rectangle<double>{{25, 0}, {100, 100}});
+    ui.enter("To right, %", "10");  // left of the left side
+    CHECK(crop->box.high.x > crop->box.low.x);
+    ui.enter("To right, %", "100");
+    ui.enter("From left, %", "0");
+    CHECK_FALSE(crop);
+    crop = Crop{{{100, 50}, {300, 150}}, Crop::Unit::pixels};
+    ui.enter("From top, %", "50");
+    CHECK(crop->box == Rectangle<double>{{25, 50}, {75, 75}});
+    ui.click("Crop");
+    CHECK_FALSE(framing);
+}
+
+}  // namespace dapple
