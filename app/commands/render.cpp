@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <future>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,7 @@
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
+#include "app/files/drawing_file.h"
 #include "app/files/file_size.h"
 #include "app/files/pdf_file.h"
 #include "app/files/sample.h"
@@ -110,9 +112,9 @@ Picture picture_of(const RenderOptions& options) {
 }
 
 // What the command draws, made sure to be possible.
-DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options) {
+DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options, bool thresholds) {
     DrawingRequest request = request_of(options.drawing);
-    request.placing.thresholds = is_table(format_of(options)) || options.saving.order == DotOrder::priority;
+    request.placing.thresholds = thresholds;
     DrawingPlan plan = pipeline.plan(request);
     if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(fmt::format("{}: nothing to draw, all of it is as light as the paper{}",
@@ -146,37 +148,6 @@ void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, 
     if (format == DrawingFormat::pdf) check_fits_pdf(page, dots);
 }
 
-// Dots in memory, in the order in which they are drawn.
-struct HeldDots {
-    DotPieces by_pen;                   // a piece for each
-    std::optional<double> curve_way_m;  // of the pen, before it was shortened
-};
-
-// None if they are too many, and need not be sorted.
-std::optional<HeldDots> held_dots(const DotStream& dots, DotOrder order, const PageSize& page, Stages& stages,
-                                  RenderTimes& times) {
-    if (dots.count > kMostSortedDots && order == DotOrder::recursion) return std::nullopt;
-    HeldDots held{sorted_by_pen(dots, DotOrder::recursion), {}};
-    times.place = stages.lap();
-    const bool shortens = order == DotOrder::shortest;
-    if (shortens) {
-        stages.begin("shortening the pen's way", 0.4, 0.7);
-        held.curve_way_m = 0;
-    }
-    const auto pens = static_cast<double>(held.by_pen.pieces.size());
-    double done = 0;
-    for (Dots& own : held.by_pen.pieces) {
-        sort_dots(own, order);
-        if (!shortens) continue;
-        // The curve's own way first, to tell what the shorter one saves.
-        *held.curve_way_m += way_length(own.x, own.y) * page.mm_per_page_unit / 1000;
-        shorten_way(own, {.stop = {}, .progress = [&](double share) { stages.show((done + share) / pens); }});
-        ++done;
-    }
-    times.order = stages.lap();
-    return held;
-}
-
 // The files for each pen, made sure not to be those that the drawing is of.
 std::vector<std::filesystem::path> pen_files_of(const RenderOptions& options, DrawingFormat format,
                                                 std::span<const Pen> pens) {
@@ -188,21 +159,6 @@ std::vector<std::filesystem::path> pen_files_of(const RenderOptions& options, Dr
     for (const auto& file : files)
         check_apart(file, {picture, {options.project, "the project"}, {options.mask, "the mask"}});
     return files;
-}
-
-// Where the picture lies on the part that is drawn, in page units from that one's corner.
-Rectangle<double> picture_on(const Excerpt& part, glm::ivec2 pixels) {
-    const glm::dvec2 corner(-part.part.across.offset, -part.part.down.offset);
-    return {corner, corner + glm::dvec2(pixels) / static_cast<double>(std::max(pixels.x, pixels.y))};
-}
-
-// From the corner of where the dots are placed to that of the part that is drawn; none where they are one.
-std::optional<glm::dvec2> part_corner_mm(const DrawnPage& page, const RenderOptions& options,
-                                         DrawingFormat format) {
-    if (!draws_lines(options.drawing, format) || draws_whole_page(options)) return std::nullopt;
-    const PagePart &part = page.part.part, &whole = page.whole.part;
-    return glm::dvec2(part.across.offset - whole.across.offset, part.down.offset - whole.down.offset) *
-           page.part.size.mm_per_page_unit;
 }
 
 }  // namespace
@@ -236,58 +192,54 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     const glm::ivec2 picture = pipeline.pixels();
     times.read = stages.lap();
 
-    DrawnPage page = drawn_page(layout_for(picture, options), options);
+    DrawnPage page = page_for(layout_for(picture, options), options);
     check_fits(format, page.part.size, 0, options.saving);
-    DrawingPlan plan = plan_for(pipeline, options);
-    // The dots' own size follows from their number, and the picture's place from their size.
-    if (keeps_dots_inside(settings.page)) page = drawn_page(plan.layout(pipeline.find_scale(plan)), options);
+    const DrawingFile file{.path = options.output,
+                           .format = format,
+                           .settings = settings,
+                           .saving = options.saving,
+                           .embedded = embedded_settings(options.output, settings, options.saving)};
+    DrawingPlan plan = plan_for(pipeline, options, needs_thresholds(file));
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    const double radius = plan.radius(pipeline.find_scale(plan)), unit_mm = page.part.size.mm_per_page_unit;
-    const DotStream dots = pipeline.stream(plan, reached(page, settings, format, radius));
-    check_not_empty(plan, dots.count, options);
+    const DotsForFile placed = *dots_for(file, pipeline, std::move(plan));
+    // The dots' own size follows from their number, and the picture's place from their size.
+    if (keeps_dots_inside(settings.page)) page = page_for(placed.plan.layout(placed.dots.scale), options);
+    DrawingToSave drawing = drawing_on(page, placed);
+    const DotStream dots = drawing.dots;
+    check_not_empty(placed.plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
-    const DotOrder order = options.saving.order.value_or(usual_order(format, dots.count, settings.style));
-    const bool shows_order = has_order(format, settings.style);
-    const auto held =
-        held_dots(dots, shows_order ? order : DotOrder::recursion, page.part.size, stages, times);
-    const DotStream drawn = held ? stream_of(held->by_pen, dots.scale) : dots;
-    std::vector<PlacedTile> tiles;
-    if (settings.show_tiles) tiles = pipeline.outlines(plan, dots.scale);
-    move_to(page.part.part, tiles);
+    const DotOrder order = drawing.saving.order.value_or(usual_order(format, dots.count, settings.style));
+    std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
+    std::optional<double> curve_way;
+    if (dots.count <= kMostSortedDots || order != DotOrder::recursion) {
+        held = std::make_shared<DotPieces>(sorted_by_pen(dots, DotOrder::recursion));
+        times.place = stages.lap();
+        if (order == DotOrder::shortest) stages.begin("shortening the pen's way", 0.4, 0.7);
+        curve_way =
+            put_in_order(*held, order, {.stop = {}, .progress = [&](double share) { stages.show(share); }});
+        times.order = stages.lap();
+        drawing.dots = stream_of(held, dots.scale);
+    }
+    drawing.saving.order = DotOrder::recursion;
 
-    const std::vector<CutMark> marks = cut_marks(page.layout.page, options.sheet);
-    DrawingToSave file{.dots = drawn,
-                       .page = page.part.size,
-                       .pens = plan.pens,
-                       .dot_radius_mm = radius * unit_mm,
-                       .tiles = tiles,
-                       .cut_marks = marks,
-                       .picture = picture_on(page.part, plan.pixels),
-                       .tile_size = pipeline.tile().tile().size(),
-                       .saving = options.saving,
-                       .format = format,
-                       .settings = embedded_settings(options.output, settings, options.saving),
-                       .part_corner_mm = part_corner_mm(page, options, format)};
-    file.saving.order = DotOrder::recursion;
-    const auto pen_files = pen_files_of(options, format, plan.pens);
+    const auto pen_files = pen_files_of(options, format, placed.plan.pens);
     const bool measured = dots.count <= kMostSortedDots;
-    const double bytes =
-        measured ? estimated_bytes(format, settings, file) : estimated_bytes_at_once(format, settings, file);
+    const double bytes = measured ? estimated_bytes(format, settings, drawing)
+                                  : estimated_bytes_at_once(format, settings, drawing);
     if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
     const SavedDrawing saved{.picture = picture,
-                             .plan = plan,
+                             .from = placed,
                              .page = page,
-                             .format = format,
-                             .file = file,
+                             .drawing = drawing,
                              .dots = dots,
-                             .by_pen = measured ? &held->by_pen : nullptr};
+                             .by_pen = measured ? held.get() : nullptr};
     // Writing waits for the disk, or for one thread that compresses.
     std::future<Rendered> figures =
         std::async(std::launch::async, [&] { return figures_of(saved, options); });
-    save_drawing(options.output, settings, file,
+    save_drawing(options.output, settings, drawing,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
     stages.end();
@@ -300,7 +252,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     Rendered rendered = figures.get();
     times.check = stages.lap();
     rendered.order = order;
-    if (held) rendered.curve_way_m = held->curve_way_m;
+    if (curve_way) rendered.curve_way_m = *curve_way * page.part.size.mm_per_page_unit / 1000;
     rendered.times = times;
     if (rendered.mostly_black && on_terminal())
         stages.say(

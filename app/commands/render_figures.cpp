@@ -36,11 +36,11 @@ Dots one_after_the_other(const DotPieces& by_pen) {
 void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
                   const RenderOptions& options) {
     const PageSize& page = saved.page.part.size;
-    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.format, options.saving);
+    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.from.file.format, options.saving);
     if (!saved.by_pen) {
         facts.plotting = expected_plotting_time(static_cast<double>(saved.dots.count),
                                                 page.width_mm * page.height_mm, speeds);
-    } else if (const auto strokes = strokes_of(options.drawing, saved.file, saved.format)) {
+    } else if (const auto strokes = strokes_of(options.drawing, saved.drawing, saved.from.file.format)) {
         rendered.strokes = figures_of(*strokes, speeds);
         facts.plotting = rendered.strokes->time;
     } else {
@@ -53,30 +53,30 @@ void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& s
 void add_pens(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved,
               const RenderOptions& options) {
     const PageSize& page = saved.page.part.size;
-    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.format, options.saving);
-    rendered.pens = saved.plan.pens;
-    rendered.by_pen = pen_figures(*saved.by_pen, page, saved.plan.pens, speeds);
-    const auto strokes = strokes_of(options.drawing, saved.file, saved.format);
+    const MachineSpeeds speeds = speeds_for(rendered.machine, saved.from.file.format, options.saving);
+    rendered.pens = saved.from.plan.pens;
+    rendered.by_pen = pen_figures(*saved.by_pen, page, saved.from.plan.pens, speeds);
+    const auto strokes = strokes_of(options.drawing, saved.drawing, saved.from.file.format);
     for (std::size_t i = 0; i < rendered.by_pen.size(); ++i) {
         PenFigures& own = rendered.by_pen[i];
         own.time = strokes ? figures_of(only(*strokes, own.pen), speeds).time
                            : time_of(saved.by_pen->pieces[i], facts.ink, page, speeds);
-        const Pen& pen = saved.plan.pens[static_cast<std::size_t>(own.pen)];
+        const Pen& pen = saved.from.plan.pens[static_cast<std::size_t>(own.pen)];
         facts.gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
     }
     if (!draws_whole_page(options)) return;
     const PagePart& part = saved.page.part.part;
-    rendered.evenness = pen_evenness(*saved.by_pen, {part.across.offset, part.down.offset}, saved.plan.by_pen,
-                                     saved.dots.scale);
+    rendered.evenness = pen_evenness(*saved.by_pen, {part.across.offset, part.down.offset},
+                                     saved.from.plan.by_pen, saved.dots.scale);
 }
 
 }  // namespace
 
 Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
     const DrawingSettings& settings = options.drawing;
-    const DrawingPlan& plan = saved.plan;
+    const DrawingPlan& plan = saved.from.plan;
     const Excerpt& part = saved.page.part;
-    DrawingFacts facts = facts_of(settings, options.saving, saved.format, saved.file);
+    DrawingFacts facts = facts_of(settings, options.saving, saved.from.file.format, saved.drawing);
     facts.whole_page = draws_whole_page(options);
     Rendered rendered{.width = saved.picture.x,
                       .height = saved.picture.y,
@@ -88,18 +88,18 @@ Rendered figures_of(const SavedDrawing& saved, const RenderOptions& options) {
                       .page = part.size,
                       .whole_page = saved.page.layout.page,
                       .picture = saved.page.layout.picture,
-                      .radius_mm = saved.file.dot_radius_mm,
+                      .radius_mm = saved.drawing.dot_radius_mm,
                       .mostly_black = mostly_black(*plan.histogram, plan.tone)};
     // Where on the page Figure 8's duplicates lie is not known.
     if (saved.dots.duplicates == 0 || facts.whole_page) rendered.duplicates = saved.dots.duplicates;
-    if (has_pixels(saved.format)) {
+    if (has_pixels(saved.from.file.format)) {
         const RasterSize size = raster_size(part.size, options.saving.dpi);
         rendered.pixels = {size.width, size.height};
     }
     if (saved.by_pen) {
         const InkedDot& ink = facts.ink;
         const Dots inked = inked_dots(stream_of(*saved.by_pen), ink, part.size);
-        const Excerpt& excerpt = placed_on(saved.page, settings, saved.format);
+        const Excerpt& excerpt = placed_on(saved.page, saved.from.file);
         const PageLayout& layout = saved.page.layout;
         const Rectangle<double> paper{{0, 0}, {layout.page.width_mm, layout.page.height_mm}};
         facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm, 0),

@@ -11,10 +11,9 @@ namespace dapple {
 
 struct SavedDrawing {
     glm::ivec2 picture;  // pixels
-    const DrawingPlan& plan;
+    const DotsForFile& from;
     const DrawnPage& page;
-    DrawingFormat format;
-    const DrawingToSave& file;
+    const DrawingToSave& drawing;
     const DotStream& dots;
     const DotPieces* by_pen = nullptr;  // the same in memory, as they are drawn; none if they are too many
 };

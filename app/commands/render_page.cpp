@@ -18,19 +18,6 @@ auto with_option(const char* option, const Make& make) {
     }
 }
 
-// The page, or the part of it that is drawn.
-Excerpt excerpt_of(const PageLayout& layout, const RenderOptions& options) {
-    const glm::dvec2 corner = layout.picture.low;
-    if (!options.region)
-        return with_option("--overlap", [&] { return sheet_of(layout.page, options.sheet, corner); });
-    const glm::dvec2 size = options.region->size();
-    if (std::min(size.x, size.y) < kShortestSideMm) {
-        throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
-                                             size.x, size.y, kShortestSideMm));
-    }
-    return with_option("--region", [&] { return region_of(layout.page, *options.region, corner); });
-}
-
 }  // namespace
 
 bool draws_whole_page(const RenderOptions& options) {
@@ -64,31 +51,14 @@ PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
     return layout;
 }
 
-DrawnPage drawn_page(const PageLayout& layout, const RenderOptions& options) {
-    return {layout, sheet_of(layout.page, {}, layout.picture.low), excerpt_of(layout, options)};
-}
-
-bool draws_lines(const DrawingSettings& settings, DrawingFormat format) {
-    return settings.style != DrawingStyle::dots && !is_table(format);
-}
-
-const Excerpt& placed_on(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format) {
-    return draws_lines(settings, format) ? page.whole : page.part;
-}
-
-PagePart reached(const DrawnPage& page, const DrawingSettings& settings, DrawingFormat format,
-                 double radius) {
-    const PagePart& part = placed_on(page, settings, format).part;
-    return has_colours(format) && page.part.part != PagePart{} && !draws_lines(settings, format)
-               ? widened(part, radius)
-               : part;
-}
-
-Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,
-                            const Rectangle<double>& on_page) {
-    const glm::dvec2 offset(excerpt.part.across.offset, excerpt.part.down.offset);
-    const glm::dvec2 corner = layout.picture.low + offset * layout.page.mm_per_page_unit;
-    return {on_page.low - corner, on_page.high - corner};
+DrawnPage page_for(const PageLayout& layout, const RenderOptions& options) {
+    if (!options.region) return with_option("--overlap", [&] { return drawn_page(layout, options.sheet); });
+    const glm::dvec2 size = options.region->size();
+    if (std::min(size.x, size.y) < kShortestSideMm) {
+        throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
+                                             size.x, size.y, kShortestSideMm));
+    }
+    return with_option("--region", [&] { return drawn_region(layout, *options.region); });
 }
 
 }  // namespace dapple

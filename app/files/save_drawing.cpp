@@ -140,13 +140,26 @@ DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWa
             sorted.pieces.back().pen = piece.pen;
         }
         append(sorted.pieces.back(), piece);
-        return true;
+        return !watch.stop.stop_requested();
     });
-    for (Dots& own : sorted.pieces) {
-        sort_dots(own, order);
-        if (order == DotOrder::shortest) shorten_way(own, watch);
-    }
+    put_in_order(sorted, order, watch);
     return sorted;
+}
+
+std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const RoutingWatch& watch) {
+    std::optional<double> curve_way;
+    const auto pens = static_cast<double>(by_pen.pieces.size());
+    double done = 0;
+    for (Dots& own : by_pen.pieces) {
+        sort_dots(own, order);
+        if (order != DotOrder::shortest) continue;
+        curve_way = curve_way.value_or(0) + way_length(own.x, own.y);
+        shorten_way(own, {.stop = watch.stop, .progress = [&](double share) {
+                              if (watch.progress) watch.progress((done + share) / pens);
+                          }});
+        ++done;
+    }
+    return curve_way;
 }
 
 void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
@@ -241,7 +254,6 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
     const DotOrder order =
         drawing.saving.order.value_or(usual_order(format, drawing.dots.count, settings.style));
-    DotPieces sorted;
     DrawingToSave ordered = drawing;
     // Of the bar, half is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
@@ -249,9 +261,9 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
         const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {
                                          if (watch.progress) watch.progress(routing * share);
                                      }};
-        sorted = sorted_by_pen(drawing.dots, order, way_watch);
+        auto sorted = std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, order, way_watch));
         if (watch.stop.stop_requested()) return false;
-        ordered.dots = stream_of(sorted, drawing.dots.scale);
+        ordered.dots = stream_of(std::move(sorted), drawing.dots.scale);
     }
     const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());
     const WritingProgress progress = [&](double share) {

@@ -44,16 +44,20 @@ Machine usual_machine(DrawingFormat format, GcodeTool tool);
 /// while.
 Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
 
-/// The same, each pen's by themselves, one pen after the other.
+/// The same, each pen's by themselves, one pen after the other. If stopped, some are missing.
 DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
+
+/// Sorts the dots of each piece. Returns how long the way along the curve was, in page units, if it was made
+/// shorter.
+std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const RoutingWatch& watch = {});
 
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
-    std::span<const Pen> pens = {};           // several, for Dots::pen; none: the ink
-    double dot_radius_mm = 0;                 // of all, or of the largest where they have radii of their own
-    std::span<const PlacedTile> tiles = {};   // outlines, for SVG; none, no layer
-    std::span<const CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
+    Palette pens = {};                    // several, for Dots::pen; none: the ink
+    double dot_radius_mm = 0;             // of all, or of the largest where they have radii of their own
+    std::vector<PlacedTile> tiles = {};   // outlines, for SVG; none, no layer
+    std::vector<CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
     SavingChoice saving = {};                       // its order `recursion` writes the dots as they come

@@ -131,7 +131,7 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& drawing
 
 DrawingToSave drawing_of_pen(const DrawingToSave& drawing, std::size_t pen) {
     DrawingToSave own = drawing;
-    own.pens = drawing.pens.subspan(pen, 1);
+    own.pens = {drawing.pens[pen]};
     own.dots = only(drawing.dots, static_cast<int>(pen));
     if (drawing.strokes) own.strokes = as_of_one(*drawing.strokes, static_cast<int>(pen));
     return own;

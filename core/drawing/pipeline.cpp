@@ -368,29 +368,34 @@ double Pipeline::find_scale(DrawingPlan& plan) {
     return placing.cut ? placing.cut->last_scale() : placing.scale;
 }
 
-DotStream Pipeline::stream(const DrawingPlan& plan, const PagePart& part) {
+std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_token& stop) {
     if (plan.placer == PlacerKind::figure8 || !plan.pens.empty()) {
         // It needs all dots at once: it counts the duplicates among them. So do pens that share dots out.
         const auto drawn = std::make_shared<Drawn>();
-        draw(plan, *drawn);
-        for (Dots& piece : drawn->stippling.dots.pieces) cut_to(part, piece);
-        DotStream whole = stream_of(drawn->stippling.dots, drawn->stippling.scale);
-        whole.duplicates = drawn->stippling.duplicates;
-        whole.for_each_piece = [drawn, each = whole.for_each_piece](const TakePiece& take) { each(take); };
-        return whole;
+        if (!draw(plan, *drawn, {.stop = stop, .step = {}})) return std::nullopt;
+        return PlannedDots{drawn->stippling.scale, [drawn](const PagePart& part, const std::stop_token&) {
+                               DotPieces own = drawn->stippling.dots;
+                               for (Dots& piece : own.pieces) cut_to(part, piece);
+                               DotStream dots = stream_of(std::make_shared<const DotPieces>(std::move(own)),
+                                                          drawn->stippling.scale);
+                               dots.duplicates = drawn->stippling.duplicates;
+                               return dots;
+                           }};
     }
-    struct Owned {
-        Placer placer;
-        std::shared_ptr<const Density> density;
-    };
-    const auto owned = std::make_shared<Owned>(Owned{Placer(tile_->placer().shared_table()), plan.density});
-    const StreamRequest request{.placing = plan.placing, .part = part, .finish = sizes_by_tone(plan)};
-    DotStream dots = plan.steps > 0 ? relaxed_stream(owned->placer, *owned->density, request, plan.steps)
-                                    : dapple::stream(owned->placer, *owned->density, request);
-    dots.for_each_piece = [owned, each = std::move(dots.for_each_piece)](const TakePiece& take) {
-        each(take);
-    };
-    return dots;
+    const double scale = find_scale(plan);
+    const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
+    return PlannedDots{scale, [table = tile_->placer().shared_table(), density = plan.density, request,
+                               steps = plan.steps](const PagePart& part, const std::stop_token& stopped) {
+                           const auto placer = std::make_shared<Placer>(table);
+                           StreamRequest of_part = request;
+                           of_part.part = part;
+                           DotStream dots = steps > 0 ? relaxed_stream(*placer, *density, of_part, steps,
+                                                                       kDotsAtOnce, stopped)
+                                                      : dapple::stream(*placer, *density, of_part);
+                           dots.for_each_piece = [placer, density, each = std::move(dots.for_each_piece)](
+                                                     const TakePiece& take) { each(take); };
+                           return dots;
+                       }};
 }
 
 std::vector<PlacedTile> Pipeline::outlines(const DrawingPlan& plan, double scale) {

@@ -27,8 +27,8 @@ namespace dapple {
 
 /// What a request comes to on a picture: all that is known before a dot is placed.
 struct DrawingPlan {
-    Tone tone;                                   // as drawn, with the values that were chosen automatically
-    Tone usual_tone;                             // as it is with automatic tone, black and all; without a picture neutral
+    Tone tone;        // as drawn, with the values that were chosen automatically
+    Tone usual_tone;  // as it is with automatic tone, black and all; without a picture neutral
     std::shared_ptr<const Density> density;      // shared with streams; never changes
     std::shared_ptr<const Histogram> histogram;  // of the light as exposed; none without a picture
     PlacerKind placer = PlacerKind::exact;
@@ -72,6 +72,15 @@ struct DrawingWatch {
     std::function<bool(const Drawn& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
+/// The dots of a plan, for a file: of parts of the page, in any thread, while the pipeline draws others.
+struct PlannedDots {
+    double scale = 0;  // that the drawing came to
+    /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, but for
+    /// Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order. The
+    /// stream owns what it needs. Throws as stream() does. If stopped, none.
+    std::function<DotStream(const PagePart& part, const std::stop_token& stop)> on;
+};
+
 class Pipeline {
  public:
     /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
@@ -103,10 +112,10 @@ class Pipeline {
     /// many. False if stopped. Throws as stipple() does.
     bool draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch = {});
 
-    /// The dots of a part of the page, seen from its corner, handed over in pieces and without holding all of
-    /// them, but for Figure 8's. Equal to the whole page's to the bit, and in their order. The stream owns
-    /// what it needs. Throws as stream() does.
-    DotStream stream(const DrawingPlan& plan, const PagePart& part = {});
+    /// Where the dots are needed at once, they are drawn now. Nothing if stopped. Throws as stipple() does.
+    std::optional<PlannedDots> dots(DrawingPlan plan, const std::stop_token& stop = {});
+    /// The same, of one part.
+    DotStream stream(const DrawingPlan& plan, const PagePart& part = {}) { return dots(plan)->on(part, {}); }
 
     /// The tiles that the placer goes through at that scale: those that Figure 8 visits, or the exact
     /// placer's.

@@ -16,8 +16,9 @@ namespace {
 // What all bands have in common.
 class Bands {
  public:
-    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps)
-        : placer_(placer), density_(density), request_(request), steps_(steps) {
+    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps,
+          const std::stop_token& stop)
+        : placer_(placer), density_(density), request_(request), steps_(steps), stop_(stop) {
         request_.placing = placing_of(placer, density, request);
     }
 
@@ -53,16 +54,18 @@ class Bands {
         return edges;
     }
 
-    // The dots of the part between two edges; without one, up to the part's own.
+    // The dots of the part between two edges; without one, up to the part's own. None if stopped.
     Dots band(std::optional<double> top, std::optional<double> bottom) {
         PagePart part = request_.part;
         if (top) part.down.first = std::max(part.down.first, static_cast<float>(*top));
         if (bottom) part.down.end = std::min(part.down.end, static_cast<float>(*bottom));
         const StreamRequest band{.placing = request_.placing, .part = part};
         DotPieces dots;
-        placer_.place(density_, placing_of(placer_, density_, band, relaxing_rim(scale(), steps_)), dots);
-        relax(dots, density_, steps_, {.scale = scale(), .threads = request_.placing.threads});
         Dots result;
+        const PlacingRequest around = placing_of(placer_, density_, band, relaxing_rim(scale(), steps_));
+        const RelaxingRequest relaxing{.scale = scale(), .threads = request_.placing.threads};
+        if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing, stop_))
+            return result;
         for (Dots& piece : dots.pieces) {
             if (request_.finish) request_.finish(piece);
             cut_to(part, piece);
@@ -76,13 +79,14 @@ class Bands {
     const Density& density_;
     StreamRequest request_;
     int steps_;
+    std::stop_token stop_;
 };
 
 }  // namespace
 
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
-                         std::uint64_t dots_at_once) {
-    Bands bands(placer, density, request, steps);
+                         std::uint64_t dots_at_once, const std::stop_token& stop) {
+    Bands bands(placer, density, request, steps, stop);
     DotStream result;
     result.scale = bands.scale();
     const std::vector<double> edges = bands.edges(dots_at_once);

@@ -2,6 +2,7 @@
 // Relaxed drawings too large to be held: the page in bands, each placed and relaxed with what lies around it.
 
 #include <cstdint>
+#include <stop_token>
 
 #include "core/placing/stipple.h"
 
@@ -13,8 +14,9 @@ inline constexpr std::uint64_t kDotsAtOnce = 4'000'000;
 
 /// The dots of stream(), relaxed so many times (1 or more), without holding all of them: for each pass they
 /// are placed and relaxed anew, unless they fit into one band, which is kept. Row after row of the page, as
-/// Relaxation gives them. The placer and the density have to outlive it. Throws as stream() does.
+/// Relaxation gives them. The placer and the density have to outlive it. Throws as stream() does. If stopped,
+/// some of them, or none.
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
-                         std::uint64_t dots_at_once = kDotsAtOnce);
+                         std::uint64_t dots_at_once = kDotsAtOnce, const std::stop_token& stop = {});
 
 }  // namespace dapple

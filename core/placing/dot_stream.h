@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "core/placing/placer.h"
 
@@ -21,5 +22,7 @@ struct DotStream {
 /// Dots in memory, which have to outlive the stream.
 DotStream stream_of(const Dots& dots, double scale = 0);
 DotStream stream_of(const DotPieces& dots, double scale = 0);
+/// Dots in memory that the stream owns.
+DotStream stream_of(std::shared_ptr<const DotPieces> dots, double scale = 0);
 
 }  // namespace dapple

@@ -7,17 +7,18 @@
 #include <system_error>
 #include <utility>
 
+#include "app/files/drawing_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/separations.h"
 #include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/film/save_film.h"
+#include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/change_words.h"
-#include "app/viewer/model/drawing_file.h"
 #include "app/viewer/model/viewer_fields.h"
 
 namespace dapple {
@@ -279,19 +280,20 @@ void Session::take_dropped(const fs::path& file) {
 }
 
 void Session::save(const fs::path& path) {
-    DrawingFile file{.path = path, .settings = settings.drawing, .saving = settings.saving};
-    const auto prepare = [file, choice = settings.density, most = most_dots_](
-                             Workbench& bench, std::stop_token stop) mutable -> WriteFile {
-        PlacedDrawing drawing;
+    const auto prepare = [path, drawing = settings.drawing, saving = settings.saving,
+                          choice = settings.density,
+                          most = most_dots_](Workbench& bench, const std::stop_token& stop) -> WriteFile {
+        const DrawingFile file{.path = path,
+                               .format = drawing_format(path),
+                               .settings = drawing,
+                               .saving = saving,
+                               .embedded = embedded_settings(path, drawing, saving)};
         DotsRequest request = dots_request(file.settings, choice);
         request.drawing.most_dots = most;
         request.drawing.placing.thresholds = needs_thresholds(file);
-        request.in_part = false;
-        if (!bench.place(request, drawing, stop)) return {};
-        file.tile_size = bench.pipeline().tile().tile().size();
-        return [file, drawing = std::move(drawing)](const SavingWatch& watch) mutable {
-            return save_placed(file, drawing, watch);
-        };
+        auto dots = dots_for(file, bench.pipeline(), bench.plan(request), stop);
+        if (!dots) return {};
+        return [dots = std::move(*dots)](const SavingWatch& watch) { return save_page(dots, watch); };
     };
     saves_[path] = {settings.drawing, settings.saving};
     pane_.worker().save(path, prepare);

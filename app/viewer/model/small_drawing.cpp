@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/files/drawing_file.h"
 #include "app/files/page_pixels.h"
-#include "app/viewer/model/drawn_sheet.h"
 #include "app/viewer/model/workbench.h"
 #include "core/image/linear_colour.h"
 
@@ -29,21 +29,17 @@ SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings
     settings.relax = std::min(settings.relax.value_or(1), 1);
     Workbench bench;
     show_to(bench, picture);
-    PlacedDrawing drawing;
-    if (!bench.place(dots_request(settings), drawing, stop)) return {};
-    const PageSize page = see_sheet(drawing).page;
-    DotStream dots = stream_of(drawing.stippling.dots, drawing.stippling.scale);
-    DotPieces along_curve;
-    if (settings.style == DrawingStyle::line) {
-        along_curve = sorted_by_pen(dots, DotOrder::space);
-        dots = stream_of(along_curve, drawing.stippling.scale);
-    }
-    const Grid<glm::u8vec3> pixels =
-        page_pixels(settings, {.dots = dots,
-                               .page = page,
-                               .pens = drawing.pens,
-                               .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
-                               .saving = {.dpi = dpi_for(page, longer_side)}});
+    DrawingFile file{
+        .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
+    const auto placed = dots_for(file, bench.pipeline(), bench.plan(dots_request(settings)), stop);
+    if (!placed) return {};
+    DrawingToSave drawing = drawing_on(drawn_page(placed->plan.layout(placed->dots.scale)), *placed, stop);
+    if (settings.style == DrawingStyle::line)
+        drawing.dots =
+            stream_of(std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)),
+                      placed->dots.scale);
+    drawing.saving.dpi = dpi_for(drawing.page, longer_side);
+    const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
     SmallPicture shown(pixels.width, pixels.height);
     std::ranges::transform(pixels.values, shown.values.begin(),
                            [](glm::u8vec3 pixel) { return glm::u8vec4(pixel, 255); });
