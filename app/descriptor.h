@@ -1,8 +1,11 @@
 #pragma once
 // An open file of the system, closed at the end of its scope.
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
+#include <optional>
 #include <utility>
 
 namespace dapple {
@@ -28,5 +31,18 @@ class Descriptor {
  private:
     int value_;
 };
+
+/// The two ends of a pipe, to be read and to be written, that programs started meanwhile do not have. None if
+/// the system has none left: see errno.
+inline std::optional<std::array<Descriptor, 2>> own_pipe() {
+    std::array<int, 2> ends{};
+#if defined(DAPPLE_LINUX)
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
+#else
+    if (::pipe(ends.data()) != 0) return std::nullopt;
+    for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+#endif
+    return std::array{Descriptor(ends[0]), Descriptor(ends[1])};
+}
 
 }  // namespace dapple

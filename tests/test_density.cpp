@@ -36,8 +36,8 @@ TEST_CASE("the density is each pixel's value at its centre and halfway between t
 TEST_CASE("no value in a square lies outside its bounds, at any depth") {
     std::mt19937 random(7);
     for (const auto& [width, height] : {std::pair{64, 64}, {100, 37}, {37, 100}, {1, 1}, {1, 300}, {5, 3}}) {
-        for (const Seam seam : {Seam::paper, Seam::wrap}) {
-            const Density density(noise(width, height, width), seam);
+        for (const Sides sides : {Sides::paper, Sides::wrap}) {
+            const Density density(noise(width, height, width), sides);
             for (int trial = 0; trial < 3000; ++trial) {
                 const int depth = static_cast<int>(random() % 14);
                 const std::int64_t side = std::int64_t{1} << depth;
@@ -81,8 +81,8 @@ TEST_CASE("bounds are tight: on squares within a pixel they are the corners' val
 TEST_CASE("an environment map is interpolated across its seam") {
     Grid<float> grid(8, 4);
     for (int y = 0; y < 4; ++y) grid.at(0, y) = 1;
-    CHECK(Density(grid, Seam::wrap).at({0.999999, 0.2}) == doctest::Approx(0.5).epsilon(0.001));
-    CHECK(Density(grid, Seam::paper).at({0.999999, 0.2}) == 0);
+    CHECK(Density(grid, Sides::wrap).at({0.999999, 0.2}) == doctest::Approx(0.5).epsilon(0.001));
+    CHECK(Density(grid, Sides::paper).at({0.999999, 0.2}) == 0);
 }
 
 TEST_CASE("a density that is negative or not finite is refused") {

@@ -110,7 +110,7 @@ TEST_CASE("the density of a map is its texels' flux up to one factor and goes ro
     grid.at(0, 3) = glm::vec3(7);
     const EnvironmentMap map(grid);
     const Density density = light_density(map);
-    CHECK(density.seam() == Seam::wrap);
+    CHECK(density.sides() == Sides::wrap);
     const double factor = density.values().at(5, 5) / map.solid_angle(5);
     for (int y = 0; y < 8; ++y) {
         for (int x = 0; x < 16; ++x) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewer/panels/histogram.h"
+#include "app/viewer/panels/histogram_panel.h"
 #include "core/image/ink.h"
 #include "tests/headless_ui.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/image/sky.h"
-#include "core/lights/comparison.h"
 #include "core/lights/direction.h"
+#include "core/lights/sampler_comparison.h"
 #include "core/reports/light_report.h"
 
 using namespace dapple;

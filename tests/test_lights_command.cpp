@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/environment.h"
+#include "app/files/environment_file.h"
 #include "core/image/sky.h"
-#include "core/lights/comparison.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
+#include "core/lights/sampler_comparison.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/shell.h"

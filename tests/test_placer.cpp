@@ -169,7 +169,7 @@ TEST_CASE(
         std::sort(thresholds.begin(), thresholds.end());
         // A map that wraps round has a way of its own about its seam.
         for (const Density& black :
-             {Density(Grid<float>(8, 8, 1.0f)), Density(Grid<float>(8, 8, 1.0f), Seam::wrap)}) {
+             {Density(Grid<float>(8, 8, 1.0f)), Density(Grid<float>(8, 8, 1.0f), Sides::wrap)}) {
             std::size_t below = 0;
             for (std::size_t i = 0; i < thresholds.size();) {
                 const float threshold = thresholds[i].first;
@@ -196,7 +196,7 @@ TEST_CASE("a dot on the edge that two windows share is in the right or lower one
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const CellPoints& points = table.cells[0].all;  // on the page from -1 to 1, when only they are drawn
     for (const Density& black :
-         {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Seam::wrap)}) {
+         {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Sides::wrap)}) {
         const auto count = [&](const PageWindow& window) {
             return placed(table, black, {.scale = 1, .window = window}).size();
         };

@@ -355,6 +355,12 @@ TEST_CASE(
     const nlohmann::json met = read_json(scene("n.json"));
     CHECK(met["dots"] >= 3000);
     CHECK(met["dots"] <= 3060);
+    // Its dots are as large as as many others are.
+    REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("e.csv") +
+                       " --relax 0 --dots 3000 --stats " + scene("e.json"))
+                .status == 0);
+    const double usual = read_json(scene("e.json"))["dot_radius_mm"];
+    CHECK(met["dot_radius_mm"].get<double>() == doctest::Approx(usual).epsilon(0.03));
 
     PictureFile line{.width = 1000, .height = 1000, .values = std::vector<float>(1'000'000, 1.0f)};
     for (int y = 0; y < 1000; ++y) line.values[static_cast<std::size_t>(y) * 1000 + 501] = 0;

@@ -114,10 +114,11 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
     drawing.placing.count = 500;
     drawing.relax = 1;
     SavingWindow window(drawing);
-    DrawingSettings touches = drawing, nearest = drawing, greys = drawing;
+    DrawingSettings touches = drawing, nearest = drawing, greys = drawing, as_printed = drawing;
     touches.mark.shape = DotShape::point;
     nearest.style = DrawingStyle::nearest;
     greys.pens = parse_pens("greys");
+    as_printed.placer = PlacerKind::figure8;
     const auto by_machine = [](GcodeTool tool) { return SavingChoice{.tool = tool, .dwell_s = 0.25}; };
     const SavingChoice own{
         .gcode_template = {"start G1 F{feed}\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n", "own"},
@@ -133,7 +134,8 @@ TEST_CASE("window and command save the same bytes in each format, however it is 
           Case{nearest, {.dpi = kDpi}, "c.dxf"}, Case{drawing, {.dpi = kDpi}, "d.dxf"},
           Case{drawing, deep, "e.tif"}, Case{touches, deep, "f.png"}, Case{greys, by_priority, "g.json"},
           Case{nearest, {.dpi = kDpi}, "h.svg"}, Case{drawing, by_machine(GcodeTool::servo), "i.gcode"},
-          Case{touches, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"}}) {
+          Case{touches, by_machine(GcodeTool::laser), "j.gcode"}, Case{drawing, own, "k.gcode"},
+          Case{as_printed, {.dpi = kDpi}, "l.svg"}}) {
         CAPTURE(each.name);
         const std::filesystem::path by_window = folder / each.name,
                                     by_command = folder / ("c_" + std::string(each.name));

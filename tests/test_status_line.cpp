@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/status_line.h"
 #include "tests/headless_ui.h"

@@ -18,8 +18,7 @@ std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots) {
 Seams seams_on_black(RankedTile& tile) {
     const Density black(Grid<float>(1, 1, 1.0f));
     PlacingRequest request;
-    // Dots are 16 times scale and density.
-    request.scale = static_cast<double>(full_level(tile, kFewestDotsForSeams)) / 16;
+    request.scale = static_cast<double>(full_level(tile, kFewestDotsForSeams)) / kDotsPerScale;
     Stippling placed;
     stipple(tile, black, PlacerKind::exact, request, placed);
     std::vector<glm::dvec2> dots;

@@ -13,6 +13,7 @@
 #include "core/reports/html.h"
 #include "core/reports/plot.h"
 #include "core/reports/spectrum_picture.h"
+#include "core/text/length.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {
@@ -172,7 +173,7 @@ std::string png_of_points(const std::vector<glm::dvec2>& points, const Domain& d
     const double spacing = std::sqrt(domain.area() / double(std::max<std::size_t>(points.size(), 1))) * unit;
     const double radius = std::clamp(0.28 * spacing, 0.5, longer_side / 60.0);
     const Grid<float> coverage =
-        coverage_of(stream_of(dots), page, {.dot_radius_mm = radius, .dpi = 25.4, .threads = 0});
+        coverage_of(stream_of(dots), page, {.dot_radius_mm = radius, .dpi = kMmPerInch, .threads = 0});
     return png_of(ink_on_paper(coverage, kBlack, kWhite));
 }
 

@@ -10,9 +10,9 @@
 
 #include "app/analysis/report_page.h"
 #include "app/commands/options.h"
+#include "app/compare/compare_report.h"
 #include "app/compare/contenders.h"
 #include "app/compare/measure.h"
-#include "app/compare/report.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"

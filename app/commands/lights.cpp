@@ -7,7 +7,7 @@
 
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
-#include "app/files/environment.h"
+#include "app/files/environment_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/compare/report.h"
+#include "app/compare/compare_report.h"
 #include "app/compare/tables.h"
 #include "app/shown_text.h"
 #include "core/reports/html.h"

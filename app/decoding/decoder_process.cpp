@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "app/decoding/image_pipe.h"
 #include "app/decoding/kept_input.h"
@@ -121,11 +122,10 @@ class Process {
  public:
     Process(const fs::path& program, const char* reader, const DecodeRequest& request,
             const Descriptor& file) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw DecodeError("cannot be read: " + reason(errno));
-        output_ = Descriptor(ends[0]);
-        Descriptor input(ends[1]);
-        input = above(input);
+        auto ends = own_pipe();
+        if (!ends) throw DecodeError("cannot be read: " + reason(errno));
+        output_ = std::move((*ends)[0]);
+        const Descriptor input = above((*ends)[1]);
         const Descriptor given = above(file);
         Actions actions;
         actions.open(STDIN_FILENO, "/dev/null", O_RDONLY);

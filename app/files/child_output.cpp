@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "app/descriptor.h"
 
@@ -31,11 +32,11 @@ std::runtime_error child_error(const std::string& program, const std::string& wh
 class Child {
  public:
     explicit Child(const std::vector<std::string>& words) {
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        auto ends = own_pipe();
+        if (!ends)
             throw child_error(words[0], "cannot be started: " + std::generic_category().message(errno));
-        output_ = Descriptor(ends[0]);
-        const Descriptor input(ends[1]);
+        output_ = std::move((*ends)[0]);
+        const Descriptor input = std::move((*ends)[1]);
         std::vector<char*> arguments;
         for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
         arguments.push_back(nullptr);

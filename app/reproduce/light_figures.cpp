@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/analysis/report_page.h"
-#include "app/files/environment.h"
+#include "app/files/environment_file.h"
 #include "app/reproduce/figure8_dots.h"
 #include "app/reproduce/figures.h"
 #include "app/shown_text.h"

@@ -42,13 +42,13 @@ constexpr Bounds kNothing{std::numeric_limits<float>::max(), std::numeric_limits
 int clamped(std::int64_t i, int count) {
     return static_cast<int>(std::clamp<std::int64_t>(i, 0, count - 1));
 }
-int across(std::int64_t i, int count, Seam seam) {
-    return seam == Seam::wrap ? static_cast<int>((i % count + count) % count) : clamped(i, count);
+int across(std::int64_t i, int count, Sides sides) {
+    return sides == Sides::wrap ? static_cast<int>((i % count + count) % count) : clamped(i, count);
 }
 
 }  // namespace
 
-Density::Density(Grid<float> values, Seam seam) : values_(std::move(values)), seam_(seam) {
+Density::Density(Grid<float> values, Sides sides) : values_(std::move(values)), sides_(sides) {
     if (values_.empty()) throw std::runtime_error("a density needs at least one pixel");
     if (values_.values.size() > std::numeric_limits<std::int32_t>::max()) {
         throw std::runtime_error("a density has at most 2,147 megapixels; make the picture smaller");
@@ -80,7 +80,7 @@ double Density::at(glm::dvec2 p) const {
     const double fx = std::floor(u - 0.5), fy = std::floor(v - 0.5);
     const double s = u - 0.5 - fx, t = v - 0.5 - fy;
     const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy);
-    const int x0 = across(ix, values_.width, seam_), x1 = across(ix + 1, values_.width, seam_);
+    const int x0 = across(ix, values_.width, sides_), x1 = across(ix + 1, values_.width, sides_);
     const float* row0 = values_.row(clamped(iy, values_.height));
     const float* row1 = values_.row(clamped(iy + 1, values_.height));
     const double upper = row0[x0] + (static_cast<double>(row0[x1]) - row0[x0]) * s;
@@ -121,7 +121,7 @@ void Density::build_pyramid() {
             const double left = static_cast<double>(x) * side;
             const auto [first_column, last_column] = support(left, left + side);
             for (std::int64_t i = first_column; i <= last_column; ++i) {
-                const int column = across(i, values_.width, seam_);
+                const int column = across(i, values_.width, sides_);
                 bounds.min = std::min(bounds.min, low[column]);
                 bounds.max = std::max(bounds.max, high[column]);
             }
@@ -159,7 +159,7 @@ PixelRange Density::pixels_in(const QuadSquare& square) const {
 }
 
 float Density::pixel(std::int64_t column, std::int64_t row) const {
-    return values_.at(across(column, values_.width, seam_), clamped(row, values_.height));
+    return values_.at(across(column, values_.width, sides_), clamped(row, values_.height));
 }
 
 SmallSquare Density::look(const QuadSquare& square) const {

@@ -52,7 +52,7 @@ struct SmallSquare {
 };
 
 /// What lies to the left and right of the picture.
-enum class Seam {
+enum class Sides {
     paper,  // nothing: bare paper
     wrap,   // the picture's other side: interpolation goes round, as on an environment map
 };
@@ -61,12 +61,12 @@ class Density {
  public:
     /// Values 0..1 (more is allowed, as on environment maps). Throws std::runtime_error if the grid is empty
     /// or a value is negative or not finite.
-    explicit Density(Grid<float> values, Seam seam = Seam::paper);
+    explicit Density(Grid<float> values, Sides sides = Sides::paper);
 
     int width() const { return values_.width; }
     int height() const { return values_.height; }
     int longer_side() const { return longer_; }
-    Seam seam() const { return seam_; }
+    Sides sides() const { return sides_; }
     const Grid<float>& values() const { return values_; }
 
     /// Mean over the root square, the empty part included.
@@ -112,7 +112,7 @@ class Density {
     void build_pyramid();
 
     Grid<float> values_;
-    Seam seam_;
+    Sides sides_;
     int longer_ = 0;
     double mean_ = 0;
     std::array<double, 64> side_{};  // of a square, in pixels, by depth

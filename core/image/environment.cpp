@@ -97,10 +97,10 @@ Density light_density(const EnvironmentMap& map, LightImportance importance, int
         return density;
     };
     if (importance == LightImportance::compensated) {
-        Density density(fill(mean * (1 + 1e-9)), Seam::wrap);
+        Density density(fill(mean * (1 + 1e-9)), Sides::wrap);
         if (density.mean() > 0) return density;
     }
-    return Density(fill(0), Seam::wrap);
+    return Density(fill(0), Sides::wrap);
 }
 
 }  // namespace dapple

@@ -51,7 +51,7 @@ enum class LightImportance {
 };
 
 /// Luminance * sin theta (Lagae & Dutré 2006, figure 7), at most 1, for placing: the map is the upper half
-/// of the root square and its sides meet (Seam::wrap). `first_column` is the map's column that comes to lie
+/// of the root square and its sides meet (Sides::wrap). `first_column` is the map's column that comes to lie
 /// at the left. sin theta is the mean over the texel's row, so that a texel's value is its flux up to one
 /// common factor. A map that is even everywhere has nothing to compensate and is sampled by its luminance.
 Density light_density(const EnvironmentMap& map, LightImportance importance = LightImportance::light,

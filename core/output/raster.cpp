@@ -20,6 +20,7 @@
 #include "core/image/linear_colour.h"
 #include "core/image/tone.h"
 #include "core/output/sample_band.h"
+#include "core/text/length.h"
 
 namespace dapple {
 namespace {
@@ -158,8 +159,8 @@ void hand_over_bands(const Bands& bands, const std::function<Grid<float>(int ban
 }
 
 RasterSize raster_size(const PageSize& page, double dpi) {
-    const double width = std::round(page.width_mm / 25.4 * dpi),
-                 height = std::round(page.height_mm / 25.4 * dpi);
+    const double width = std::round(page.width_mm / kMmPerInch * dpi),
+                 height = std::round(page.height_mm / kMmPerInch * dpi);
     const double shrink =
         std::min(kLargestSide / std::max(width, height), std::sqrt(kMostPixels / (width * height)));
     // Written so that what is not a number is refused too.
@@ -182,7 +183,7 @@ void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest&
 void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                     std::size_t pens, const PenCoverageSink& sink) {
     const RasterSize size = raster_size(page, request.dpi);
-    const double px_per_mm = request.dpi / 25.4;
+    const double px_per_mm = request.dpi / kMmPerInch;
     const Canvas canvas{.dots = dots,
                         .size = size,
                         .px_per_unit = page.mm_per_page_unit * px_per_mm,

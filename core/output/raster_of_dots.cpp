@@ -1,6 +1,7 @@
 #include "core/output/raster_of_dots.h"
 
 #include "core/output/raster.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
@@ -14,7 +15,7 @@ Grid<float> raster_of_dots(std::span<const glm::dvec2> dots, double radius, cons
     // A millimetre is a pixel.
     const PageSize size{double(page.width), double(page.height), page.pixels_per_unit};
     return coverage_of(stream_of(columns), size,
-                       {.dot_radius_mm = radius * page.pixels_per_unit, .dpi = 25.4, .threads = 0});
+                       {.dot_radius_mm = radius * page.pixels_per_unit, .dpi = kMmPerInch, .threads = 0});
 }
 
 }  // namespace dapple

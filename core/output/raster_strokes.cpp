@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/output/sample_band.h"
+#include "core/text/length.h"
 
 namespace dapple {
 namespace {
@@ -71,7 +72,7 @@ void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRe
 void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
                     std::size_t pens, const PenCoverageSink& sink) {
     const RasterSize size = raster_size(page, request.dpi);
-    const double samples_per_mm = request.dpi / 25.4 * kSamples;
+    const double samples_per_mm = request.dpi / kMmPerInch * kSamples;
     const StrokeCanvas canvas{.strokes = strokes,
                               .size = size,
                               .samples_per_mm = samples_per_mm,

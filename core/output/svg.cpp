@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "core/output/plotted_strokes.h"
+#include "core/text/length.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {
 namespace {
 
-constexpr double kPxPerMm = 96.0 / 25.4;
+constexpr double kPxPerMm = 96.0 / kMmPerInch;
 constexpr double kUsualMarkMm = 0.3;  // of a pen whose width is not told
 
 // Two decimals, 0.0026 mm, are enough until the dots' mean spacing comes near a pixel.

@@ -128,7 +128,7 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
         return false;
     }
     square.source = in_picture ? KernelSquare::Source::picture : KernelSquare::Source::clamped;
-    return !in_picture && density.seam() == Seam::wrap;
+    return !in_picture && density.sides() == Sides::wrap;
 }
 
 // Where the window or the picture ends within the square, only some of its points take part. A window's

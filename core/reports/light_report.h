@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/lights/comparison.h"
+#include "core/lights/sampler_comparison.h"
 
 namespace dapple {
 

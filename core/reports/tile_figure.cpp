@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/length.h"
 #include "core/text/text_buffer.h"
 #include "core/tile/tile_marks.h"
 
@@ -86,7 +87,7 @@ class Figure {
 };
 
 void Figure::begin() {
-    const auto mm = [](double px) { return px * 25.4 / 96; };
+    const auto mm = [](double px) { return px * kMmPerInch / 96; };
     text_ << fmt::format(
         R"(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{0:.3f}mm" height="{1:.3f}mm" viewBox="0 0 {2} {3}" font-family="sans-serif">

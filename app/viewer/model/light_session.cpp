@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "app/files/environment.h"
+#include "app/files/environment_file.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"

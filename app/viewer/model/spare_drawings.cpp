@@ -1,8 +1,10 @@
 #include "app/viewer/model/spare_drawings.h"
 
-#include <malloc.h>
-
 #include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace dapple {
 namespace {

@@ -1,5 +1,6 @@
 #include "app/viewer/panels/action_buttons.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -35,15 +36,8 @@ bool menu_button(ImVec2 size) {
     return item_keys("Menu keys").press || pressed;
 }
 
-struct MenuEntry {
-    const char* label;
-    Action action;
-};
-constexpr MenuEntry kMenu[] = {
-    {"All commands...", Action::palette}, {"Keys", Action::help},
-    {"Full screen", Action::full_screen}, {"Preferences...", Action::preferences},
-    {"About Dapple", Action::about},
-};
+constexpr Action kMenu[] = {Action::palette, Action::help, Action::full_screen, Action::preferences,
+                            Action::about};
 
 // What was chosen, which is done once the menu is closed.
 std::optional<Action> draw_menu() {
@@ -59,19 +53,19 @@ std::optional<Action> draw_menu() {
     storage->SetInt(mark, marked);
     std::optional<Action> chosen;
     for (int i = 0; i < kEntries; ++i) {
-        if (ImGui::MenuItem(kMenu[i].label, keys_of(kMenu[i].action).c_str(), i == marked))
-            chosen = kMenu[i].action;
-        note_place(kMenu[i].label);
+        const Shortcut& entry = shortcut_of(kMenu[i]);
+        if (ImGui::MenuItem(entry.label, entry.keys, i == marked)) chosen = kMenu[i];
+        note_place(entry.label);
     }
-    if (marked >= 0 && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter)))
-        chosen = kMenu[marked].action;
+    if (marked >= 0 && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter))) chosen = kMenu[marked];
     if (chosen || key_pressed(Key::escape)) ImGui::CloseCurrentPopup();
     take_keyboard();
     ImGui::EndPopup();
     return chosen;
 }
 
-bool action_button(const char* label, int column) {
+bool action_button(Action action, int column) {
+    const char* const label = shortcut_of(action).label;
     const float air = ImGui::GetStyle().ItemSpacing.x;
     if (column > 0) ImGui::SameLine();
     // Of the whole row, wherever in it the cursor is.
@@ -81,13 +75,15 @@ bool action_button(const char* label, int column) {
     return pressed;
 }
 
-void undo_button(const char* label, const std::optional<std::string>& words, Action action, int column,
+void undo_button(const std::optional<std::string>& words, Action action, int column,
                  const std::function<void(Action)>& act) {
     if (!words) ImGui::BeginDisabled();
-    if (action_button(label, column)) act(action);
+    if (action_button(action, column)) act(action);
     if (!words) ImGui::EndDisabled();
     if (words)
-        tip(with_keys(std::string(label) + ": " + (words->empty() ? "the last change" : *words), action)
+        tip(with_keys(
+                fmt::format("{}: {}", shortcut_of(action).label, words->empty() ? "the last change" : *words),
+                action)
                 .c_str());
 }
 
@@ -116,19 +112,16 @@ void draw_title(const std::string& name, const std::function<void(Action)>& act)
 }
 
 void draw_action_buttons(const UndoInfo& info, bool has_project, const std::function<void(Action)>& act) {
-    const auto button = [&](const char* label, int column, Action action, const char* says) {
-        if (action_button(label, column)) act(action);
-        tip(with_keys(says, action).c_str());
+    const auto button = [&](Action action, int column) {
+        if (action_button(action, column)) act(action);
+        tip(with_keys(shortcut_of(action).tip, action).c_str());
     };
-    button("Open...", 0, Action::open, "Opens a picture, a project or a map of light from a file.");
-    button("Export...", 1, Action::save_as,
-           "Saves what is shown as a file that other programs and machines read.");
-    if (has_project)
-        button("Project...", 2, Action::save_project,
-               "Saves picture and settings together, to go on another day.");
-    undo_button("Undo", info.undo, Action::undo, 0, act);
-    undo_button("Redo", info.redo, Action::redo, 1, act);
-    button("Fit", 2, Action::fit, "Shows all of the page or the map again after zooming.");
+    button(Action::open, 0);
+    button(Action::save_as, 1);
+    if (has_project) button(Action::save_project, 2);
+    undo_button(info.undo, Action::undo, 0, act);
+    undo_button(info.redo, Action::redo, 1, act);
+    button(Action::fit, 2);
 }
 
 }  // namespace dapple

@@ -104,22 +104,15 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
 }
 
 void draw_film_buttons(const std::function<void(Action)>& act) {
-    constexpr struct {
-        const char* label;
-        Action action;
-        const char* tip;
-    } kFilms[] = {
-        {"Watch it grow", Action::film_growth, "From a few dots to all of them. None ever moves or goes."},
-        {"Levels", Action::film_levels, "The page divided into tiles, level by level, each in its colour."},
-        {"Zoom", Action::film_zoom, "Into the middle of the view, where dots come in as the others part."},
-    };
+    constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
     const float air = ImGui::GetStyle().ItemSpacing.x, row = ImGui::GetContentRegionAvail().x;
-    for (const auto& film : kFilms) {
-        if (&film != kFilms) ImGui::SameLine();
-        const float share = &film == kFilms ? 0.5f : 0.25f;
-        if (key_button(film.label, {(row - 2 * air) * share, 0})) act(film.action);
-        note_place(film.label);
-        tip(with_keys(film.tip, film.action == Action::film_growth ? Action::play : film.action).c_str());
+    for (const Action film : kFilms) {
+        const bool first = film == kFilms[0];
+        const Shortcut& button = shortcut_of(film);
+        if (!first) ImGui::SameLine();
+        if (key_button(button.label, {(row - 2 * air) * (first ? 0.5f : 0.25f), 0})) act(film);
+        note_place(button.label);
+        tip(with_keys(button.tip, first ? Action::play : film).c_str());
     }
 }
 

@@ -10,74 +10,104 @@
 namespace dapple {
 namespace {
 
-constexpr Shortcut kShortcuts[] = {
-    {Action::open, "Ctrl+O", "Open a picture or a project"},
-    {Action::open_tile, "Ctrl+T", "Open a tile"},
-    {Action::find_picture, "", "Use another picture in this project"},
-    {Action::open_mask, "", "Open a mask: black for no dots, middle grey as it is, white for more"},
-    {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
-    {Action::save, "Ctrl+S", "Save the drawing again where it was saved"},
-    {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ..."},
-    {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings"},
-    {Action::undo, "Ctrl+Z", "Undo"},
-    {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo"},
-    {Action::fit, "F", "Fit the page into the window"},
-    {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"},
-    {Action::zoom_in, "+", "Zoom in"},
-    {Action::zoom_out, "-", "Zoom out"},
-    {Action::pan_left, "Left", "Move the view left"},
-    {Action::pan_right, "Right", "Move the view right"},
-    {Action::pan_up, "Up", "Move the view up"},
-    {Action::pan_down, "Down", "Move the view down"},
-    {Action::toggle_tiles, "T", "Tile boundaries"},
-    {Action::compare, "C", "Split view: beside another tile or placer"},
-    {Action::loupe, "L", "Loupe: tiles laid on one another"},
-    {Action::explain_dots, "I", "Where the dot under the pointer comes from"},
-    {Action::play, "Space", "Play a film of the drawing, or let it rest"},
-    {Action::film_growth, "", "Film: the drawing grows dot by dot"},
-    {Action::film_levels, "", "Film: level by level of the tiles"},
-    {Action::film_zoom, "", "Film: zoom in, with ever more dots"},
-    {Action::film_plot, "", "Film: as a machine plots it"},
-    {Action::save_film, "", "Save the film that is played"},
-    {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"},
-    {Action::larger_brush, "]", "A larger brush"},
-    {Action::photograph, "P, held", "The photograph instead of its dots"},
-    {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"},
-    {Action::full_screen, "F11", "Full screen"},
-    {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
-    {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
-    {Action::about, "", "About Dapple: version and licences"},
-    {Action::help, "?, F1", "These keys"},
-    {Action::quit, "Ctrl+Q", "Quit"},
+// In which windows.
+enum class In { both, drawing, map };
+
+struct Entry {
+    In in;
+    Shortcut shortcut;
 };
 
-constexpr Shortcut kLightShortcuts[] = {
-    {Action::open, "Ctrl+O", "Open a map"},
-    {Action::open_tile, "Ctrl+T", "Open a tile"},
-    {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"},
-    {Action::save, "Ctrl+S", "Save the samples again where they were saved"},
-    {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG"},
-    {Action::back, "", "Back to the drawing that the map was opened from"},
-    {Action::undo, "Ctrl+Z", "Undo"},
-    {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo"},
-    {Action::fit, "F", "Fit the map into the window"},
-    {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"},
-    {Action::zoom_in, "+", "Zoom in"},
-    {Action::zoom_out, "-", "Zoom out"},
-    {Action::pan_left, "Left", "Move the view left"},
-    {Action::pan_right, "Right", "Move the view right"},
-    {Action::pan_up, "Up", "Move the view up"},
-    {Action::pan_down, "Down", "Move the view down"},
-    {Action::lighter, "E", "Half a stop lighter"},
-    {Action::darker, "Shift+E", "Half a stop darker"},
-    {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"},
-    {Action::full_screen, "F11", "Full screen"},
-    {Action::palette, "Ctrl+P", "All that can be done, found by typing"},
-    {Action::preferences, "Ctrl+,", "Preferences: theme and text size"},
-    {Action::about, "", "About Dapple: version and licences"},
-    {Action::help, "?, F1", "These keys"},
-    {Action::quit, "Ctrl+Q", "Quit"},
+constexpr Entry kEntries[] = {
+    {In::drawing,
+     {Action::open, "Ctrl+O", "Open a picture or a project", "Open...",
+      "Opens a picture, a project or a map of light from a file."}},
+    {In::map,
+     {Action::open, "Ctrl+O", "Open a map", "Open...",
+      "Opens a picture, a project or a map of light from a file."}},
+    {In::both, {Action::open_tile, "Ctrl+T", "Open a tile"}},
+    {In::drawing, {Action::find_picture, "", "Use another picture in this project"}},
+    {In::drawing,
+     {Action::open_mask, "", "Open a mask: black for no dots, middle grey as it is, white for more"}},
+    {In::both, {Action::paste, "Ctrl+V", "Open what was copied: a picture, or a file by its path"}},
+    {In::drawing, {Action::save, "Ctrl+S", "Save the drawing again where it was saved"}},
+    {In::map, {Action::save, "Ctrl+S", "Save the samples again where they were saved"}},
+    {In::drawing,
+     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ...", "Export...",
+      "Saves what is shown as a file that other programs and machines read."}},
+    {In::map,
+     {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG", "Export...",
+      "Saves what is shown as a file that other programs and machines read."}},
+    {In::drawing,
+     {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings", "Project...",
+      "Saves picture and settings together, to go on another day."}},
+    {In::map, {Action::back, "", "Back to the drawing that the map was opened from"}},
+    {In::both, {Action::undo, "Ctrl+Z", "Undo", "Undo"}},
+    {In::both, {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo", "Redo"}},
+    {In::drawing,
+     {Action::fit, "F", "Fit the page into the window", "Fit",
+      "Shows all of the page or the map again after zooming."}},
+    {In::map,
+     {Action::fit, "F", "Fit the map into the window", "Fit",
+      "Shows all of the page or the map again after zooming."}},
+    {In::drawing, {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"}},
+    {In::map, {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"}},
+    {In::both, {Action::zoom_in, "+", "Zoom in"}},
+    {In::both, {Action::zoom_out, "-", "Zoom out"}},
+    {In::both, {Action::pan_left, "Left", "Move the view left"}},
+    {In::both, {Action::pan_right, "Right", "Move the view right"}},
+    {In::both, {Action::pan_up, "Up", "Move the view up"}},
+    {In::both, {Action::pan_down, "Down", "Move the view down"}},
+    {In::map, {Action::lighter, "E", "Half a stop lighter"}},
+    {In::map, {Action::darker, "Shift+E", "Half a stop darker"}},
+    {In::drawing, {Action::toggle_tiles, "T", "Tile boundaries"}},
+    {In::drawing, {Action::compare, "C", "Split view: beside another tile or placer"}},
+    {In::drawing, {Action::loupe, "L", "Loupe: tiles laid on one another"}},
+    {In::drawing, {Action::explain_dots, "I", "Where the dot under the pointer comes from"}},
+    {In::drawing, {Action::play, "Space", "Play a film of the drawing, or let it rest"}},
+    {In::drawing,
+     {Action::film_growth, "", "Film: the drawing grows dot by dot", "Watch it grow",
+      "From a few dots to all of them. None ever moves or goes."}},
+    {In::drawing,
+     {Action::film_levels, "", "Film: level by level of the tiles", "Levels",
+      "The page divided into tiles, level by level, each in its colour."}},
+    {In::drawing,
+     {Action::film_zoom, "", "Film: zoom in, with ever more dots", "Zoom",
+      "Into the middle of the view, where dots come in as the others part."}},
+    {In::drawing,
+     {Action::film_plot, "", "Film: as a machine plots it", "Watch it being plotted",
+      "Shows the pen's way in its order, with the time that a machine takes."}},
+    {In::drawing, {Action::save_film, "", "Save the film that is played"}},
+    {In::drawing, {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"}},
+    {In::drawing, {Action::larger_brush, "]", "A larger brush"}},
+    {In::drawing, {Action::photograph, "P, held", "The photograph instead of its dots"}},
+    {In::drawing, {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"}},
+    {In::map, {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"}},
+    {In::both, {Action::full_screen, "F11", "Full screen", "Full screen"}},
+    {In::both, {Action::palette, "Ctrl+P", "All that can be done, found by typing", "All commands..."}},
+    {In::both, {Action::preferences, "Ctrl+,", "Preferences: theme and text size", "Preferences..."}},
+    {In::both, {Action::about, "", "About Dapple: version and licences", "About Dapple"}},
+    {In::both, {Action::help, "?, F1", "These keys", "Keys"}},
+    {In::both, {Action::quit, "Ctrl+Q", "Quit"}},
 };
+
+constexpr const Entry* entry_of(Action action) {
+    return std::ranges::find(kEntries, action, [](const Entry& entry) { return entry.shortcut.action; });
+}
+static_assert(
+    [] {
+        for (int i = 0; i <= static_cast<int>(Action::quit); ++i)
+            if (entry_of(static_cast<Action>(i)) == std::end(kEntries)) return false;
+        return true;
+    }(),
+    "an action without its line");
+
+std::vector<Shortcut> those_in(In window) {
+    std::vector<Shortcut> those;
+    for (const Entry& entry : kEntries)
+        if (entry.in == In::both || entry.in == window) those.push_back(entry.shortcut);
+    return those;
+}
 
 struct NamedKey {
     std::string_view name;
@@ -128,23 +158,22 @@ bool are_pressed(std::string_view keys, bool row_has_keys) {
 }  // namespace
 
 std::span<const Shortcut> shortcuts() {
-    return kShortcuts;
+    static const std::vector<Shortcut> those = those_in(In::drawing);
+    return those;
 }
 
 std::span<const Shortcut> light_shortcuts() {
-    return kLightShortcuts;
+    static const std::vector<Shortcut> those = those_in(In::map);
+    return those;
 }
 
-std::string keys_of(Action action) {
-    for (const auto table : {shortcuts(), light_shortcuts()})
-        if (const auto found = std::ranges::find(table, action, &Shortcut::action); found != table.end())
-            return found->keys;
-    return {};
+const Shortcut& shortcut_of(Action action) {
+    return entry_of(action)->shortcut;
 }
 
 std::string with_keys(std::string_view tip, Action action) {
-    const std::string keys = keys_of(action);
-    return keys.empty() ? std::string(tip) : fmt::format("{}   {}", tip, keys);
+    const char* const keys = shortcut_of(action).keys;
+    return *keys ? fmt::format("{}   {}", tip, keys) : std::string(tip);
 }
 
 bool photograph_key_down() {
@@ -157,18 +186,19 @@ bool escape_pressed() {
 }
 
 bool help_pressed() {
-    return are_pressed(keys_of(Action::help), false);
+    return are_pressed(shortcut_of(Action::help).keys, false);
 }
 
 bool repeating_key_down() {
-    return std::ranges::any_of(kKeys, [](const NamedKey& key) { return is_arrow(key.key) && key_down(key.key); });
+    return std::ranges::any_of(kKeys,
+                               [](const NamedKey& key) { return is_arrow(key.key) && key_down(key.key); });
 }
 
 std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool row_has_keys) {
     std::vector<Action> actions;
     if (ImGui::GetIO().WantCaptureKeyboard) return actions;
-    for (const auto& [action, keys, meaning] : shortcuts)
-        if (are_pressed(keys, row_has_keys)) actions.push_back(action);
+    for (const Shortcut& shortcut : shortcuts)
+        if (are_pressed(shortcut.keys, row_has_keys)) actions.push_back(shortcut.action);
     return actions;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The window's keys, in one table: what the help shows is what they do.
+// All that can be asked for by a key, a button, the menu or the palette, in one table: what the help shows is
+// what the keys do. What an action then does is in Shell::act() and in each Document's.
 
 #include <span>
 #include <string>
@@ -56,13 +57,16 @@ struct Shortcut {
     Action action;
     const char* keys;     // "Ctrl+O", or several, "?, F1"; empty: none
     const char* meaning;  // "Open a picture"
+    // Of its button, or its entry in the menu; both empty if there is none.
+    const char* label = "";
+    const char* tip = "";
 };
 /// Of the window of a drawing, and of an environment map's.
 std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
-/// An action's keys, in either window; empty: none.
-std::string keys_of(Action action);
-/// A tip, with them behind it.
+/// What there is to say of an action, in the drawing's window or else in the map's.
+const Shortcut& shortcut_of(Action action);
+/// A tip, with the action's keys behind it.
 std::string with_keys(std::string_view tip, Action action);
 
 /// What the keys pressed since the last frame ask for, of these; nothing while a text field has the keyboard.

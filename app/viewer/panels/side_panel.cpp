@@ -85,9 +85,8 @@ void draw_method(Session& session, const std::function<void()>& open_tile) {
 
 void draw_export_section(const std::function<void(Action)>& act) {
     if (!section("Export")) return;
-    if (wide_button("Watch it being plotted",
-                    "Shows the pen's way in its order, with the time that a machine takes."))
-        act(Action::film_plot);
+    const Shortcut& plot = shortcut_of(Action::film_plot);
+    if (wide_button(plot.label, plot.tip)) act(Action::film_plot);
     if (wide_button(
             "Export the drawing...",
             with_keys(

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/viewer/panels/histogram.h"
+#include "app/viewer/panels/histogram_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"

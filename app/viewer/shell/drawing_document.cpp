@@ -27,7 +27,7 @@
 #include "app/viewer/model/pasted_picture.h"
 #include "app/viewer/model/small_drawing.h"
 #include "app/viewer/model/thumbnail.h"
-#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/player_bar.h"

@@ -10,7 +10,7 @@
 #include "app/settings/working_folder.h"
 #include "app/shown_text.h"
 #include "app/viewer/model/map_camera.h"
-#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/side_panel.h"

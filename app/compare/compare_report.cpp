@@ -1,4 +1,4 @@
-#include "app/compare/report.h"
+#include "app/compare/compare_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/commands/test_sheet.h"
+#include "app/commands/test_sheet_command.h"
 
 #include <fmt/format.h>
 

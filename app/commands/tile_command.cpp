@@ -1,4 +1,4 @@
-#include "app/commands/tile.h"
+#include "app/commands/tile_command.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/banner.h"
+#include "app/viewer/panels/banner_panel.h"
 
 #include <algorithm>
 #include <limits>

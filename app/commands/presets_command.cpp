@@ -1,4 +1,4 @@
-#include "app/commands/presets.h"
+#include "app/commands/presets_command.h"
 
 #include <fmt/format.h>
 

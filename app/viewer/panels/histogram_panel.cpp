@@ -1,4 +1,4 @@
-#include "app/viewer/panels/histogram.h"
+#include "app/viewer/panels/histogram_panel.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/model/comparison.h"
+#include "app/viewer/model/split_comparison.h"
 
 #include <algorithm>
 #include <cmath>

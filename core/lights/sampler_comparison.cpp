@@ -1,4 +1,4 @@
-#include "core/lights/comparison.h"
+#include "core/lights/sampler_comparison.h"
 
 #include <cmath>
 

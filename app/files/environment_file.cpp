@@ -1,4 +1,4 @@
-#include "app/files/environment.h"
+#include "app/files/environment_file.h"
 
 #include <algorithm>
 #include <stdexcept>
