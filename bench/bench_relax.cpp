@@ -20,10 +20,9 @@ namespace {
 void step(benchmark::State& state, Pipeline& pipeline, int threads) {
     const auto count = static_cast<std::uint64_t>(state.range(0));
     const DrawingPlan plan = pipeline.plan({.placing = {.count = count, .threads = 0}, .relax = 0});
-    Drawn drawn;
+    Stippling drawn;
     pipeline.draw(plan, drawn);
-    Relaxation relaxation(drawn.stippling.dots, *plan.density,
-                          {.scale = drawn.stippling.scale, .threads = threads});
+    Relaxation relaxation(drawn.dots, *plan.density, {.scale = drawn.scale, .threads = threads});
     for (auto _ : state) relaxation.step();
     state.counters["us/dot"] =
         benchmark::Counter(static_cast<double>(count) * 1e-6,

@@ -101,12 +101,12 @@ void print_table(Measured what, const std::vector<Drawing>& drawings, const PenD
     }
 }
 
-Drawn drawn_dots(Pipeline& pipeline, const Density& density, std::uint64_t count) {
+Stippling drawn_dots(Pipeline& pipeline, const Density& density, std::uint64_t count) {
     pipeline.set_plain(density);
     DrawingRequest request;
     request.placing.count = count;
     request.placing.threads = 0;
-    Drawn drawn;
+    Stippling drawn;
     pipeline.draw(pipeline.plan(request), drawn);
     return drawn;
 }
@@ -119,9 +119,9 @@ DotPieces independent_layers(Pipeline& pipeline, const PenDensities& densities, 
         const Density& density = *densities.each[pen];
         const double share = density.mean() / densities.all->mean();
         Dots own;
-        const Drawn layer =
+        const Stippling layer =
             drawn_dots(pipeline, density, static_cast<std::uint64_t>(static_cast<double>(count) * share));
-        for (const Dots& piece : layer.stippling.dots.pieces) append(own, piece);
+        for (const Dots& piece : layer.dots.pieces) append(own, piece);
         const bool square = density.width() == density.height();
         for (std::size_t turn = 0; square && turn < pen; ++turn)
             for (std::size_t i = 0; i < own.size(); ++i) own.x[i] = std::exchange(own.y[i], 1 - own.x[i]);
@@ -133,10 +133,9 @@ DotPieces independent_layers(Pipeline& pipeline, const PenDensities& densities, 
 std::vector<Drawing> drawings_of(const PenDensities& densities, std::uint64_t count) {
     Pipeline pipeline;
     pipeline.set_tile(tile_named(kDefaultTile, {}));
-    const Drawn from = drawn_dots(pipeline, *densities.all, count);
+    const Stippling from = drawn_dots(pipeline, *densities.all, count);
     const auto shared_out = [&](bool move) {
-        return pen_dots(from.stippling.dots, densities,
-                        {.scale = from.stippling.scale, .move = move, .threads = 0});
+        return pen_dots(from.dots, densities, {.scale = from.scale, .move = move, .threads = 0});
     };
     return {{"one drawing, pens exchanged", shared_out(false)},
             {"one drawing, moved too", shared_out(true)},

@@ -216,11 +216,11 @@ void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count
     request.tone = {.detail = kAutoDetail, .black = black};
     request.placing = {.count = count, .threads = 0};
     const DrawingPlan plan = pipeline.plan(request);
-    Drawn drawn;
+    Stippling drawn;
     pipeline.draw(plan, drawn);
-    const double radius = plan.radius(drawn.stippling.scale);
+    const double radius = plan.radius(drawn.scale);
     std::vector<glm::dvec2> dots;
-    for_each_position(drawn.stippling.dots, [&](float x, float y) { dots.emplace_back(x, y); });
+    for_each_position(drawn.dots, [&](float x, float y) { dots.emplace_back(x, y); });
 
     const double longer = std::max(light.width, light.height);
     const Domain page{light.width / longer, light.height / longer, Topology::window};

@@ -8,14 +8,14 @@ RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps) {
     request.placing = {.count = count, .threads = 0};
     request.relax = steps;
     const DrawingPlan plan = pipeline.plan(request);
-    Drawn drawn;
+    Stippling drawn;
     pipeline.draw(plan, drawn);
     RelaxedDots result{.density = plan.density,
-                       .scale = drawn.stippling.scale,
-                       .radius = plan.radius(drawn.stippling.scale),
-                       .ms = drawn.stippling.place_ms + drawn.relax_ms};
-    result.dots.reserve(drawn.stippling.dots.size());
-    for_each_position(drawn.stippling.dots, [&](float x, float y) { result.dots.emplace_back(x, y); });
+                       .scale = drawn.scale,
+                       .radius = plan.radius(drawn.scale),
+                       .ms = drawn.place_ms + drawn.relax_ms};
+    result.dots.reserve(drawn.dots.size());
+    for_each_position(drawn.dots, [&](float x, float y) { result.dots.emplace_back(x, y); });
     return result;
 }
 

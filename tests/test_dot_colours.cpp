@@ -140,14 +140,14 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     PlacedDrawing ink, coloured;
     REQUIRE(bench.place(request, ink));
     CHECK(ink.colours.empty());
-    const Dots dots = joined(ink.stippling.dots);
+    const Dots dots = joined(ink.dots);
     CHECK(dots.threshold.empty());
     for (const DotColourChoice& choice :
          {DotColourChoice{.colouring = DotColouring::level},
           DotColourChoice{.colouring = DotColouring::orientation}, DotColourChoice{.deepest_level = 1}}) {
         request.colours = choice;
         REQUIRE(bench.place(request, coloured));
-        CHECK(joined(coloured.stippling.dots).x == dots.x);
+        CHECK(joined(coloured.dots).x == dots.x);
         REQUIRE(coloured.colours.size() == 3000);
         const auto different = std::ranges::count_if(
             coloured.colours, [&](glm::u8vec4 colour) { return colour != coloured.colours[0]; });

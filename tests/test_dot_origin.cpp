@@ -79,10 +79,10 @@ TEST_CASE(
     const Density ramp(corners);
     RankedTile tile(made.tile, made.ranking);
     PlacedDrawing drawing;
-    tile.placer().place(ramp, {.scale = 100, .thresholds = true}, drawing.stippling.dots);
-    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    tile.placer().place(ramp, {.scale = 100, .thresholds = true}, drawing.dots);
+    drawing.blocks = dot_blocks(drawing.dots);
     const PlacedWith with{made.tile.size(), made.tile.rule};
-    const Dots dots = joined(drawing.stippling.dots);
+    const Dots dots = joined(drawing.dots);
     REQUIRE(dots.size() > 500);
     std::size_t found = 0;
     for (std::size_t i = 0; i < dots.size(); ++i) {
@@ -130,11 +130,11 @@ TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whate
         for (PlacedDrawing* drawing : {&placed, &relaxed}) {
             settings.drawing.relax = drawing == &placed ? 0 : 10;
             REQUIRE(bench.place(dots_request(settings), *drawing));
-            drawing->blocks = dot_blocks(drawing->stippling.dots);
+            drawing->blocks = dot_blocks(drawing->dots);
         }
         const auto all_of = [&](const PlacedDrawing& drawing) {
             std::multimap<std::pair<float, float>, DotOrigin> all;
-            const Dots dots = joined(drawing.stippling.dots);
+            const Dots dots = joined(drawing.dots);
             for (std::size_t i = 0; i < dots.size(); ++i) {
                 const auto dot = dot_under(drawing, with, page_point({dots.x[i], dots.y[i]}), 1e-7);
                 REQUIRE(dot);
@@ -167,8 +167,8 @@ TEST_CASE("of a relaxed dot no tile is made up, and without thresholds nothing i
     one.x[0] = one.y[0] = 0.5f;
     one.threshold[0] = 4.5f / 16 * 4;  // rank 4 at level 2 of a tile of 4 points: the first newborn one
     one.critical[0] = one.threshold[0] / 0.25f;
-    drawing.stippling.dots = in_one_piece(std::move(one));
-    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    drawing.dots = in_one_piece(std::move(one));
+    drawing.blocks = dot_blocks(drawing.dots);
     drawing.steps = 3;
     const PlacedWith with{4, {}};
     auto dot = dot_under(drawing, with, page_point({0.5, 0.51}), 0.1);
@@ -183,7 +183,7 @@ TEST_CASE("of a relaxed dot no tile is made up, and without thresholds nothing i
     REQUIRE(dot);
     CHECK(dot->tile);
     CHECK(dot->density == doctest::Approx(0.25));
-    drawing.stippling.dots.pieces[0].threshold.clear();
+    drawing.dots.pieces[0].threshold.clear();
     CHECK_FALSE(dot_under(drawing, with, page_point({0.5, 0.51}), 0.1));
 }
 
@@ -198,8 +198,8 @@ TEST_CASE("with the switch every dot of the window's drawing can be explained, w
         settings.origins = true;
         PlacedDrawing drawing;
         REQUIRE(bench.place(dots_request(settings), drawing));
-        drawing.blocks = dot_blocks(drawing.stippling.dots);
-        const Dots dots = joined(drawing.stippling.dots);
+        drawing.blocks = dot_blocks(drawing.dots);
+        const Dots dots = joined(drawing.dots);
         REQUIRE(dots.size() == 500);
         for (std::size_t i = 0; i < dots.size(); ++i) {
             const auto dot = dot_under(drawing, {}, page_point({dots.x[i], dots.y[i]}), 1e-6);
@@ -218,7 +218,7 @@ TEST_CASE("where nothing of the page is in view, the pointer is on no dot, howev
     settings.origins = true;
     PlacedDrawing drawing;
     REQUIRE(bench.place(dots_request(settings), drawing));
-    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    drawing.blocks = dot_blocks(drawing.dots);
     for (const std::int64_t corner : {std::int64_t{0}, kPage}) {
         drawing.window.x = drawing.window.y = corner;
         CHECK_FALSE(dot_under(drawing, {}, {kFurthest, kFurthest}, 1e-3));

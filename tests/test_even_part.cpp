@@ -44,7 +44,7 @@ TEST_CASE("the part that is drawn of too many dots is far more even than one at 
     for (const int steps : {0, 3}) {
         CAPTURE(steps);
         const PlacedDrawing drawing = placed(20'000, steps, true);
-        const DotPieces& dots = drawing.stippling.dots;
+        const DotPieces& dots = drawing.dots;
         const EvenPart part(dots);
         REQUIRE(part.is_known());
         for (const double every : {3.0, 8.0, 20.0}) {
@@ -65,16 +65,15 @@ TEST_CASE("the part that is drawn of too many dots is far more even than one at 
     }
 }
 
-TEST_CASE("dots on the screen say when they appear, however few and whoever places them, in a file they need not") {
-    const auto says = [](const PlacedDrawing& drawing) {
-        return EvenPart(drawing.stippling.dots).is_known();
-    };
+TEST_CASE(
+    "dots on the screen say when they appear, however few and whoever places them, in a file they need not") {
+    const auto says = [](const PlacedDrawing& drawing) { return EvenPart(drawing.dots).is_known(); };
     constexpr std::size_t kLarge = 100'000;
     const PlacedDrawing large = placed(kLarge, 0, false);
     CHECK(says(large));
-    const float limit = EvenPart(large.stippling.dots).limit(10);
+    const float limit = EvenPart(large.dots).limit(10);
     std::size_t drawn = 0;
-    for (const Dots& piece : large.stippling.dots.pieces)
+    for (const Dots& piece : large.dots.pieces)
         drawn += static_cast<std::size_t>(
             std::ranges::count_if(piece.critical, [limit](float critical) { return critical <= limit; }));
     CHECK(static_cast<double>(drawn) == doctest::Approx(kLarge / 10.0).epsilon(0.05));

@@ -60,14 +60,14 @@ Measured measured(float light, std::uint64_t count, int steps, bool by_tone, dou
         request.size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.4 * largest, .largest_mm = largest};
     }
     const DrawingPlan plan = pipeline.plan(request);
-    Drawn drawn;
+    Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     REQUIRE(drawn.steps == steps);
-    const double scale = drawn.stippling.scale;
+    const double scale = drawn.scale;
     Measured result;
-    result.dots = drawn.stippling.dots.size();
+    result.dots = drawn.dots.size();
     result.coverage = coverage_of(
-        stream_of(drawn.stippling.dots, scale), plan.page,
+        stream_of(drawn.dots, scale), plan.page,
         {.dot_radius_mm = plan.radius(scale) * plan.page.mm_per_page_unit, .dpi = 25.4 * dpmm, .threads = 0});
     result.apart = kWidthMm * dpmm / std::sqrt(double(result.dots));
     return result;
@@ -153,13 +153,13 @@ TEST_CASE("with sizes by tone, light greys have the more dots the smaller the sm
     Pipeline& pipeline = pipeline_of(0.8f);
     std::vector<std::size_t> counts;
     for (const double smallest : {0.2, 0.5, 1.0}) {
-        Drawn drawn;
+        Stippling drawn;
         REQUIRE(pipeline.draw(
             pipeline.plan({.automatic_tone = false,
                            .relax = 1,
                            .size = {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = 1}}),
             drawn));
-        counts.push_back(drawn.stippling.dots.size());
+        counts.push_back(drawn.dots.size());
     }
     CHECK(counts[0] > counts[1]);
     CHECK(counts[1] > counts[2]);

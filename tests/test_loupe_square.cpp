@@ -21,7 +21,7 @@ PlacedDrawing lattice(int m, const PageWindow& window = {}) {
         dots.x.push_back(static_cast<float>(p.x * window.width));
         dots.y.push_back(static_cast<float>(p.y * window.height));
     }
-    drawing.stippling.dots = split(dots);
+    drawing.dots = split(dots);
     return drawing;
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("the loupe folds the square's own dots, each in its place within its t
 
 TEST_CASE("dots that lie on one another, as Figure 8 emits them, are folded once") {
     PlacedDrawing drawing = lattice(256);
-    DotPieces& dots = drawing.stippling.dots;
-    drawing.stippling.duplicates = dots.size();
+    DotPieces& dots = drawing.dots;
+    drawing.duplicates = dots.size();
     dots.pieces.push_back(joined(dots));
     const LoupeSquare square{page_point({0.25, 0.25}), 6, 8};
     CHECK(folded(drawing, square).points.size() == 16 * 64);

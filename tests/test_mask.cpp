@@ -116,10 +116,10 @@ TEST_CASE("no dots are placed under black, all asked for lie elsewhere, and the 
     pipeline.set_light(Grid<float>(64, 64, 0.5f));
     DrawingRequest request{.placing = {.count = 2000}, .relax = 0};
     const auto dots_of = [&] {
-        Drawn drawn;
+        Stippling drawn;
         REQUIRE(pipeline.draw(pipeline.plan(request), drawn));
         Dots all;
-        for (const Dots& piece : drawn.stippling.dots.pieces) {
+        for (const Dots& piece : drawn.dots.pieces) {
             all.x.insert(all.x.end(), piece.x.begin(), piece.x.end());
             all.y.insert(all.y.end(), piece.y.begin(), piece.y.end());
         }

@@ -57,10 +57,10 @@ Dots all_of(const DotStream& stream) {
 }
 
 Dots drawn_by(Pipeline& pipeline, const DrawingPlan& plan) {
-    Drawn drawn;
+    Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     CHECK(drawn.steps == plan.steps);
-    return joined(drawn.stippling.dots);
+    return joined(drawn.dots);
 }
 
 bool same(const Dots& a, const Dots& b) {
@@ -222,15 +222,15 @@ TEST_CASE(
     requests.push_back({.placer = PlacerKind::figure8, .placing = {.count = {}}, .size = kByTone});
     for (const DrawingRequest& request : requests) {
         const DrawingPlan plan = pipeline.plan(request);
-        Drawn drawn;
+        Stippling drawn;
         REQUIRE(pipeline.draw(plan, drawn));
-        const Dots dots = joined(drawn.stippling.dots);
+        const Dots dots = joined(drawn.dots);
         const DotStream stream = pipeline.stream(plan);
         CHECK(dots.size() > 600);
         CHECK(same(all_of(stream), dots));
         CHECK(stream.count == dots.size());
-        CHECK(stream.scale == drawn.stippling.scale);
-        CHECK(stream.duplicates == drawn.stippling.duplicates);
+        CHECK(stream.scale == drawn.scale);
+        CHECK(stream.duplicates == drawn.duplicates);
         CHECK(drawn.steps == plan.steps);
     }
 }
@@ -414,8 +414,8 @@ TEST_CASE("whoever watches sees every step but the last, with its dots") {
         const DrawingPlan plan = pipeline.plan(request);
         std::vector<int> seen;
         std::vector<Dots> dots;
-        Drawn drawn;
-        REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Drawn& now, const auto& copy) {
+        Stippling drawn;
+        REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto& copy) {
                                                 seen.push_back(now.steps);
                                                 dots.push_back(joined(copy()));
                                                 return true;
@@ -437,8 +437,8 @@ TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
         const DrawingPlan plan =
             pipeline.plan({.placing = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}});
         for (const int last : {0, 1, 3}) {
-            Drawn drawn;
-            REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Drawn& now, const auto&) {
+            Stippling drawn;
+            REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto&) {
                                                     return now.steps < last;
                                                 }}));
             DrawingPlan shorter = plan;
@@ -446,7 +446,7 @@ TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
             CAPTURE(sized);
             CAPTURE(last);
             CHECK(drawn.steps == last);
-            CHECK(same(joined(drawn.stippling.dots), drawn_by(pipeline, shorter)));
+            CHECK(same(joined(drawn.dots), drawn_by(pipeline, shorter)));
         }
     }
 }
@@ -457,22 +457,21 @@ TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
     const Dots right = drawn_by(pipeline, plan);
     for (const int at : {0, 2}) {
         std::stop_source stop;
-        Drawn drawn;
-        CHECK_FALSE(
-            pipeline.draw(plan, drawn, {.stop = stop.get_token(), .step = [&](const Drawn& now, const auto&) {
-                                            if (now.steps == at) stop.request_stop();
-                                            return true;
-                                        }}));
+        Stippling drawn;
+        CHECK_FALSE(pipeline.draw(plan, drawn,
+                                  {.stop = stop.get_token(), .step = [&](const Stippling& now, const auto&) {
+                                       if (now.steps == at) stop.request_stop();
+                                       return true;
+                                   }}));
         REQUIRE(pipeline.draw(plan, drawn));
-        CHECK(same(joined(drawn.stippling.dots), right));
+        CHECK(same(joined(drawn.dots), right));
     }
 }
 
 TEST_CASE("Figure 8 given a count places about so many different dots") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan plan = pipeline.plan({.placer = PlacerKind::figure8, .placing = {.count = 8000}});
-    Drawn drawn;
+    Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
-    CHECK(double(drawn.stippling.dots.size() - drawn.stippling.duplicates) ==
-          doctest::Approx(8000).epsilon(0.05));
+    CHECK(double(drawn.dots.size() - drawn.duplicates) == doctest::Approx(8000).epsilon(0.05));
 }

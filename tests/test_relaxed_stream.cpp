@@ -225,9 +225,9 @@ TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
         pipeline.plan({.relax = 2,
                        .size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
                        .page = {.width_mm = 20}});
-    Drawn drawn;
+    Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
-    const Dots whole = joined(drawn.stippling.dots);
+    const Dots whole = joined(drawn.dots);
     REQUIRE(whole.radius.size() == whole.size());
     std::size_t on_sheets = 0;
     for (const PagePart& part : sheets(*plan.density)) {

@@ -49,19 +49,18 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         pipeline.set_light(read_picture(scene("cat.png")).light);
         pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
         const DrawingPlan plan = pipeline.plan(request_of(settings));
-        Drawn drawn;
+        Stippling drawn;
         REQUIRE(pipeline.draw(plan, drawn));
         for (const std::string ending : {".svg", ".csv", ".png", ".nc", ".json"}) {
             REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " +
                                asked.options)
                         .status == 0);
-            CHECK(save_drawing(
-                scene("window" + ending), settings,
-                {.dots = stream_of(drawn.stippling.dots, drawn.stippling.scale),
-                 .page = plan.page,
-                 .dot_radius_mm = plan.radius(drawn.stippling.scale) * plan.page.mm_per_page_unit,
-                 .tile_size = pipeline.tile().tile().size(),
-                 .settings = settings_inside(scene("command" + ending)).value_or("")}));
+            CHECK(save_drawing(scene("window" + ending), settings,
+                               {.dots = stream_of(drawn.dots, drawn.scale),
+                                .page = plan.page,
+                                .dot_radius_mm = plan.radius(drawn.scale) * plan.page.mm_per_page_unit,
+                                .tile_size = pipeline.tile().tile().size(),
+                                .settings = settings_inside(scene("command" + ending)).value_or("")}));
             CHECK(text_of(scene("window" + ending)) == text_of(scene("command" + ending)));
         }
     }

@@ -73,8 +73,7 @@ struct SplitSession {
 std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
     const glm::dvec2 corner = in_page_units({shown.window.x, shown.window.y});
     std::vector<glm::dvec2> places;
-    for_each_position(shown.stippling.dots,
-                      [&](float x, float y) { places.push_back(corner + glm::dvec2(x, y)); });
+    for_each_position(shown.dots, [&](float x, float y) { places.push_back(corner + glm::dvec2(x, y)); });
     return places;
 }
 
@@ -111,15 +110,14 @@ void check_same(const std::vector<glm::dvec2>& found, const std::vector<glm::dve
 TEST_CASE("zooming in with more dots, both sides show the dots that the page has at the larger scale") {
     SplitSession split(2000);
     const Session& session = split.session;
-    const double scale = session.pane().page().stippling.scale;
+    const double scale = session.pane().page().scale;
     split.zoom_in(ZoomMode::constant_density, 12);
     for (const Pane* pane : {&session.pane(), session.right()}) {
         const PlacedDrawing& shown = pane->shown();
         // 7 per cent more than in proportion, as the newest of them fade in.
-        CHECK(shown.stippling.scale == doctest::Approx(scale * 144 * 1.07).epsilon(1e-4));
-        CHECK(shown.stippling.dots.size() > 1000);
-        check_same(places_of(shown),
-                   places_in_window(pane->tile().name, shown.stippling.scale, shown.window));
+        CHECK(shown.scale == doctest::Approx(scale * 144 * 1.07).epsilon(1e-4));
+        CHECK(shown.dots.size() > 1000);
+        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window));
     }
     CHECK(session.pane().tile().name == kDefaultTile);
     CHECK(session.right()->tile().name == "paper16");
@@ -144,10 +142,10 @@ TEST_CASE("dots that a close view stopped from settling settle once the page is 
 TEST_CASE("however deep one zooms in with more dots, there are as many in view") {
     SplitSession split(2000);
     split.zoom_in(ZoomMode::constant_density, 12);
-    const auto in_view = static_cast<double>(split.session.pane().shown().stippling.dots.size());
+    const auto in_view = static_cast<double>(split.session.pane().shown().dots.size());
     for (const double factor : {0x1p20, 0x1p30, 0x1p40}) {
         split.zoom_in(ZoomMode::constant_density, factor);
-        const Stippling& shown = split.session.pane().shown().stippling;
+        const Stippling& shown = split.session.pane().shown();
         CHECK(static_cast<double>(shown.dots.size()) == doctest::Approx(in_view).epsilon(0.05));
     }
 }
@@ -158,10 +156,9 @@ TEST_CASE("deep in the page with larger dots, both sides show the dots that the 
     split.zoom_in(ZoomMode::drawing, 64);
     for (const Pane* pane : {&session.pane(), session.right()}) {
         const PlacedDrawing& shown = pane->shown();
-        CHECK(shown.stippling.scale == doctest::Approx(pane->page().stippling.scale).epsilon(1e-6));
-        CHECK(shown.stippling.dots.size() > 50);
-        check_same(places_of(shown),
-                   places_in_window(pane->tile().name, shown.stippling.scale, shown.window));
+        CHECK(shown.scale == doctest::Approx(pane->page().scale).epsilon(1e-6));
+        CHECK(shown.dots.size() > 50);
+        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window));
     }
 }
 
@@ -179,7 +176,7 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
             session.request_dots(zoom);
             return session.pane().page_request() == request;
         }));
-        return session.pane().page().stippling.dots.size();
+        return session.pane().page().dots.size();
     };
     DrawingSettings drawing;
     drawing.placing.count = 99'999'999'999;
@@ -199,15 +196,15 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
     drawing.placing.count.reset();
     drawing.placing.scale = 300;
     dots(drawing);
-    CHECK(session.pane().page().stippling.scale == 300);
+    CHECK(session.pane().page().scale == 300);
 }
 
 TEST_CASE("zooming in with more dots from a drawing at the window's bound stays within it") {
     SplitSession split(2000, 2000);
     split.session.settings.comparison.on = false;
     split.zoom_in(ZoomMode::constant_density, 3);
-    CHECK(split.session.pane().shown().stippling.dots.size() > 1000);
-    CHECK(split.session.pane().shown().stippling.dots.size() < 2100);
+    CHECK(split.session.pane().shown().dots.size() > 1000);
+    CHECK(split.session.pane().shown().dots.size() < 2100);
 }
 
 TEST_CASE("zoomed out again, both sides show the whole page as it was") {
@@ -219,14 +216,14 @@ TEST_CASE("zoomed out again, both sides show the whole page as it was") {
     split.session.request_dots(split.zoom);
     CHECK_FALSE(session.pane().shows_close());
     CHECK_FALSE(session.right()->shows_close());
-    CHECK(session.pane().shown().stippling.dots.size() == 2000);
+    CHECK(session.pane().shown().dots.size() == 2000);
     CHECK(session.pane().placings() == placings);
 }
 
 TEST_CASE("a split view that is switched off keeps nothing of its right side, and shows it anew when asked") {
     SplitSession split(2000);
     Session& session = split.session;
-    const std::size_t dots = session.right()->shown().stippling.dots.size();
+    const std::size_t dots = session.right()->shown().dots.size();
     const auto version = session.right()->version();
     session.settings.comparison.on = false;
     session.request_dots(split.zoom);
@@ -234,10 +231,10 @@ TEST_CASE("a split view that is switched off keeps nothing of its right side, an
     session.settings.comparison.on = true;
     CHECK(session.right() == nullptr);
     REQUIRE(split.brings([&] { return session.right() != nullptr; }));
-    CHECK(session.right()->shown().stippling.dots.size() == dots);
+    CHECK(session.right()->shown().dots.size() == dots);
     // Whoever goes by the number sees that these are other dots.
     CHECK(session.right()->version() > version);
-    CHECK(session.pane().shown().stippling.dots.size() == 2000);
+    CHECK(session.pane().shown().dots.size() == 2000);
 }
 
 TEST_CASE("a split view switched on and off without waiting ends as it was asked for last") {
@@ -250,7 +247,7 @@ TEST_CASE("a split view switched on and off without waiting ends as it was asked
     }
     session.settings.comparison.tile = "28433,5791/16";
     REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
-    const double dots = static_cast<double>(session.right()->shown().stippling.dots.size());
+    const double dots = static_cast<double>(session.right()->shown().dots.size());
     CHECK(dots == doctest::Approx(2000).epsilon(0.05));
 }
 
@@ -368,7 +365,7 @@ TEST_CASE("the time told for several pens is that of each one's own way") {
 TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as if it looked at all") {
     PlacedDrawing drawing;
     drawing.layout.page = {200, 150, 200};
-    Dots& dots = drawing.stippling.dots.pieces.emplace_back();
+    Dots& dots = drawing.dots.pieces.emplace_back();
     // Small squares one after another, as the recursion has them.
     constexpr int kSquares = 80, kAlong = 10;
     for (int square = 0; square < kSquares * kSquares; ++square) {
@@ -382,7 +379,7 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
         block.high = (low + glm::vec2(1, 0.75f)) / static_cast<float>(kSquares);
         drawing.blocks.push_back(block);
     }
-    DrawingToSave all{.dots = stream_of(drawing.stippling.dots, 1000),
+    DrawingToSave all{.dots = stream_of(drawing.dots, 1000),
                       .page = drawing.layout.page,
                       .dot_radius_mm = 0.1,
                       .saving = {.dpi = 300}};
@@ -656,7 +653,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
             return done();
         });
     };
-    REQUIRE(brings([&] { return session.pane().page().stippling.dots.size() == 1000; }));
+    REQUIRE(brings([&] { return session.pane().page().dots.size() == 1000; }));
     session.settings.drawing.placing.count = 10'000'000;
     REQUIRE(brings([&] { return session.pane().worker().placing_since().has_value(); }));
     session.stop_placing();
@@ -665,7 +662,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
         return session.pane().page_request() == session.pane().page_requested() &&
                !session.pane().worker().placing_since();
     }));
-    CHECK(session.pane().page().stippling.dots.size() == 1000);
+    CHECK(session.pane().page().dots.size() == 1000);
 }
 
 TEST_CASE("what undo and redo would change is said in a word or two") {
@@ -774,7 +771,7 @@ TEST_CASE(
             return session.placed_once() && !session.picture().file.empty();
         }));
         drawn_with = session.pane().page().tone.exposure;
-        return session.pane().page().stippling.dots.size();
+        return session.pane().page().dots.size();
     };
     float dark = 0, bright = 0, moved = 0;
     const std::size_t of_dark = dots(112, {}, dark), of_bright = dots(124, {}, bright);

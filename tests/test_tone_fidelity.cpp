@@ -38,11 +38,11 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     request.automatic_tone = false;
     request.tone.detail = 0;
     const DrawingPlan plan = pipeline.plan(request);
-    Drawn dots;
+    Stippling dots;
     REQUIRE(pipeline.draw(plan, dots));
-    const double radius_mm = plan.radius(dots.stippling.scale) * plan.page.mm_per_page_unit;
-    Grid<float> drawn = coverage_of(stream_of(dots.stippling.dots), plan.page,
-                                    {.dot_radius_mm = radius_mm, .dpi = 150, .threads = 0});
+    const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
+    Grid<float> drawn =
+        coverage_of(stream_of(dots.dots), plan.page, {.dot_radius_mm = radius_mm, .dpi = 150, .threads = 0});
     if (!settings.tone.invert)
         for (float& value : drawn.values) value = 1 - value;
     return drawn;

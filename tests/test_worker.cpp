@@ -72,7 +72,7 @@ TEST_CASE("a picture comes together with its first dots") {
     REQUIRE(first->picture);
     CHECK(first->picture->name == "grey.png");
     CHECK(first->picture->longer_side == 64);
-    CHECK(first->drawing.stippling.dots.size() == 500);
+    CHECK(first->drawing.dots.size() == 500);
     CHECK(wait_until([&] { return woken > 0; }));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("of many requests that come while the worker is busy the last is place
     all_ordered.release();
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     CHECK(event.size() == 1);
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 300);
+    CHECK(placed(event.back())->drawing.dots.size() == 300);
 }
 
 TEST_CASE("a picture that cannot be read leaves the old one") {
@@ -100,7 +100,7 @@ TEST_CASE("a picture that cannot be read leaves the old one") {
     CHECK(failed(event.back())->message == "bad.png: not a picture");
     worker.place(dots(200));
     event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 200);
+    CHECK(placed(event.back())->drawing.dots.size() == 200);
     CHECK_FALSE(placed(event.back())->picture);
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("a first look is drawn until the whole picture is there, and only that
     slow.drawing.relax = 10;
     worker.place(slow);
     event = listen(worker, [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.settled(); });
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 20'000);
+    CHECK(placed(event.back())->drawing.dots.size() == 20'000);
     CHECK(saved_side == 0);
     seen.release();
     event = listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<DrawingSaved>(n); });
@@ -141,7 +141,7 @@ TEST_CASE("a first look is drawn until the whole picture is there, and only that
     const auto whole = std::ranges::find_if(event, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     REQUIRE(placed(*whole)->picture);
     CHECK(placed(*whole)->picture->refines);
-    CHECK(placed(*whole)->drawing.stippling.dots.size() == 20'000);
+    CHECK(placed(*whole)->drawing.dots.size() == 20'000);
     CHECK(placed(*whole)->drawing.settled());  // no step back
     CHECK_FALSE(worker.opening());
 }
@@ -173,7 +173,7 @@ TEST_CASE("another picture is stippled as requested last without being asked") {
     worker.open("b", [] { return grey(32); });
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) && placed(n)->picture; });
     CHECK(placed(event.back())->picture->name == "b");
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 100);
+    CHECK(placed(event.back())->drawing.dots.size() == 100);
 }
 
 TEST_CASE("a request that cannot be placed says why") {
@@ -184,7 +184,7 @@ TEST_CASE("a request that cannot be placed says why") {
     worker.place(request);
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     CHECK(placed(event.back())->error.find("no such tile") != std::string::npos);
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 0);
+    CHECK(placed(event.back())->drawing.dots.size() == 0);
 }
 
 TEST_CASE("a tile is told with its first dots, and again when another was chosen") {
@@ -218,7 +218,7 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
         PlacedDrawing drawing;
         bench.place(dots(77), drawing);
         return [&saved, drawing](const SavingWatch&) {
-            saved = drawing.stippling.dots.size();
+            saved = drawing.dots.size();
             return true;
         };
     });
@@ -258,8 +258,7 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     CHECK(worker.saving()->path == "a.svg");
     CHECK(worker.saving()->share == 0.5);
     worker.place(dots(321));
-    listen(worker,
-           [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.stippling.dots.size() == 321; });
+    listen(worker, [](const WorkerEvent& n) { return placed(n) && placed(n)->drawing.dots.size() == 321; });
     CHECK(worker.saving());
     worker.cancel_saving();
     listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<SavingCancelled>(n); });
@@ -332,7 +331,7 @@ TEST_CASE("the memory of a drawing far larger than those after it goes back to t
     const auto place = [&](std::uint64_t count) {
         worker.place(dots(count));
         auto event = listen(worker, [&](const WorkerEvent& n) {
-            return placed(n) && placed(n)->drawing.stippling.dots.size() == count;
+            return placed(n) && placed(n)->drawing.dots.size() == count;
         });
         return std::move(std::get<DotsPlaced>(event.back()).drawing);
     };
@@ -392,7 +391,8 @@ TEST_CASE("of pictures that are forgotten before they are read none is read") {
     CHECK(read <= 2);  // the first may have begun
 }
 
-TEST_CASE("cancelled, neither the file that is written nor one that waits for it is, but one asked for later") {
+TEST_CASE(
+    "cancelled, neither the file that is written nor one that waits for it is, but one asked for later") {
     Worker worker([] {});
     std::atomic<bool> writes = false;
     std::atomic<int> written = 0;
@@ -437,7 +437,7 @@ TEST_CASE("a placing that takes long is given up for a new request, and nothing 
     }));
     worker.place(dots(300));
     const auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
-    CHECK(placed(event.back())->drawing.stippling.dots.size() == 300);
+    CHECK(placed(event.back())->drawing.dots.size() == 300);
 }
 
 TEST_CASE("a drawing that was shown on its way settles no further when another is asked for") {
@@ -449,9 +449,9 @@ TEST_CASE("a drawing that was shown on its way settles no further when another i
     listen(worker, [](const WorkerEvent& event) { return placed(event) != nullptr; });
     worker.place(dots(300));
     for (const WorkerEvent& event : listen(worker, [](const WorkerEvent& one) {
-             return placed(one) && placed(one)->drawing.stippling.dots.size() == 300;
+             return placed(one) && placed(one)->drawing.dots.size() == 300;
          }))
-        CHECK((placed(event)->drawing.stippling.dots.size() == 300 || !placed(event)->drawing.settled()));
+        CHECK((placed(event)->drawing.dots.size() == 300 || !placed(event)->drawing.settled()));
 }
 
 TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {
@@ -461,7 +461,7 @@ TEST_CASE("another order of a tile's points draws other dots, those that it draw
         PlacedDrawing drawing;
         REQUIRE(bench.place(request, drawing));
         std::vector<std::pair<float, float>> found;
-        for_each_position(drawing.stippling.dots, [&](float x, float y) { found.emplace_back(x, y); });
+        for_each_position(drawing.dots, [&](float x, float y) { found.emplace_back(x, y); });
         std::ranges::sort(found);
         return found;
     };

@@ -41,9 +41,7 @@ Placed place(Pipeline& pipeline, const DrawingSettings& settings) {
         throw std::runtime_error(
             fmt::format("--scale: {:g} would make more than {} dots", request.placing.scale, kMostDots));
     }
-    Drawn drawn;
-    pipeline.draw(placed.plan, drawn);
-    placed.stippling = std::move(drawn.stippling);
+    pipeline.draw(placed.plan, placed.stippling);
     return placed;
 }
 

@@ -323,21 +323,19 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     return plan;
 }
 
-bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch) {
+bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch) {
     const Density& density = *plan.density;
-    if (!stipple(*tile_, density, plan.placer, plan.placing, drawn.stippling, watch.stop)) return false;
-    if (plan.placing.thresholds) fill_critical_scales(drawn.stippling.dots, density);
-    drawn.steps = 0;
-    drawn.relax_ms = 0;
+    if (!stipple(*tile_, density, plan.placer, plan.placing, drawn, watch.stop)) return false;
+    if (plan.placing.thresholds) fill_critical_scales(drawn.dots, density);
     const auto sized = [&](DotPieces dots) {
         give_sizes(plan, dots);
         return dots;
     };
-    const bool relaxes = plan.steps > 0 && drawn.stippling.dots.size() > 0;
-    if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.stippling.dots); }))) {
+    const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
+    if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
-        Relaxation relaxation(std::exchange(drawn.stippling.dots, {}), density,
-                              {.scale = drawn.stippling.scale, .threads = plan.placing.threads});
+        Relaxation relaxation(std::exchange(drawn.dots, {}), density,
+                              {.scale = drawn.scale, .threads = plan.placing.threads});
         while (drawn.steps < plan.steps) {
             if (!relaxation.step(watch.stop)) return false;
             drawn.relax_ms += milliseconds_since(start);
@@ -347,17 +345,16 @@ bool Pipeline::draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& w
                 break;
             start = Clock::now();
         }
-        drawn.stippling.dots = relaxation.dots();
+        drawn.dots = relaxation.dots();
     }
-    if (!plan.pens.empty() && drawn.stippling.dots.size() > 0) {
+    if (!plan.pens.empty() && drawn.dots.size() > 0) {
         DotPieces by_pen = pen_dots(
-            drawn.stippling.dots, plan.by_pen,
-            {.scale = drawn.stippling.scale, .move = drawn.steps > 0, .threads = plan.placing.threads},
-            watch.stop);
+            drawn.dots, plan.by_pen,
+            {.scale = drawn.scale, .move = drawn.steps > 0, .threads = plan.placing.threads}, watch.stop);
         if (by_pen.pieces.empty()) return false;
-        drawn.stippling.dots = std::move(by_pen);
+        drawn.dots = std::move(by_pen);
     }
-    give_sizes(plan, drawn.stippling.dots);
+    give_sizes(plan, drawn.dots);
     return true;
 }
 
@@ -371,14 +368,14 @@ double Pipeline::find_scale(DrawingPlan& plan) {
 std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_token& stop) {
     if (plan.placer == PlacerKind::figure8 || !plan.pens.empty()) {
         // It needs all dots at once: it counts the duplicates among them. So do pens that share dots out.
-        const auto drawn = std::make_shared<Drawn>();
+        const auto drawn = std::make_shared<Stippling>();
         if (!draw(plan, *drawn, {.stop = stop, .step = {}})) return std::nullopt;
-        return PlannedDots{drawn->stippling.scale, [drawn](const PagePart& part, const std::stop_token&) {
-                               DotPieces own = drawn->stippling.dots;
+        return PlannedDots{drawn->scale, [drawn](const PagePart& part, const std::stop_token&) {
+                               DotPieces own = drawn->dots;
                                for (Dots& piece : own.pieces) cut_to(part, piece);
-                               DotStream dots = stream_of(std::make_shared<const DotPieces>(std::move(own)),
-                                                          drawn->stippling.scale);
-                               dots.duplicates = drawn->stippling.duplicates;
+                               DotStream dots =
+                                   stream_of(std::make_shared<const DotPieces>(std::move(own)), drawn->scale);
+                               dots.duplicates = drawn->duplicates;
                                return dots;
                            }};
     }

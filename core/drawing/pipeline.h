@@ -57,19 +57,12 @@ struct DrawingPlan {
     double radius_for_its_tone(double scale) const { return radius_for_tone(scale, full_load); }
 };
 
-/// The dots of a whole page, kept.
-struct Drawn {
-    Stippling stippling;
-    int steps = 0;        // of relaxation done
-    double relax_ms = 0;  // wall time of them
-};
-
 /// For someone who watches. Both may be left empty.
 struct DrawingWatch {
     std::stop_token stop;
     /// Told after placing and after every step but the last, with `drawn` as it is without the dots, which
     /// are copied on request. False ends the drawing there.
-    std::function<bool(const Drawn& drawn, const std::function<DotPieces()>& dots)> step;
+    std::function<bool(const Stippling& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
 /// The dots of a plan, for a file: of parts of the page, in any thread, while the pipeline draws others.
@@ -110,7 +103,7 @@ class Pipeline {
 
     /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so
     /// many. False if stopped. Throws as stipple() does.
-    bool draw(const DrawingPlan& plan, Drawn& drawn, const DrawingWatch& watch = {});
+    bool draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch = {});
 
     /// Where the dots are needed at once, they are drawn now. Nothing if stopped. Throws as stipple() does.
     std::optional<PlannedDots> dots(DrawingPlan plan, const std::stop_token& stop = {});

@@ -17,6 +17,8 @@ bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const 
              Stippling& result, std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     result.duplicates = 0;
+    result.steps = 0;
+    result.relax_ms = 0;
     if (placer == PlacerKind::figure8) {
         std::optional<Figure8Result> placed =
             request.count ? place_figure8_count(density, tile.tile(), tile.own_ranks(), *request.count, stop)

@@ -45,11 +45,14 @@ class RankedTile {
     Placer placer_;
 };
 
+/// The dots of a drawing, kept.
 struct Stippling {
-    DotPieces dots;                // as emitted
+    DotPieces dots;                // as emitted, or as they lie after so many
+    int steps = 0;                 // of relaxation
     double scale = 0;              // the one given, or the one that gives the count
     std::uint64_t duplicates = 0;  // of them (Figure 8 only)
-    double place_ms = 0;           // wall time of the placing alone
+    double place_ms = 0;           // wall time of the placing alone,
+    double relax_ms = 0;           // and of the steps
 };
 
 /// Places into `result` (its memory is used again). Figure 8 gives the whole page's dots with their

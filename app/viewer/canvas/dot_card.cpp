@@ -89,7 +89,7 @@ void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Cam
     const double radius = shown.dot_radius * camera.pixels_per_unit / pixels_per_point;
     if (radius < double{place.size.x} + double{place.size.y})
         list->AddCircle(on_screen(dot->position), static_cast<float>(radius) + 3 * unit, light, 0, 2 * unit);
-    draw_card_words(list, origin_in_words(*dot, with, shown.stippling.scale), place, unit);
+    draw_card_words(list, origin_in_words(*dot, with, shown.scale), place, unit);
     list->PopClipRect();
 }
 

@@ -62,7 +62,7 @@ PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) 
     const glm::dvec2 low = in_page_units(PagePoint{view.x, view.y} - origin);
     const glm::dvec2 page_end = shown.page_size - in_page_units(origin);
     const glm::dvec2 high = glm::min(low + glm::dvec2(view.width, view.height), page_end);
-    return points_in_view(shown.stippling.dots, {low, high}, kMostAnalysed, shown.blocks);
+    return points_in_view(shown.dots, {low, high}, kMostAnalysed, shown.blocks);
 }
 
 }  // namespace dapple

@@ -25,7 +25,7 @@ FoundDot nearest_dot(const PlacedDrawing& drawing, glm::dvec2 at, double reach) 
     for (const DotBlock& block : drawing.blocks) {
         const glm::dvec2 low(block.low), high(block.high);
         if (glm::distance(at, glm::clamp(at, low, high)) > nearest.distance) continue;
-        const Dots& piece = drawing.stippling.dots.pieces[block.piece];
+        const Dots& piece = drawing.dots.pieces[block.piece];
         for (std::size_t i = block.first; i < block.first + block.count; ++i) {
             const double distance = glm::distance(at, glm::dvec2(piece.x[i], piece.y[i]));
             if (distance <= nearest.distance) nearest = {&piece, i, distance};

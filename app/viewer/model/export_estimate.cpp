@@ -115,7 +115,7 @@ Dots scaled_radii(Dots dots, double times) {
 // Of each pen that has a smallest gap: how many of its dots are nearer to each other.
 std::vector<DrawingFacts::Gap> gaps_of(const PlacedDrawing& drawing, const PageSize& page) {
     std::vector<DrawingFacts::Gap> gaps;
-    const DotPieces by_pen = sorted_by_pen(stream_of(drawing.stippling.dots), DotOrder::recursion);
+    const DotPieces by_pen = sorted_by_pen(stream_of(drawing.dots), DotOrder::recursion);
     for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens, speeds_of({}))) {
         const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
         gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
@@ -137,7 +137,7 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi) {
     DotPieces some;
     for (const DotBlock& block : drawing.blocks) {
         if (!patches.meet(block.low, block.high)) continue;
-        const Dots& piece = drawing.stippling.dots.pieces[block.piece];
+        const Dots& piece = drawing.dots.pieces[block.piece];
         Dots& own = some.pieces.emplace_back();
         own.pen = piece.pen;
         const auto take = [&](FloatBuffer& to, const FloatBuffer& from) {
@@ -189,7 +189,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     if (key_ == key) return info_;
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
-    const Stippling& stippling = drawing.stippling;
+    const Stippling& stippling = drawing;
     const PageSize& page = drawing.layout.page;
     info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
     DrawingToSave estimated{.dots = stream_of(stippling.dots, stippling.scale),
@@ -238,24 +238,24 @@ Preflight ExportEstimate::measured(const Pane& pane, const InkedDot& ink) {
     measured_key_ = key;
     const PlacedDrawing& drawing = pane.page();
     const PageLayout& layout = drawing.layout;
-    measured_ = preflight(inked_dots(stream_of(drawing.stippling.dots), ink, layout.page), layout.page,
+    measured_ = preflight(inked_dots(stream_of(drawing.dots), ink, layout.page), layout.page,
                           ink.reach_mm(ink.radius_mm, 0), layout.within_margins, layout.picture.low);
     return measured_;
 }
 
 std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSettings& settings) {
     const PlacedDrawing& drawing = pane.page();
-    if (!drawing.settled() || drawing.stippling.dots.size() == 0) return time_;
+    if (!drawing.settled() || drawing.dots.size() == 0) return time_;
     Key key{pane.placings(), settings.drawing, settings.saving};
     if (key_ == key) return time_;
     const DrawingFormat format = DrawingFormat::svg;
     const PageSize& page = drawing.layout.page;
-    const DrawingToSave estimated{.dots = stream_of(drawing.stippling.dots, drawing.stippling.scale),
+    const DrawingToSave estimated{.dots = stream_of(drawing.dots, drawing.scale),
                                   .page = page,
                                   .pens = drawing.pens,
                                   .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit};
-    const DotOrder order = settings.saving.order.value_or(
-        usual_order(format, drawing.stippling.dots.size(), settings.drawing.style));
+    const DotOrder order =
+        settings.saving.order.value_or(usual_order(format, drawing.dots.size(), settings.drawing.style));
     const Machine machine = settings.saving.machine.value_or(usual_machine(format, settings.saving.tool));
     time_ = estimated_plotting(settings.drawing, estimated, format, order, speeds_of(machine)).time;
     key_ = std::move(key);

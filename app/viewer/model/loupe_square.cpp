@@ -31,7 +31,7 @@ std::size_t count_around(const DotPieces& dots, glm::dvec2 centre, double side) 
 
 /// Dots per square page unit around a place.
 double density_around(const PlacedDrawing& shown, glm::dvec2 place) {
-    const DotPieces& dots = shown.stippling.dots;
+    const DotPieces& dots = shown.dots;
     const double area =
         std::min(shown.window.width, shown.page_size.x) * std::min(shown.window.height, shown.page_size.y);
     double density = static_cast<double>(dots.size()) / area;
@@ -94,11 +94,11 @@ Folding folded(const PlacedDrawing& shown, const LoupeSquare& square) {
     const glm::dvec2 corner = in_page_units(square.corner - PagePoint{shown.window.x, shown.window.y});
     const double side = square.across * square.period();
     std::vector<glm::dvec2> points;
-    for_each_position(shown.stippling.dots, [&](float x, float y) {
+    for_each_position(shown.dots, [&](float x, float y) {
         const glm::dvec2 p = glm::dvec2(x, y) - corner;
         if (p.x >= 0 && p.y >= 0 && p.x < side && p.y < side) points.push_back(p);
     });
-    if (shown.stippling.duplicates > 0)
+    if (shown.duplicates > 0)
         drop_duplicates(points, same_place({side, side, Topology::window}, points.size()));
     return folded(points, {0, 0}, square.period(), square.across);
 }

@@ -22,14 +22,14 @@ std::optional<CloseView> Pane::close_view(const DotsRequest& page, const Zoom& z
     const bool moved = page_.all_steps > 0;
     if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};
     // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
-    double scale = std::nextafter(static_cast<float>(page_.stippling.scale), INFINITY);
+    double scale = std::nextafter(static_cast<float>(page_.scale), INFINITY);
     if (constant_density) scale *= kFadeHeadStart * zoom.enlargement * zoom.enlargement;
     return CloseView{window_in_view(zoom.camera, 0.3), scale};
 }
 
 double Pane::fade_scale(const Zoom& zoom) const {
     if (!shows_close_ || zoom.mode != ZoomMode::constant_density) return 0;
-    return page_.stippling.scale * zoom.enlargement * zoom.enlargement * kFadeHeadStart;
+    return page_.scale * zoom.enlargement * zoom.enlargement * kFadeHeadStart;
 }
 
 bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {

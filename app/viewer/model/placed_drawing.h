@@ -16,12 +16,11 @@
 
 namespace dapple {
 
-struct PlacedDrawing {
-    Stippling stippling;
+struct PlacedDrawing : Stippling {
     Tone tone;                                   // as drawn, with the values that were chosen automatically
     Tone usual_tone;                             // see DrawingPlan
     std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
-    int steps = 0, all_steps = 0;                // of relaxation: done, and to be done
+    int all_steps = 0;                           // of relaxation, to be done
     double dot_radius = 0;                       // page units: of all, or of the largest ones
     double dots_for_tone = 0;                    // that would give the picture's, of a fixed size; 0: they do
     double radius_for_tone_mm = 0;               // of these dots, that would do so
@@ -36,7 +35,6 @@ struct PlacedDrawing {
     glm::ivec2 picture_pixels{1, 1};   // which has so many
     PageWindow window;                 // dots and outlines are relative to its corner
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
-    double relax_ms = 0;
 
     bool settled() const { return steps == all_steps; }
 };

@@ -301,8 +301,7 @@ void Session::save(const fs::path& path) {
 
 void Session::play(FilmKind kind) {
     if (!placed_once()) return;
-    const std::uint64_t dots =
-        film && film->kind == FilmKind::growth ? film->dots : pane_.page().stippling.dots.size();
+    const std::uint64_t dots = film && film->kind == FilmKind::growth ? film->dots : pane_.page().dots.size();
     film = PlayedFilm{.kind = kind,
                       .seconds = film ? film->seconds : 8,
                       .dots = std::clamp<std::uint64_t>(dots, 1, kMostFilmDots)};
@@ -363,7 +362,7 @@ void Session::request_right(const Zoom& zoom, RequestAgain again) {
     // Its worker has a picture of its own, so that neither ever waits for the other.
     if (right_pictures_asked_ != pictures_) right_->worker().open(picture_.name, picture_.read);
     right_pictures_asked_ = pictures_;
-    right_->request(right_request(settings.comparison, *left, pane_.page().stippling), zoom, again);
+    right_->request(right_request(settings.comparison, *left, pane_.page()), zoom, again);
 }
 
 const Pane* Session::right() const {
@@ -418,8 +417,8 @@ void Session::take(DotsPlaced& event) {
     const bool levels =
         film && film->kind == FilmKind::levels && event.request.colours.colouring == DotColouring::level;
     if (levels && event.error.empty())
-        film->deepest = deepest_level(event.drawing.stippling.dots,
-                                      event.tile ? event.tile->points.size() : pane_.tile_size());
+        film->deepest =
+            deepest_level(event.drawing.dots, event.tile ? event.tile->points.size() : pane_.tile_size());
     pane_.take(event);
 }
 
@@ -469,8 +468,8 @@ void Session::take(OpeningStopped& event) {
 
 DrawnInfo Session::drawn(const Pane& pane) const {
     const PlacedDrawing& drawing = pane.page();
-    return {.dots = drawing.stippling.dots.size() - drawing.stippling.duplicates,
-            .scale = drawing.stippling.scale,
+    return {.dots = drawing.dots.size() - drawing.duplicates,
+            .scale = drawing.scale,
             .dot_radius_mm = drawing.dot_radius * drawing.layout.page.mm_per_page_unit,
             .most_dots = most_dots_,
             .tone = drawing.tone,

@@ -18,8 +18,7 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
     }
     if (!page.settled()) return;
     const auto has_no_priority = [](const Dots& piece) { return piece.critical.size() < piece.size(); };
-    if (saving.order == DotOrder::priority &&
-        std::ranges::any_of(page.stippling.dots.pieces, has_no_priority))
+    if (saving.order == DotOrder::priority && std::ranges::any_of(page.dots.pieces, has_no_priority))
         return;  // dots that have are on their way
     Asked asked{placing, settings, saving.machine.value_or(usual_machine(DrawingFormat::svg, saving.tool)),
                 saving.order};
@@ -30,8 +29,8 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
     }
     if (finding_.busy() || begun_ == asked_) return;
     begun_ = asked_;
-    finding_.begin([dots = page.stippling.dots, pens = page.pens, sheet = page.layout.page,
-                    radius = page.dot_radius, what = *asked_](const auto& task) -> std::optional<Found> {
+    finding_.begin([dots = page.dots, pens = page.pens, sheet = page.layout.page, radius = page.dot_radius,
+                    what = *asked_](const auto& task) -> std::optional<Found> {
         const DotOrder order =
             what.order.value_or(usual_order(DrawingFormat::svg, dots.size(), what.settings.style));
         const DotPieces sorted = sorted_by_pen(stream_of(dots), order, {.stop = task.stop(), .progress = {}});
@@ -68,9 +67,9 @@ PlacedDrawing ShownPlot::drawn(const PlacedDrawing& page, std::size_t count) con
         now.strokes = on_screen(stream, film_->pens, film_->mm_per_page_unit);
         return now;
     }
-    now.stippling.dots = first_dots(plot.dots, count);
-    now.blocks = dot_blocks(now.stippling.dots);
-    if (!film_->pens.empty()) now.colours = pen_colours(now.stippling.dots, film_->pens);
+    now.dots = first_dots(plot.dots, count);
+    now.blocks = dot_blocks(now.dots);
+    if (!film_->pens.empty()) now.colours = pen_colours(now.dots, film_->pens);
     return now;
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving thei
 
 std::size_t room_of(const PlacedDrawing& drawing) {
     std::size_t room = 0;
-    for (const Dots& piece : drawing.stippling.dots.pieces) room += piece.x.capacity();
+    for (const Dots& piece : drawing.dots.pieces) room += piece.x.capacity();
     return room;
 }
 
@@ -55,8 +55,8 @@ void SpareDrawings::sort(std::size_t dots) {
 }
 
 void shrink_if_far_too_large(PlacedDrawing& drawing) {
-    if (!far_too_large(room_of(drawing), drawing.stippling.dots.size())) return;
-    for (Dots& piece : drawing.stippling.dots.pieces) {
+    if (!far_too_large(room_of(drawing), drawing.dots.size())) return;
+    for (Dots& piece : drawing.dots.pieces) {
         for (FloatBuffer* column : {&piece.x, &piece.y, &piece.threshold, &piece.critical, &piece.radius})
             column->shrink_to_fit();
     }

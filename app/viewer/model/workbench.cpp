@@ -75,11 +75,11 @@ bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest&
                                  .thresholds = true,
                                  .window = request.close->window};
     Placer& placer = pipeline.tile().placer();
-    drawing.stippling.scale = placing.scale;
-    drawing.stippling.duplicates = 0;
-    if (!placer.place(*plan.density, placing, drawing.stippling.dots, stop)) return false;
+    drawing.scale = placing.scale;
+    drawing.duplicates = 0;
+    if (!placer.place(*plan.density, placing, drawing.dots, stop)) return false;
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-    drawing.stippling.place_ms = passed.count();
+    drawing.place_ms = passed.count();
     drawing.steps = drawing.all_steps = 0;
     drawing.relax_ms = 0;
     drawing.outlines.clear();
@@ -92,29 +92,25 @@ bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& 
                 const Unsettled& unsettled) {
     DrawingWatch watch{.stop = stop, .step = {}};
     if (unsettled) {
-        watch.step = [&](const Drawn& drawn, const std::function<DotPieces()>& dots) {
+        watch.step = [&](const Stippling& drawn, const std::function<DotPieces()>& dots) {
             return unsettled([&] {
                 PlacedDrawing now;
-                now.stippling.dots = dots();
-                now.stippling.scale = drawn.stippling.scale;
-                now.stippling.place_ms = drawn.stippling.place_ms;
+                now.dots = dots();
+                now.scale = drawn.scale;
+                now.place_ms = drawn.place_ms;
                 now.steps = drawn.steps;
                 now.all_steps = plan.steps;
                 now.relax_ms = drawn.relax_ms;
-                if (request.outlines) now.outlines = pipeline.outlines(plan, drawn.stippling.scale);
+                if (request.outlines) now.outlines = pipeline.outlines(plan, drawn.scale);
                 finish(now);
                 return now;
             });
         };
     }
-    Drawn drawn{.stippling = std::move(drawing.stippling)};
-    if (!pipeline.draw(plan, drawn, watch)) return false;
-    drawing.stippling = std::move(drawn.stippling);
-    drawing.steps = drawn.steps;
+    if (!pipeline.draw(plan, drawing, watch)) return false;
     drawing.all_steps = plan.steps;
-    drawing.relax_ms = drawn.relax_ms;
     drawing.outlines.clear();
-    if (request.outlines) drawing.outlines = pipeline.outlines(plan, drawing.stippling.scale);
+    if (request.outlines) drawing.outlines = pipeline.outlines(plan, drawing.scale);
     return true;
 }
 
@@ -135,18 +131,18 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
-        placed.layout = made.layout(placed.stippling.scale);
+        placed.layout = made.layout(placed.scale);
         placed.framing = pipeline_.framing();
         placed.picture_pixels = pipeline_.pixels();
         placed.window = request.close ? request.close->window : PageWindow{};
-        placed.dot_radius = made.radius(placed.stippling.scale);
+        placed.dot_radius = made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
         placed.radius_for_tone_mm =
-            made.radius_for_its_tone(placed.stippling.scale) * placed.layout.page.mm_per_page_unit;
-        placed.colours = chosen_colours(
-            placed.stippling.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window}, request.colours);
+            made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
+        placed.colours = chosen_colours(placed.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window},
+                                        request.colours);
     };
     if (!(request.close ? place_close(pipeline_, made, request, drawing, stop)
                         : place_page(pipeline_, made, request, drawing, stop, finish, unsettled)))
@@ -154,7 +150,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     finish(drawing);
     drawing.pens = request.close ? Palette{} : made.pens;
     if (!drawing.pens.empty() && drawing.colours.empty())
-        drawing.colours = pen_colours(drawing.stippling.dots, drawing.pens);
+        drawing.colours = pen_colours(drawing.dots, drawing.pens);
     return true;
 }
 
@@ -184,12 +180,12 @@ void Workbench::open(Picture picture, OpenedPicture about) {
 // What the window needs beyond the drawing, and nothing that it doesn't.
 DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
                                        const std::stop_token& stop) {
-    drawing.blocks = dot_blocks(drawing.stippling.dots);
+    drawing.blocks = dot_blocks(drawing.dots);
     drawing.strokes = {};
     // Looked at closely, there are more dots with every zoom: they are shown as such.
     if (request.strokes.draws() && !request.close)
-        drawing.strokes = shown_strokes(drawing.stippling.dots, request.strokes, drawing.pens,
-                                        drawing.layout.page, drawing.dot_radius, way, stop);
+        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.pens, drawing.layout.page,
+                                        drawing.dot_radius, way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);
@@ -226,7 +222,7 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
             spare_.give_back(std::move(drawing));
             return std::nullopt;
         }
-        last_size_ = drawing.stippling.dots.size();
+        last_size_ = drawing.dots.size();
         // A line's way takes longer than its dots.
         if (request.strokes.style == DrawingStyle::line && !request.close && !settled_only &&
             last_size_ > kDotsRoutedSoon)

@@ -533,7 +533,7 @@ SplitLook DrawingDocument::look(const CanvasPlace& place) const {
 }
 
 SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) const {
-    const Stippling& stippling = pane.page().stippling;
+    const Stippling& stippling = pane.page();
     const DotsRequest request = pane.page_request().value_or(DotsRequest{});
     SideCaption caption;
     caption.title = drawn_with(request);
@@ -593,7 +593,7 @@ std::optional<double> DrawingDocument::placed_share() const {
 
 StatusInfo DrawingDocument::info() const {
     const Pane& pane = session_.pane();
-    const Stippling &stippling = pane.shown().stippling, &page = pane.page().stippling;
+    const Stippling &stippling = pane.shown(), &page = pane.page();
     const double enlarged = canvas_.enlargement();
     const bool more_dots = pane.shows_close() && zoom().mode == ZoomMode::constant_density && enlarged > 1;
     return {.dots = page.dots.size(),
@@ -621,7 +621,7 @@ StatusInfo DrawingDocument::info() const {
 std::optional<StatusInfo::RightSide> DrawingDocument::right_info() const {
     const Pane* right = session_.right();
     if (!right) return std::nullopt;
-    const Stippling& stippling = right->shown().stippling;
+    const Stippling& stippling = right->shown();
     return StatusInfo::RightSide{.dots = stippling.dots.size(),
                                  .duplicates = stippling.duplicates,
                                  .scale = stippling.scale,
@@ -633,7 +633,7 @@ std::optional<StatusInfo::RightSide> DrawingDocument::right_info() const {
 ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_t tile_size) const {
     return {.view = points_on_screen(pane.shown(), canvas_.camera()),
             .tile_size = tile_size,
-            .has_duplicates = pane.page().stippling.duplicates > 0};
+            .has_duplicates = pane.page().duplicates > 0};
 }
 
 EntryPicture DrawingDocument::preview_of(const DrawingSettings& drawing) {
