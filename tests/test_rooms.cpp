@@ -100,7 +100,7 @@ TEST_CASE("each room of the program knows only the rooms below it") {
          {"app", "app/files", "app/settings", "app/viewer/canvas", "app/viewer/model", "app/viewer/panels",
           "app/viewer/widgets"}},
         {"app/viewer/panels",
-         {"app", "app/files", "app/film", "app/settings", "app/viewer/model", "app/viewer/widgets"}},
+         {"app", "app/files", "app/settings", "app/viewer/model", "app/viewer/widgets"}},
         {"app/viewer/canvas", {"app/viewer/model", "app/viewer/widgets"}},
         {"app/viewer/model", {"app", "app/files", "app/film", "app/settings"}},
         {"app/viewer/widgets", {"app"}},

@@ -410,6 +410,33 @@ TEST_CASE("a change is told by the row that makes it") {
     CHECK(words([](ViewerSettings&) {}).empty());
 }
 
+TEST_CASE("a change of several pens is told by its own row") {
+    ViewerSettings before;
+    before.drawing.pens = parse_pens("Sky:#3aa0d8:0.3,Ochre:#805010:0.5,Ink:#101010:0.2");
+    const auto words = [&](auto change) {
+        ViewerSettings after = before;
+        change(after.drawing.pens);
+        return change_in_words(before, after);
+    };
+    CHECK(words([](PenChoice& pens) { pens.set = PenSet::cmyk; }) == "Which pens");
+    CHECK(words([](PenChoice& pens) { pens.own[1].name = "Sand"; }) == "Pen 2");
+    CHECK(words([](PenChoice& pens) { pens.own[0].colour = kBlack; }) == "Colour 1");
+    CHECK(words([](PenChoice& pens) { pens.own[2].width_mm = 0.4; }) == "Width 3");
+    CHECK(words([](PenChoice& pens) { pens.own[2].gap_mm = 0.4; }) == "Gap 3");
+    CHECK(words([](PenChoice& pens) { pens.own[2].gain_mm = 0.04; }) == "Gain 3");
+    CHECK(words([](PenChoice& pens) { pens.own.push_back({.name = "Red"}); }) == "Add a pen");
+    CHECK(words([](PenChoice& pens) { pens.own.erase(pens.own.begin() + 1); }) == "Remove Ochre");
+    CHECK(words([](PenChoice& pens) { pens.own.pop_back(); }) == "Remove Ink");
+    CHECK(words([](PenChoice& pens) { std::swap(pens.own[0], pens.own[1]); }) == "Draw Ochre earlier");
+    CHECK(words([](PenChoice& pens) { pens.own = palette_of({.set = PenSet::cmyk}); }) == "Palette");
+    before.drawing.pens = parse_pens("cmyk:0.3");
+    CHECK(words([](PenChoice& pens) { pens.width_mm = 0.4; }) == "Tip width");
+    CHECK(words([](PenChoice& pens) { pens.gain_mm = 0.04; }) == "Dot gain");
+    CHECK(words([](PenChoice& pens) { pens.black = 0.8; }) == "Black ink");
+    before.drawing.pens = parse_pens("auto:4");
+    CHECK(words([](PenChoice& pens) { pens.automatic = 5; }) == "How many");
+}
+
 TEST_CASE("a drawing has changes until it is undone, or saved in what holds its settings") {
     const TemporaryFolder folder;
     Session session(DrawingSettings{}, [] {});

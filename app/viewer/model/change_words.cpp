@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/setting.h"
 #include "app/settings/settings_text.h"
 #include "app/viewer/model/viewer_fields.h"
 
@@ -42,6 +43,32 @@ void collect_rows(const std::string& before, const nlohmann::ordered_json& chang
     }
 }
 
+// Pens are one text in files: what was changed of it first.
+std::string row_of_pens(const PenChoice& before, const PenChoice& after) {
+    if (before.set != after.set) return setting::pens.names.row;
+    if (before.automatic != after.automatic) return "How many";
+    if (before.width_mm != after.width_mm) return "Tip width";
+    if (before.gain_mm != after.gain_mm) return "Dot gain";
+    if (before.black != after.black) return "Black ink";
+    const Palette &from = before.own, &to = after.own;
+    const auto [old_end, new_end] = std::ranges::mismatch(from, to);
+    const auto i = static_cast<std::size_t>(old_end - from.begin());
+    if (old_end == from.end() && new_end + 1 == to.end()) return "Add a pen";
+    if (old_end != from.end() && std::ranges::equal(old_end + 1, from.end(), new_end, to.end()))
+        return "Remove " + old_end->name;
+    if (from.size() != to.size() || from == to) return from == to ? setting::pens.names.row : "Palette";
+    if (i + 1 < to.size() && from[i] == to[i + 1] && from[i + 1] == to[i])
+        return fmt::format("Draw {} earlier", to[i].name);
+    if (!std::ranges::equal(old_end + 1, from.end(), new_end + 1, to.end())) return "Palette";
+    const Pen &old = from[i], &now = to[i];
+    const char* const row = old.name != now.name           ? "Pen"
+                            : old.colour != now.colour     ? "Colour"
+                            : old.width_mm != now.width_mm ? "Width"
+                            : old.gap_mm != now.gap_mm     ? "Gap"
+                                                           : "Gain";
+    return fmt::format("{} {}", row, i + 1);
+}
+
 }  // namespace
 
 std::string change_in_words(const ViewerSettings& before, const ViewerSettings& after) {
@@ -58,6 +85,8 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
         return "Tile";
     }
     if (rows.empty()) return {};
+    std::ranges::replace(rows, std::string(setting::pens.names.row),
+                         row_of_pens(before.drawing.pens, after.drawing.pens));
     return rows.size() == 1 ? rows[0] : fmt::format("{} and {} more", rows[0], rows.size() - 1);
 }
 
