@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/pens/separation.h"
+
 namespace dapple {
+namespace {
+
+// Whether each pen has a width of its own, and not all of them one.
+bool have_own_widths(const PenChoice& pens) {
+    return pens.set == PenSet::own || chooses_from_own(pens);
+}
+
+}  // namespace
 
 std::string tile_in_use(const DrawingSettings& settings) {
     const bool turns = settings.tile == kDefaultTile && settings.placer == PlacerKind::figure8;
@@ -21,7 +31,7 @@ std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, 
         Pen wide;
         wide.width_mm = choice.width_mm;
         wide.gain_mm = choice.gain_mm;
-        if (choice.set == PenSet::own) {
+        if (have_own_widths(choice)) {
             // They come in another order, and may have lost their widths: see request_of().
             const auto own = std::ranges::find(choice.own, pen.name, &Pen::name);
             wide = own == choice.own.end() ? Pen() : *own;
@@ -34,7 +44,7 @@ std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, 
 
 bool have_widths(const PenChoice& pens) {
     if (pens.set == PenSet::one) return false;
-    if (pens.set != PenSet::own) return pens.width_mm > 0;
+    if (!have_own_widths(pens)) return pens.width_mm > 0;
     return std::ranges::any_of(pens.own, [](const Pen& pen) { return pen.width_mm > 0; });
 }
 
@@ -45,9 +55,8 @@ bool draws_touches(const DrawingSettings& settings) {
 double widest_stroke(const DrawingSettings& settings) {
     if (!draws_strokes(settings)) return 0;
     const PenChoice& choice = settings.pens;
-    Palette pens = palette_of(choice);
-    // Automatic ones are all as wide.
-    if (choice.set == PenSet::automatic) pens.emplace_back();
+    Palette pens = have_own_widths(choice) ? choice.own : palette_of(choice);
+    if (pens.empty() && choice.set == PenSet::automatic) pens.emplace_back();  // all are as wide
     const std::vector<double> widths = stroke_widths(choice, settings.pen_width_mm, pens, pen_use(settings));
     return widths.empty() ? settings.pen_width_mm : std::ranges::max(widths);
 }

@@ -107,6 +107,15 @@ TEST_CASE("the palette row takes one's pens, keeps the present ones under a name
     CHECK_FALSE(fs::exists(folder / "mine.json"));
     CHECK(settings.pens.own[0].width_mm == 0.7);  // what draws stays
     fs::remove(folder / "broken.json");
+    settings.pens = {.set = PenSet::automatic, .automatic = 6};
+    ui.frame();
+    choose("fineliners");  // automatic ones are chosen from it
+    CHECK(text_of(settings.pens).starts_with("auto:6:Black:#1d1d1b:0.4,"));
+    choose("ballpoints");  // which are four
+    CHECK(settings.pens.automatic == 3);
+    CHECK(settings.pens.own.size() == 4);
+    choose("common pens");
+    CHECK(text_of(settings.pens) == "auto:3");
     settings.pens = {.set = PenSet::cmyk, .width_mm = 0.25};
     ui.frame();
     choose("Save these pens as...");

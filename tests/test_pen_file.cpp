@@ -118,6 +118,14 @@ TEST_CASE("the command takes a palette by its name, and the shell is offered tho
     CHECK(complaint("broken").find("broken.json: 0 pens are not possible") != std::string::npos);
     CHECK(complaint("Sea").find("there is no file or palette \"Sea\"; palettes are ballpoints, ") !=
           std::string::npos);
+    REQUIRE(run_in_shell(draw + "auto:1:sky -o " + scene("e.csv")).status == 0);
+    REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 500 --pens auto:1:Sky:#9cf:0.4,Ink:#111 -o " +
+                       scene("f.csv"))
+                .status == 0);
+    CHECK(text_of(scene("e.csv")) == text_of(scene("f.csv")));
+    CHECK(run_in_shell(draw + "auto:2:0.3mm -o " + scene("g.csv")).status == 0);  // a width
+    CHECK(complaint("auto:2:sky").find("2 pens leave auto:2 no choice") != std::string::npos);
+    CHECK(complaint("auto:2:Sea").find("there is no file or palette \"Sea\"") != std::string::npos);
     const std::string offered = run_in_shell(at_home + "complete -- render --pens ''").out;
     for (const char* word : {"cmyk\t", "ballpoints\t", "sky\t"})
         CHECK(offered.find(word) != std::string::npos);

@@ -1,6 +1,7 @@
 // Sets of pens, their separation, and the dots that they share.
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
+#include "core/drawing/pen_plan.h"
 #include "core/image/linear_colour.h"
 #include "core/pens/pen_dots.h"
 #include "core/placing/stipple.h"
@@ -52,7 +54,8 @@ TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
     for (const char* text :
          {"one", "greys", "cmyk", "cmyk:0.3", "auto:5", "auto:3:0.5", "Sky:#3aa0d8:0.3,Dark ochre:#805010",
           "Sky:#3aa0d8:0.3:0.6,Ink:#101010", "cmyk:0.3+0.04", "cmyk:black=0.8", "cmyk:0.3+0.04:black=0",
-          "greys:0.5+0.1", "auto:3:0.5+0.05", "Sky:#3aa0d8:0.3+0.05:0.6,Ink:#101010:0.2+0.02"})
+          "greys:0.5+0.1", "auto:3:0.5+0.05", "Sky:#3aa0d8:0.3+0.05:0.6,Ink:#101010:0.2+0.02",
+          "auto:1:Sky:#3aa0d8:0.3,Ink:#101010"})
         CHECK(text_of(parse_pens(text)) == text);
     CHECK(parse_pens("cmyk:0.3+0").gain_mm == 0);
     CHECK(parse_pens("Sky:#3aa0d8:0.3mm + 0.002in").own[0].gain_mm == doctest::Approx(0.0508));
@@ -66,6 +69,9 @@ TEST_CASE("a pen's text reads back the same, and what is no pen is told so") {
                              "auto:0",
                              "auto:13",
                              "auto:x",
+                             "auto:2:Sky:#3aa0d8:0.3,Ink:#101010",
+                             "auto:1:0.3:Sky:#3aa0d8,Ink:#101010",
+                             "auto:#3aa0d8",
                              "one:0.3",
                              "Sky:#3aa0d8:thin",
                              "Sky:blue",
@@ -188,6 +194,26 @@ TEST_CASE("of the pens of a picture in two colours the two are chosen") {
     std::ranges::sort(chosen, {}, &Pen::name);
     CHECK(chosen[0].name == "Blue");
     CHECK(chosen[1].name == "Red");
+}
+
+TEST_CASE(
+    "automatic pens are chosen from one's own, with their widths, where there are more than are wanted") {
+    const auto chosen = [](const PenChoice& choice) {
+        std::string names;
+        ColourGrid red_and_blue(2, 1);
+        red_and_blue.values = {packed(linear_of(common_pens()[9].colour)),
+                               packed(linear_of(common_pens()[15].colour))};
+        for (const Pen& pen : pens_for(choice, red_and_blue, 0, kWhite))
+            names += fmt::format("{} {:g} ", pen.name, pen.width_mm);
+        return names;
+    };
+    PenChoice choice =
+        parse_pens("auto:2:Leaf:#95c11f:0.2,Navy:#0000d0:0.3,Sun:#ffed00:0.4,Rose:#d00000:0.5:0.9");
+    choice.order = PenOrder::darkest;
+    choice.width_mm = 1;  // as a window's row still has it
+    CHECK(chosen(choice) == "Navy 0.3 Rose 0.5 ");
+    choice.own.resize(2);  // leaves nothing to choose
+    CHECK(chosen(choice) == "Blue 1 Red 1 ");
 }
 
 TEST_CASE("pens share dots in their proportions, all of them even and each pen's own too") {

@@ -357,6 +357,30 @@ TEST_CASE("of several pens the one that draws first is the lightest, the darkest
     CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 Pale", "3 Sand"});
 }
 
+TEST_CASE("the layers of an SVG, plotted one after the other, touch no place twice") {
+    const Scene scene;
+    REQUIRE(
+        run_dapple("render " + scene("cat.png") + " --dots 900 --width 60 --pens cmyk -o " + scene("p.svg"))
+            .status == 0);
+    pugi::xml_document svg;
+    REQUIRE(svg.load_file(scene("p.svg").c_str()));
+    std::vector<glm::dvec2> touched;
+    std::size_t layers = 0;
+    for (const auto& found : svg.select_nodes("//g[@inkscape:groupmode='layer']")) {
+        const std::size_t before = touched.size();
+        for (const pugi::xml_node& dot : found.node().children("circle"))
+            touched.emplace_back(dot.attribute("cx").as_double(), dot.attribute("cy").as_double());
+        layers += touched.size() > before;
+    }
+    CHECK(layers >= 3);
+    REQUIRE(touched.size() == 900);
+    double nearest = 60;
+    for (std::size_t i = 0; i < touched.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            nearest = std::min(nearest, glm::distance(touched[i], touched[j]));
+    CHECK(nearest > 1.5);  // of 96 in an inch; some 6 where all of the page is as dark
+}
+
 TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and their figures are told") {
     require_program("pdfinfo -v");
     require_program("rsvg-convert --version");

@@ -435,6 +435,8 @@ TEST_CASE("a change of several pens is told by its own row") {
     CHECK(words([](PenChoice& pens) { pens.black = 0.8; }) == "Black ink");
     before.drawing.pens = parse_pens("auto:4");
     CHECK(words([](PenChoice& pens) { pens.automatic = 5; }) == "How many");
+    CHECK(words([](PenChoice& pens) { pens.own = palette_of({.set = PenSet::cmyk}), pens.automatic = 3; }) ==
+          "Palette");
 }
 
 TEST_CASE("a drawing has changes until it is undone, or saved in what holds its settings") {

@@ -88,9 +88,16 @@ DotSize dot_size_in(const std::string& name, const std::string& text) {
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
 
-// What is not a set of pens and has no colour in it is a file's name, or a palette's.
+// What is not a set of pens and has no colour in it is a file's name, or a palette's; also behind "auto:4:".
 PenChoice pens_in(const std::string& text) {
     std::error_code error;
+    const std::size_t first = text.find(':'), second = first == text.npos ? first : text.find(':', first + 1);
+    if (second != text.npos && value_named<PenSet>(text.substr(0, first)) == PenSet::automatic &&
+        text.find('#') == text.npos) {
+        const std::string behind = text.substr(second + 1);
+        if (!millimetres_of(behind.substr(0, behind.find('+'))))
+            return parse_pens(text.substr(0, second + 1) + text_of(own_pens(palette_of(pens_in(behind)))));
+    }
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
         return read_pens(text);
     if (is_pen_name(text) && !names_pen_set(text))
@@ -198,8 +205,7 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
 }
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
-    return add_text(app, "--pens", "PENS", help,
-                    reading("--pens", [&pens](const std::string& text) {
+    return add_text(app, "--pens", "PENS", help, reading("--pens", [&pens](const std::string& text) {
                         const PenOrder order = pens.order;
                         pens = pens_in(text);
                         pens.order = order;
@@ -364,16 +370,18 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     add_pens(
         app, settings.pens,
         "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
-        "picture, each with a width if wanted as in cmyk:0.3mm; or your own as "
+        "picture, or auto:N:fineliners for those of a palette that do, each with a width if wanted as in "
+        "cmyk:0.3mm; or your own as "
         "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON; or a "
         "palette by its name, such as fineliners, or one that the window saved. No two dots of any pens "
         "collide. With a width all dots are that large, and so much larger as the dot gain says "
         "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
         "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
-    add_choice(app, "--pen-order", settings.pens.order,
-               "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
-               "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
+    add_choice(
+        app, "--pen-order", settings.pens.order,
+        "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
+        "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
     add_colour(app, setting::ink, settings.ink);
     add_colour(app, setting::paper, settings.paper);
 }

@@ -53,8 +53,10 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
         for (std::size_t i = step / 2; i < pixels; i += step)
             some.push_back(glm::clamp(unpacked(colours.values[i]) * std::exp2(exposure), 0.0f, 1.0f));
         if (some.empty()) some.assign({glm::vec3(0.2f), glm::vec3(0.5f)});
-        pens = best_pens(some, common_pens(), choice.automatic, paper);
+        const bool from_own = chooses_from_own(choice);
+        pens = best_pens(some, from_own ? choice.own : common_pens(), choice.automatic, paper);
         for (Pen& pen : pens) {
+            if (from_own) break;
             pen.width_mm = choice.width_mm;
             pen.gain_mm = choice.gain_mm;
         }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/image/linear_colour.h"
+#include "core/pens/separation.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"
 
@@ -181,9 +182,8 @@ PenChoice own_pens(Palette pens) {
 void sort_pens(Palette& pens, PenOrder order) {
     if (order == PenOrder::listed) return;
     const float sign = order == PenOrder::lightest ? -1 : 1;
-    std::ranges::stable_sort(pens, std::ranges::less{}, [sign](const Pen& pen) {
-        return sign * luminance(linear_of(pen.colour));
-    });
+    std::ranges::stable_sort(pens, std::ranges::less{},
+                             [sign](const Pen& pen) { return sign * luminance(linear_of(pen.colour)); });
 }
 
 PenChoice parse_pens(std::string_view text) {
@@ -218,6 +218,15 @@ PenChoice parse_pens(std::string_view text) {
             throw std::runtime_error(
                 fmt::format("{} is no number of pens; give 1 to {}, as in auto:4", words[1], kMostPens));
         choice.automatic = *count;
+        if (text.find('#') != std::string_view::npos) {
+            text.remove_prefix(text.find(':', text.find(':') + 1) + 1);
+            choice.own = pens_in(parts_of(text, ',')).own;
+            if (!chooses_from_own(choice))
+                throw std::runtime_error(
+                    fmt::format("{} pens leave auto:{} no choice; give it more to choose from",
+                                choice.own.size(), choice.automatic));
+            return choice;
+        }
         return take_width(2);
     }
     return pens_in(parts_of(text, ','));
@@ -237,16 +246,17 @@ std::string text_of(const PenChoice& choice) {
         return gain > 0 ? text + fmt::format("+{:g}", gain) : text;
     };
     if (choice.set == PenSet::one) return "one";
-    if (choice.set == PenSet::automatic)
+    if (choice.set == PenSet::automatic && !chooses_from_own(choice))
         return with_width(fmt::format("auto:{}", choice.automatic), choice.width_mm, choice.gain_mm);
-    if (choice.set != PenSet::own) {
+    if (choice.set != PenSet::own && choice.set != PenSet::automatic) {
         const std::string set = with_width(std::string(name_of(choice.set)), choice.width_mm, choice.gain_mm);
         const bool says_black = choice.set == PenSet::cmyk && choice.black != kUsualBlack;
         return says_black ? set + fmt::format(":{}{:g}", kBlackWord, choice.black) : set;
     }
-    std::string text;
+    std::string text, between;
+    if (choice.set == PenSet::automatic) text = fmt::format("auto:{}:", choice.automatic);
     for (const Pen& pen : choice.own) {
-        text += (text.empty() ? "" : ",") +
+        text += std::exchange(between, ",") +
                 with_width(fmt::format("{}:{}", pen.name, hex_of(pen.colour)), pen.width_mm, pen.gain_mm);
         if (pen.width_mm > 0 && pen.gap_mm > 0) text += fmt::format(":{:g}", pen.gap_mm);
     }

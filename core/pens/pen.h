@@ -43,7 +43,7 @@ enum class PenSet {
     greys,      // three
     cmyk,       // with the colours of process inks on coated paper, in sRGB
     own,        // any
-    automatic,  // those of common_pens() that draw the picture best
+    automatic,  // those of common_pens(), or of own ones, that draw the picture best
 };
 /// How much of greys black draws in place of coloured inks, where the inks leave a choice.
 inline constexpr double kUsualBlack = 0.5;
@@ -68,8 +68,8 @@ struct PenChoice {
     int automatic = 4;    // how many, 1..kMostPens
     double width_mm = 0;  // of all pens of a set that is not one's own; 0: as large as the dots are drawn
     double gain_mm = 0;   // of the same pens
-    double black = kUsualBlack;  // of cmyk, 0..1: see Separation
-    Palette own = {};
+    double black = kUsualBlack;           // of cmyk, 0..1: see Separation
+    Palette own = {};                     // of automatic ones those to choose from: see chooses_from_own()
     PenOrder order = PenOrder::lightest;  // not of the text
 
     bool operator==(const PenChoice&) const = default;
@@ -88,8 +88,8 @@ void sort_pens(Palette& pens, PenOrder order);
 
 /// What --pens takes: "one", "greys", "cmyk", "auto:5", each with a width as in "cmyk:0.3mm"; or own pens,
 /// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,
-/// Ochre:#c08a2e:0.5". A width may have a dot gain behind it, "0.3+0.05"; cmyk may end in "black=0.8". Throws
-/// std::runtime_error saying what is wrong.
+/// Ochre:#c08a2e:0.5"; or "auto:5:" and own pens to choose from. A width may have a dot gain behind it,
+/// "0.3+0.05"; cmyk may end in "black=0.8". Throws std::runtime_error saying what is wrong.
 PenChoice parse_pens(std::string_view text);
 /// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
 PenChoice parse_pen_list(std::string_view text);

@@ -274,6 +274,10 @@ double error_of(const Palette& pens, std::span<const glm::vec3> colours, glm::ve
 
 }  // namespace
 
+bool chooses_from_own(const PenChoice& choice) {
+    return choice.set == PenSet::automatic && choice.own.size() > static_cast<std::size_t>(choice.automatic);
+}
+
 Palette best_pens(std::span<const glm::vec3> colours, std::span<const Pen> candidates, int count,
                   glm::vec3 paper) {
     // The candidate that is best in that place beside the others.

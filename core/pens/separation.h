@@ -64,6 +64,10 @@ class Separation {
     std::vector<Shares> lattice_;
 };
 
+/// Whether automatic pens are chosen from one's own, which have their own widths: if there are more of these
+/// than are wanted. Else from common_pens(), all as wide as the choice says.
+bool chooses_from_own(const PenChoice& choice);
+
 /// As many of the candidates as asked for whose mixtures come nearest to the colours (linear, 0..1): each the
 /// one that lowers the mean squared distance in OKLab (Ottosson 2020) most, beside those chosen before it,
 /// and then once more beside all the others.

@@ -46,6 +46,7 @@ void collect_rows(const std::string& before, const nlohmann::ordered_json& chang
 // Pens are one text in files: what was changed of it first.
 std::string row_of_pens(const PenChoice& before, const PenChoice& after) {
     if (before.set != after.set) return setting::pens.names.row;
+    if (after.set == PenSet::automatic && before.own != after.own) return "Palette";
     if (before.automatic != after.automatic) return "How many";
     if (before.width_mm != after.width_mm) return "Tip width";
     if (before.gain_mm != after.gain_mm) return "Dot gain";

@@ -1,8 +1,11 @@
 #include "app/viewer/panels/palette_row.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <string>
+
+#include "core/pens/separation.h"
 
 namespace dapple {
 
@@ -20,27 +23,36 @@ void PaletteRow::read(Banner& banner) {
 bool PaletteRow::draw(PenChoice& pens, const Palette& now, Banner& banner) {
     if (palettes_.empty()) read(banner);
     bool taken = false;
+    const bool automatic = pens.set == PenSet::automatic;
     KeptThings things{
         .label = "Palette",
         .tip =
             "Pens of one's own by a name: common ones, and those that you save here. The command takes "
-            "them as --pens NAME.",
+            "them as --pens NAME. Automatic pens are chosen from them.",
         .what = "palette",
-        .present = "as set below",
+        .present = automatic ? "own pens" : "as set below",
         .keep = "Save these pens as...",
         .may_keep = !folder_.empty() && !now.empty(),
         .take =
             [&](int which) {
-                pens.set = PenSet::own;
-                pens.own = palettes_[static_cast<std::size_t>(which)].pens;
                 taken = true;
+                if (automatic && which == 0) return pens.own.clear();
+                pens.own = palettes_[static_cast<std::size_t>(which - automatic)].pens;
+                const int others = static_cast<int>(pens.own.size()) - 1;
+                if (!automatic || others == 0) pens.set = PenSet::own;
+                if (pens.set == PenSet::automatic) pens.automatic = std::min(pens.automatic, others);
             },
         .save = [&](const std::string& name) { save_palette(name, now, folder_); },
         .remove = [&](const std::string& name) { remove_palette(name, folder_); },
         .changed = [&] { read(banner); },
     };
     // As a file has them, whose colours are of 8 bits.
-    const std::string present = pens.set == PenSet::own ? text_of(pens) : "";
+    const bool own = pens.set == PenSet::own || chooses_from_own(pens);
+    const std::string present = own ? text_of(PenChoice{.set = PenSet::own, .own = pens.own}) : "";
+    if (automatic) {
+        if (!own) things.chosen = 0;
+        things.all.push_back({"common pens"});
+    }
     for (const NamedPalette& palette : palettes_) {
         if (text_of(PenChoice{.set = PenSet::own, .own = palette.pens}) == present)
             things.chosen = static_cast<int>(things.all.size());

@@ -11,6 +11,7 @@
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/pens/pen.h"
+#include "core/pens/separation.h"
 
 namespace dapple {
 namespace {
@@ -67,9 +68,11 @@ Palette pens_to_keep(const PenChoice& choice, const PensSeen& seen) {
 
 bool draw_set(DrawingSettings& settings) {
     int set = static_cast<int>(settings.pens.set);
-    if (!choice_row("Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
-                    "Several pens, whose colours mix to the picture's; no two dots of any collide. own: pens "
-                    "that you name. automatic: of common colours those that suit the picture."))
+    if (!choice_row(
+            "Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
+            "Several pens, whose colours mix to the picture's; no two dots of any collide. own: pens "
+            "that you name. automatic: those that suit the picture, of common colours or of your own, as "
+            "Palette says."))
         return false;
     const auto chosen = static_cast<PenSet>(set);
     if (chosen == PenSet::own && settings.pens.own.empty())
@@ -80,12 +83,13 @@ bool draw_set(DrawingSettings& settings) {
 
 bool draw_made_set(PenChoice& pens, LengthUnit unit) {
     bool changed = false;
+    const bool from_own = chooses_from_own(pens);
     {
         const Greyed greyed(pens.set == PenSet::automatic ? nullptr : "Of automatic pens only.");
         double count = pens.automatic;
         if (slider_row("How many", count,
                        {.min = 1,
-                        .max = double{kMostPens},
+                        .max = from_own ? double(pens.own.size() - 1) : double{kMostPens},
                         .neutral = 4,
                         .format = "%.0f",
                         .tip = "How many pens are chosen for the picture; more of them mix more colours."})) {
@@ -97,6 +101,7 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
                                      ? "Of several pens only; one pen is as wide as its dots, or as "
                                        "Dots says."
                                  : pens.set == PenSet::own ? "Each pen of your own has its width below."
+                                 : from_own                ? "Each pen of the palette has its width."
                                                            : nullptr;
     const Greyed greyed(no_width);
     changed |= slider_row("Tip width", pens.width_mm, width_range(unit));
@@ -107,9 +112,10 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
 bool draw_order(PenChoice& pens) {
     const Greyed greyed(pens.set == PenSet::one ? "Of several pens only." : nullptr);
     int order = static_cast<int>(pens.order);
-    if (!choice_row("Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
-                    "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker "
-                    "ink along. darkest first: for inks that cover darker ones."))
+    if (!choice_row(
+            "Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
+            "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker "
+            "ink along. darkest first: for inks that cover darker ones."))
         return false;
     pens.order = static_cast<PenOrder>(order);
     return true;
@@ -153,7 +159,7 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     {
-        const Greyed greyed(place == 0                          ? "It is the first already."
+        const Greyed greyed(place == 0                         ? "It is the first already."
                             : choice.order != PenOrder::listed ? "Of the pen order \"as listed\" only."
                                                                : nullptr);
         if (wide_button(("Draw " + pen.name + " earlier").c_str(), "Changes places with the pen above it."))
