@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,29 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
                                  {.stop = source.get_token(), .progress = stop_half_way}));
         CHECK(text_of(folder / name) == "old");
         fs::remove(folder / name);
+        CHECK(fs::is_empty(folder / "."));
+    }
+}
+
+TEST_CASE("a PDF most of whose dots lie beyond its page is stopped wherever it has come to") {
+    TemporaryFolder folder;
+    Dots dots;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> place(0, 1);
+    for (int i = 0; i < 60'000; ++i) {
+        dots.x.push_back(place(random));
+        dots.y.push_back(static_cast<float>(i) / 60'000);  // whole paths of theirs are left out
+    }
+    DrawingToSave drawing = many_to_save(dots);
+    drawing.page = {.width_mm = 100, .height_mm = 20, .mm_per_page_unit = 100};
+    for (const double at : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        CAPTURE(at);
+        std::stop_source source;
+        const auto stop_there = [&](double share) {
+            if (share > at) source.request_stop();
+        };
+        CHECK_FALSE(save_drawing(folder / "a.pdf", {}, drawing,
+                                 {.stop = source.get_token(), .progress = stop_there}));
         CHECK(fs::is_empty(folder / "."));
     }
 }

@@ -62,7 +62,9 @@ class PdfPages {
     // How much of the dots was gathered before the library begins to write.
     void gathered(double share) { report(kShareOfGathering * share); }
 
-    void finish() {
+    // So many of the dots lie on the page: the library leaves the others out.
+    void finish(std::uint64_t dots_on_page) {
+        bytes_expected_ = static_cast<double>(dots_on_page) * kBytesADot + 1;
         cairo_show_page(context_);
         const cairo_status_t drawn = cairo_status(context_);
         cairo_surface_finish(surface_);
@@ -154,6 +156,10 @@ void draw_marks(cairo_t* context, std::span<const CutMark> marks, double width_m
     }
 }
 
+bool lies_on(const PageSize& page, glm::dvec2 at_mm) {
+    return at_mm.x >= 0 && at_mm.y >= 0 && at_mm.x <= page.width_mm && at_mm.y <= page.height_mm;
+}
+
 void begin_pen(PdfPages& pdf, const PdfStyle& style, int pen) {
     const Pen& drawn = style.pens[static_cast<std::size_t>(pen)];
     pdf.begin_layer(fmt::format("{} {}", pen + 1, drawn.name));
@@ -182,7 +188,7 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
 
 namespace {
 
-// The page, with what draw(pdf, progress of gathering) puts on it.
+// The page, with what draw(pdf, progress of gathering) puts on it: it tells how many of the dots lie there.
 template <class Draw>
 void write_page(std::ostream& out, std::uint64_t dots, const PageSize& page, const PdfStyle& style,
                 const WritingProgress& progress, const Draw& draw) {
@@ -202,14 +208,14 @@ void write_page(std::ostream& out, std::uint64_t dots, const PageSize& page, con
         cairo_paint(pdf.context());
     }
     set_colour(pdf.context(), style.ink);
-    draw(pdf, [&](double share) { pdf.gathered(share); });
+    const std::uint64_t on_page = draw(pdf, [&](double share) { pdf.gathered(share); });
     if (!style.cut_marks.empty()) {
         if (layered) pdf.begin_layer(fmt::format("{} Cut marks", style.pens.size() + 1));
         set_colour(pdf.context(), kBlack);
         draw_marks(pdf.context(), style.cut_marks, kCutMarkMm);
     }
     if (layered && pdf.layers().empty()) pdf.begin_layer("Paper");  // a sheet without dots
-    pdf.finish();
+    pdf.finish(on_page);
     if (layered) write_as_layers(out, pages.view(), pdf.layers());
 }
 
@@ -219,8 +225,8 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
                const WritingProgress& progress) {
     write_page(out, dots.count, page, style, progress, [&](PdfPages& pdf, const WritingProgress& gathering) {
         PdfDots drawn(pdf.context());
-        const double pt_per_unit = page.mm_per_page_unit * kPointsPerMm;
         DotsReport report(dots.count, gathering);
+        std::uint64_t on_page = 0;
         int pen = -1;
         dots.for_each_piece([&](const Dots& piece) {
             if (!style.pens.empty() && piece.pen != pen) {
@@ -232,11 +238,14 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
                 report.next();
                 const double radius_mm =
                     piece.radius.empty() ? style.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
-                drawn.add(glm::dvec2(piece.x[i], piece.y[i]) * pt_per_unit, radius_mm);
+                const glm::dvec2 at_mm = glm::dvec2(piece.x[i], piece.y[i]) * page.mm_per_page_unit;
+                on_page += lies_on(page, at_mm) ? 1 : 0;
+                drawn.add(at_mm * kPointsPerMm, radius_mm);
             }
             return true;
         });
         drawn.draw();
+        return on_page;
     });
 }
 
@@ -248,6 +257,7 @@ void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& p
         cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_width(context, strokes.width_mm * kPointsPerMm);
         std::size_t waiting = 0;  // points of the path
+        std::uint64_t on_page = 0;
         int pen = -1;
         for_each_stroke(strokes, gathering, [&](std::span<const glm::dvec2> points, int its_pen) {
             if (!style.pens.empty() && its_pen != pen) {
@@ -258,6 +268,7 @@ void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& p
             }
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const glm::dvec2 p = points[i] * kPointsPerMm;
+                on_page += lies_on(page, points[i]) ? 1 : 0;
                 if (i == 0) cairo_move_to(context, p.x, p.y);
                 if (i > 0 || points.size() == 1) cairo_line_to(context, p.x, p.y);
                 if (++waiting % kDotsOfAPath != 0) continue;
@@ -266,6 +277,7 @@ void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& p
             }
         });
         cairo_stroke(context);
+        return on_page;
     };
     write_page(out, strokes.points, page, style, progress, draw);
 }
