@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "app/files/tile_library.h"
+#include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_origin.h"
 #include "app/viewer/model/tile_view.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/model/workbench.h"
 #include "tests/dot_pieces.h"
+#include "tests/headless_ui.h"
 
 namespace dapple {
 namespace {
@@ -222,6 +224,28 @@ TEST_CASE("where nothing of the page is in view, the pointer is on no dot, howev
     for (const std::int64_t corner : {std::int64_t{0}, kPage}) {
         drawing.window.x = drawing.window.y = corner;
         CHECK_FALSE(dot_under(drawing, {}, {kFurthest, kFurthest}, 1e-3));
+    }
+}
+
+TEST_CASE("zoomed in as far as it goes, a dot is explained still") {
+    PlacedDrawing drawing;
+    drawing.dot_radius = 0.01;
+    Dots dots;
+    dots.x = {0.5f};
+    dots.y = {0.5f};
+    dots.threshold = dots.critical = {7.5f};
+    drawing.dots = split(dots);
+    drawing.blocks = dot_blocks(drawing.dots);
+    const CanvasPlace place{.size = {400, 900}};
+    Camera camera{.canvas = place.size, .centre = page_point({0.5, 0.5}), .pixels_per_unit = 500};
+    HeadlessUi ui([&] {
+        ImGui::GetIO().WantCaptureMouse = false;  // the panel of this test covers all
+        draw_dot_card(drawing, {}, camera, place);
+    });
+    ui.move_to({200, 450});
+    for (; camera.pixels_per_unit < kLargestZoom; camera.pixels_per_unit *= 2) {
+        ui.frame();
+        REQUIRE(dot_under(drawing, {}, camera.centre, drawing.dot_radius));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,32 @@ TEST_CASE("Escape closes the colour picker, and the colour stays as it is") {
     ui.frame();
     CHECK_FALSE(ui.has("Colour picker"));
     CHECK(colour == glm::vec3(0.2f, 0.4f, 0.6f));
+}
+
+TEST_CASE("a colour that is dragged away stays as it is, and lets itself be chosen afterwards") {
+    glm::vec3 ink(0.2f, 0.4f, 0.6f), paper(1, 1, 1);
+    HeadlessUi ui([&] {
+        colour_row("Ink", ink, "In which colour.");
+        colour_row("Paper", paper, "On which colour.");
+    });
+    const glm::vec2 to = ui.at("Paper", 0.5f);
+    ui.move_to(ui.at("Ink", 0.5f));
+    ui.press();
+    for (const float share : {0.3f, 0.6f, 1.0f}) ui.move_to(glm::mix(ui.at("Ink", 0.5f), to, share));
+    ui.release();
+    ui.frame();
+    CHECK(ink == glm::vec3(0.2f, 0.4f, 0.6f));
+    CHECK(paper == glm::vec3(1));
+    ui.click("Paper");
+    CHECK(ui.has("Colour picker"));
+}
+
+TEST_CASE("where the clock stands still, or goes backwards, frames are drawn all the same") {
+    bool on = false;
+    HeadlessUi ui([&] { switch_row("Switch", on, "Whether.", false); });
+    for (const float seconds : {0.0f, -1.0f, 0.0f}) ui.frame(seconds);
+    ui.click("Switch");
+    CHECK(on);
 }
 
 TEST_CASE("a colour may be typed, and what is none changes nothing") {

@@ -512,7 +512,8 @@ TEST_CASE("a window at rest uses no processor, and a key is still answered") {
 TEST_CASE("a picture that is not there ends the program with a sentence") {
     TemporaryFolder folder;
     Display display;
-    ChildProcess program({dapple_program(), (folder / "missing.png").string()}, {.errors = folder / "errors"});
+    ChildProcess program({dapple_program(), (folder / "missing.png").string()},
+                         {.errors = folder / "errors"});
     CHECK(program.wait() == 1);
     CHECK(text_of(folder / "errors").find("missing.png") != std::string::npos);
 }
@@ -571,6 +572,28 @@ TEST_CASE(
     REQUIRE(viewer.is_relaxed());
     CHECK(viewer.status()["steps"] > 0);
     CHECK(viewer.shows([&] { return viewer.has("Lit tile"); }));
+}
+
+TEST_CASE(
+    "of a project whose picture is gone a click finds another, and a desktop's dialog that fails is told "
+    "of") {
+    const TemporaryFolder folder;
+    put_text(folder / "moved.dapple", R"({"dapple": 1, "picture": "gone.png", "drawing": {"count": 500}})");
+    fs::create_directories(folder / "memory/dapple");
+    put_text(folder / "memory/dapple/preferences.json", R"({"dapple": 1, "dialog": "desktop"})");
+    put_text(folder / "zenity", "#!/bin/sh\nexit 255\n");
+    fs::permissions(folder / "zenity", fs::perms::owner_all);
+    Display display;
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+    RunningViewer viewer(folder.path(), {"moved.dapple"}, {folder / "memory"});
+    ::setenv("PATH", path.c_str(), 1);
+    viewer.click("Find the picture");
+    CHECK(viewer.shows([&] {
+        return viewer.has("zenity could not show its dialog; choose dapple's own in the preferences");
+    }));
+    CHECK(viewer.has("Find the picture"));
+    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE("what another program copied is opened: a picture, which is kept, and then a file by its path") {

@@ -2,7 +2,10 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -30,6 +33,19 @@ DecodeError error_of(const std::string& what, std::string message, const std::st
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
     message.erase(0, message.find_first_not_of(' '));
     return DecodeError(message.empty() ? what : what + " (" + message + ")");
+}
+
+// Some readers take memory for a whole picture to look at its header: its size is judged before.
+void expect_stated_size(int file, PictureFormat format, const DecodeRequest& request,
+                        BeforePixels before_pixels) {
+    constexpr int kChannels = 4;
+    std::array<unsigned char, kFormatBytes> beginning{};
+    const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
+    if (got < 0) return;
+    const auto size = stated_size(format, {beginning.data(), static_cast<std::size_t>(got)});
+    if (!size) return;
+    check_size(size->width, size->height, kChannels, request);
+    before_pixels(static_cast<std::uint64_t>(size->width * size->height * kChannels));
 }
 
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format) {
@@ -153,6 +169,7 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, 
 
 void decode(int file, PictureFormat format, const DecodeRequest& request, BeforePixels before_pixels,
             ImageSink& sink) {
+    expect_stated_size(file, format, request, before_pixels);
     const std::string name = "/dev/fd/" + std::to_string(file);
     const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format);
     const OIIO::ImageSpec whole = input->spec();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "app/decoding/decoded_image.h"
 
@@ -105,6 +106,21 @@ std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning)
     if (is_bmp(bytes)) return PictureFormat::bmp;
     if (is_targa(bytes)) return PictureFormat::targa;
     return std::nullopt;
+}
+
+std::optional<StatedSize> stated_size(PictureFormat format, std::span<const unsigned char> beginning) {
+    if (beginning.size() < kFormatBytes) return std::nullopt;
+    const auto number = [&](std::size_t at, int bytes) {
+        std::uint32_t value = 0;
+        for (int i = bytes; i-- > 0;) value = value << 8 | beginning[at + i];
+        return value;
+    };
+    if (format == PictureFormat::gif) return StatedSize{number(6, 2), number(8, 2)};
+    if (format != PictureFormat::bmp) return std::nullopt;
+    if (number(14, 4) == 12) return StatedSize{number(18, 2), number(20, 2)};  // of OS/2
+    // Below 0 where the first row is the top one.
+    const std::int64_t height = static_cast<std::int32_t>(number(22, 4));
+    return StatedSize{static_cast<std::int32_t>(number(18, 4)), std::abs(height)};
 }
 
 std::string_view reader_of(PictureFormat format) {

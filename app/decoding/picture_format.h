@@ -2,6 +2,7 @@
 // Which picture formats are read, told by what a file begins with: its name may say anything.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,12 @@ inline constexpr std::size_t kFormatBytes = 32;
 std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning);
 /// The same; throws DecodeError where it is none of them.
 PictureFormat format_or_refusal(std::span<const unsigned char> beginning);
+
+/// The width and height that a GIF or a BMP begins with. Nothing: another format, or too few bytes.
+struct StatedSize {
+    std::int64_t width = 0, height = 0;
+};
+std::optional<StatedSize> stated_size(PictureFormat format, std::span<const unsigned char> beginning);
 
 /// What OpenImageIO calls its reader: "png", "openexr".
 std::string_view reader_of(PictureFormat format);

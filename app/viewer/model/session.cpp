@@ -171,7 +171,7 @@ void Session::open_tile(const fs::path& file) {
         settings.drawing.tile = tiles_.open(file);
         banner = {};
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -187,9 +187,9 @@ void Session::load_project(const fs::path& file) {
     Source source{.picture = project.picture.value_or(fs::path()),
                   .project = std::move(project),
                   .project_path = whole_path(file)};
-    if (const std::string& why = source.project.why_missing; !why.empty()) {
-        banner = {.kind = BannerKind::error, .message = why, .offer = kFindPicture};
+    if (!source.project.why_missing.empty()) {
         source_ = std::move(source);
+        say(source_.project.why_missing);
         readings_.clear();  // what still comes is not gone back from
         if (!placed_once()) read_sample();
         return;
@@ -206,7 +206,7 @@ void Session::open_project(const fs::path& file) {
     try {
         load_project(file);
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -219,7 +219,7 @@ void Session::take_settings(const fs::path& file) {
         banner = {BannerKind::notice,
                   "Now with the settings of " + file.string() + "; undo goes back to yours"};
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -230,7 +230,7 @@ void Session::take_preset(const SavedSettings& preset) {
         settings.drawing = std::move(drawing);
         settings.saving = preset.saving;
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -252,7 +252,7 @@ void Session::bring_back(const fs::path& file) {
         source_.brought_back = true;
         if (readings_.empty()) know_safe(std::nullopt);  // else once its picture is there
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -264,7 +264,7 @@ void Session::save_project(const fs::path& file) {
         know_safe(settings.drawing);
         banner = {BannerKind::notice, "Saved " + file.string()};
     } catch (const std::exception& error) {
-        banner = {BannerKind::error, error.what()};
+        say(error.what());
     }
 }
 
@@ -386,7 +386,7 @@ void Session::take_events(std::chrono::milliseconds patience) {
 void Session::take_right(DotsPlaced& event) {
     if (!settings.comparison.on) return;  // too late
     if (event.picture) right_pictures_ = right_pictures_asked_;
-    if (!event.error.empty()) banner = {BannerKind::error, event.error};
+    if (!event.error.empty()) say(event.error);
     right_->take(event);
 }
 
@@ -408,7 +408,7 @@ void Session::take(DotsPlaced& event) {
                       .offer = "Open as lights"};
     }
     if (!event.error.empty())
-        banner = {BannerKind::error, event.error};
+        say(event.error);
     else if (placing_failed_ && banner.kind == BannerKind::error)
         banner = {};
     placing_failed_ = !event.error.empty();
@@ -426,9 +426,12 @@ void Session::take(TaskFailed& event) {
     // The picture named on the command line: there is nothing to go on showing.
     if (!placed_once()) throw std::runtime_error(event.message);
     if (event.picture) go_back_before(*event.picture);
-    banner = {.kind = BannerKind::error,
-              .message = event.message,
-              .offer = picture_is_missing() ? kFindPicture : ""};
+    say(event.message);
+}
+
+void Session::say(const std::string& sentence) {
+    banner = {
+        .kind = BannerKind::error, .message = sentence, .offer = picture_is_missing() ? kFindPicture : ""};
 }
 
 std::vector<fs::path> Session::files_to_save(const fs::path& path) const {

@@ -115,6 +115,9 @@ class Session {
     ShownPens shown_pens;
     std::optional<PlayedFilm> film;  // shown in the drawing's place
     Banner banner;
+    /// Into the banner: what went wrong. Where the project's picture is missing it goes on offering to find
+    /// it.
+    void say(const std::string& sentence);
 
     /// The drawing: what is edited and saved; the left side of the split view.
     Pane& pane() { return pane_; }

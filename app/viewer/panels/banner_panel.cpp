@@ -57,6 +57,7 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
     ImGui::PushTextWrapPos(padding.x + widest + unit);
     ImGui::TextUnformatted(message.c_str());
+    note_place(message.c_str());
     ImGui::PopTextWrapPos();
     bool taken = false;
     if (button > 0) {

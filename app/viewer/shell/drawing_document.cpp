@@ -139,10 +139,6 @@ fs::path DrawingDocument::file() const {
     return session_.project_path().empty() ? session_.picture().file : session_.project_path();
 }
 
-void DrawingDocument::say(const std::string& sentence) {
-    session_.banner = {BannerKind::error, sentence};
-}
-
 std::string DrawingDocument::name() const {
     const fs::path& project = session_.project_path();
     return project.empty() ? session_.picture().name : printable(project.filename().native());

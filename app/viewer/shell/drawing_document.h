@@ -45,7 +45,7 @@ class DrawingDocument : public Document {
     void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::filesystem::path file() const override;
-    void say(const std::string& sentence) override;
+    void say(const std::string& sentence) override { session_.say(sentence); }
     std::optional<KeptView> kept_view() const override;
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }

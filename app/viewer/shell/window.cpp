@@ -11,9 +11,12 @@
 #include <cstdio>
 #include <glm/common.hpp>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "app/viewer/shell/screens.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/shell/window_icon.h"
 #include "app/viewer/widgets/keys.h"
@@ -56,49 +59,46 @@ Window& window_of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-/// A part of a title bar that a person can take hold of has to be on some screen.
-bool is_on_a_screen(const WindowPlace& place) {
-    constexpr int kHold = 40;
-    int count = 0;
-    GLFWmonitor** const monitors = glfwGetMonitors(&count);
-    for (int i = 0; i < count; ++i) {
-        int x = 0, y = 0, width = 0, height = 0;
-        glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
-        if (place.x + place.width >= x + kHold && place.x <= x + width - kHold && place.y >= y &&
-            place.y <= y + height - kHold)
-            return true;
-    }
-    return false;
+Rectangle<int> rectangle(int x, int y, int width, int height) {
+    return {{x, y}, {x + width, y + height}};
 }
 
-/// The one that most of the window is on; null: there is none.
-GLFWmonitor* monitor_under(GLFWwindow* window) {
-    Rectangle<int> own;
-    glm::ivec2 size{0};
-    glfwGetWindowPos(window, &own.low.x, &own.low.y);
-    glfwGetWindowSize(window, &size.x, &size.y);
-    own.high = own.low + size;
-    GLFWmonitor* best = glfwGetPrimaryMonitor();
-    int count = 0, most = 0;
-    GLFWmonitor** const monitors = glfwGetMonitors(&count);
-    for (int i = 0; i < count; ++i) {
-        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
-        if (!mode) continue;
-        glm::ivec2 corner{0};
-        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
-        const glm::ivec2 shared = glm::max(
-            glm::min(own.high, corner + glm::ivec2(mode->width, mode->height)) - glm::max(own.low, corner),
-            0);
-        if (shared.x * shared.y > most) {
-            most = shared.x * shared.y;
-            best = monitors[i];
-        }
+std::span<GLFWmonitor* const> monitors() {
+    int count = 0;
+    GLFWmonitor** const first = glfwGetMonitors(&count);
+    return {first, static_cast<std::size_t>(count)};
+}
+
+/// Without the desktop's own bars.
+std::vector<Rectangle<int>> work_areas() {
+    std::vector<Rectangle<int>> areas;
+    for (GLFWmonitor* const monitor : monitors()) {
+        int x = 0, y = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+        areas.push_back(rectangle(x, y, width, height));
     }
-    return best;
+    return areas;
+}
+
+/// Null: there is none.
+GLFWmonitor* monitor_under(GLFWwindow* window) {
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    std::vector<Rectangle<int>> screens;
+    for (GLFWmonitor* const monitor : monitors()) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+        glm::ivec2 corner{0};
+        glfwGetMonitorPos(monitor, &corner.x, &corner.y);
+        screens.push_back(rectangle(corner.x, corner.y, mode ? mode->width : 0, mode ? mode->height : 0));
+    }
+    return screens.empty() ? nullptr : monitors()[screen_under(rectangle(x, y, width, height), screens)];
 }
 
 void put_where_it_was(GLFWwindow* window, const WindowPlace& place) {
-    if (place.width < kSmallestWidth || place.height < kSmallestHeight || !is_on_a_screen(place)) return;
+    if (place.width < kSmallestWidth || place.height < kSmallestHeight ||
+        !is_within_reach(rectangle(place.x, place.y, place.width, place.height), work_areas()))
+        return;
     glfwSetWindowSize(window, place.width, place.height);
     glfwSetWindowPos(window, place.x, place.y);
     if (place.maximised) glfwMaximizeWindow(window);
