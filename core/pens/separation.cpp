@@ -22,6 +22,7 @@ constexpr double kFaint = 0.02;    // strength of a colour, linear, below which 
 constexpr double kSumWeight = 30;  // of the shares' sum being 1 with the bare paper
 constexpr double kSmallness = 0.0001;  // of the sum of squares
 constexpr int kRounds = 3;             // of making them small
+constexpr double kLeastShare = 0.001;  // below it none: a pen's few dots on a page would be specks
 constexpr std::size_t kMostUnknowns = kMostPens + 1;
 
 using Vector = std::array<double, kMostUnknowns>;
@@ -150,7 +151,10 @@ Shares PenMixer::solve(glm::vec3 aim) const {
     }
     const double sum = std::accumulate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n), 0.0);
     Shares shares{};
-    for (std::size_t i = 0; i < pens_.size(); ++i) shares[i] = static_cast<float>(x[i] / std::max(sum, 1e-9));
+    for (std::size_t i = 0; i < pens_.size(); ++i) {
+        const double share = x[i] / std::max(sum, 1e-9);
+        if (share >= kLeastShare) shares[i] = static_cast<float>(share);
+    }
     return shares;
 }
 
