@@ -146,6 +146,25 @@ TEST_CASE("what a mixture of pens looks like is separated into shares that look 
     }
 }
 
+TEST_CASE("of a grey that black and the paper make, other pens draw nothing, and of their own colour all") {
+    // The paper's tint is no colour of the picture's.
+    for (const char* paper : {"#ffffff", "#f1ead8"})
+        for (const char* other : {"#c1121f", "#9fb4c8"}) {
+            CAPTURE(std::string(other));
+            const Palette pens = parse_pens(fmt::format("Black:#000000,Other:{}", other)).own;
+            const Separation separation(pens, parse_colour(paper));
+            for (const float light : {0.0f, 0.05f, 0.2f, 0.5f, 0.8f, 1.0f}) {
+                const Shares shares = separation.shares(glm::vec3(light));
+                CHECK(shares[0] == doctest::Approx(1 - light).epsilon(0.002));
+                CHECK(shares[1] == 0);
+            }
+            const glm::vec3 mixed = 0.2f * linear_of(parse_colour(paper)) + 0.7f * linear_of(pens[1].colour);
+            const Shares shares = separation.mixer().solve(mixed);
+            CHECK(shares[0] == doctest::Approx(0.1f).epsilon(0.01));
+            CHECK(shares[1] == doctest::Approx(0.7f).epsilon(0.002));
+        }
+}
+
 TEST_CASE("black draws as little of greys or as much as it is told to, and every colour stays as it was") {
     Palette pens = palette_of(parse_pens("cmyk"));
     sort_pens(pens, PenOrder::lightest);

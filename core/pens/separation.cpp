@@ -21,6 +21,8 @@ constexpr double kHueWeight = 1, kStrengthWeight = 0.2;  // over that of luminan
 constexpr double kFaint = 0.02;    // strength of a colour, linear, below which its hue matters less and less
 constexpr double kSumWeight = 30;  // of the shares' sum being 1 with the bare paper
 constexpr double kSmallness = 0.0001;  // of the sum of squares
+constexpr int kRounds = 3;             // of making them small
+constexpr double kLeastShare = 0.001;  // below it none: a pen's few dots on a page would be specks
 constexpr std::size_t kMostUnknowns = kMostPens + 1;
 
 using Vector = std::array<double, kMostUnknowns>;
@@ -78,21 +80,11 @@ void solve_chosen(const Matrix& a, const Vector& b, std::span<const std::size_t>
     }
 }
 
-// Non-negative least squares from the normal equations (Lawson & Hanson 1974, chapter 23).
-Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n) {
-    Vector x{};
+// Non-negative least squares from the normal equations (Lawson & Hanson 1974, chapter 23), from `x` on.
+Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n, Vector x) {
     std::array<bool, kMostUnknowns> free{};
+    for (std::size_t i = 0; i < n; ++i) free[i] = x[i] > 0;
     for (std::size_t round = 0; round < 4 * n; ++round) {
-        std::size_t best = n;
-        double steepest = 1e-10;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (free[i]) continue;
-            double slope = b[i];
-            for (std::size_t j = 0; j < n; ++j) slope -= a[i][j] * x[j];
-            if (slope > steepest) steepest = slope, best = i;
-        }
-        if (best == n) break;
-        free[best] = true;
         for (std::size_t inner = 0; inner <= n; ++inner) {
             std::array<std::size_t, kMostUnknowns> chosen{};
             std::size_t count = 0;
@@ -110,6 +102,16 @@ Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n) {
             }
             if (way >= 1) break;
         }
+        std::size_t best = n;
+        double steepest = 1e-10;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (free[i]) continue;
+            double slope = b[i];
+            for (std::size_t j = 0; j < n; ++j) slope -= a[i][j] * x[j];
+            if (slope > steepest) steepest = slope, best = i;
+        }
+        if (best == n) break;
+        free[best] = true;
     }
     return x;
 }
@@ -138,10 +140,21 @@ Shares PenMixer::solve(glm::vec3 aim) const {
         if (i + 1 < n) a[i][i] += kSmallness;
         b[i] = glm::dot(columns[i], goal) + kSumWeight;
     }
-    const Vector x = non_negative_solution(a, b, n);
+    // Iterated Tikhonov regularisation (Engl, Hanke & Neubauer 1996, chapter 5): each round makes small how
+    // far the shares are from those of the round before. So a pen that would be seen in place of others, as
+    // red in a grey, has hardly a share in the end, while pens that look alike go on sharing evenly.
+    Vector x{};
+    for (int round = 0; round < kRounds; ++round) {
+        Vector towards = b;
+        for (std::size_t i = 0; i + 1 < n; ++i) towards[i] += kSmallness * x[i];
+        x = non_negative_solution(a, towards, n, x);
+    }
     const double sum = std::accumulate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n), 0.0);
     Shares shares{};
-    for (std::size_t i = 0; i < pens_.size(); ++i) shares[i] = static_cast<float>(x[i] / std::max(sum, 1e-9));
+    for (std::size_t i = 0; i < pens_.size(); ++i) {
+        const double share = x[i] / std::max(sum, 1e-9);
+        if (share >= kLeastShare) shares[i] = static_cast<float>(share);
+    }
     return shares;
 }
 

@@ -4,7 +4,8 @@
 // Dots of opaque ink lie side by side, so light adds up by area: the colour seen is the paper's, as far as it
 // is bare, and each pen's as far as it covers, in linear light. (Neugebauer's equations of 1937 without
 // overprints.) The shares are those whose colour errs least, none below 0 and all together at most 1; of the
-// many that do so the smallest in the sum of squares, so that they change smoothly where the colour does.
+// many that do so the smallest in the sum of squares, so that they change smoothly where the colour does; a
+// share below 0.001 is none.
 // Colours that no mixture reaches get paler rather than darker, lighter or of another hue: an error in
 // luminance or hue weighs more than one in how strong the colour is.
 //
