@@ -60,22 +60,23 @@ TEST_CASE("Escape closes the colour picker, and the colour stays as it is") {
     CHECK(colour == glm::vec3(0.2f, 0.4f, 0.6f));
 }
 
-TEST_CASE("a colour that is dragged away stays as it is, and lets itself be chosen afterwards") {
+// Dear ImGui's own way would open a window at the pointer, in whatever frame a dialog opens.
+TEST_CASE("a row's colour cannot be dragged away") {
     glm::vec3 ink(0.2f, 0.4f, 0.6f), paper(1, 1, 1);
     HeadlessUi ui([&] {
         colour_row("Ink", ink, "In which colour.");
         colour_row("Paper", paper, "On which colour.");
     });
-    const glm::vec2 to = ui.at("Paper", 0.5f);
-    ui.move_to(ui.at("Ink", 0.5f));
+    const glm::vec2 from = ui.at("Ink", 0.5f), to = ui.at("Paper", 0.5f);
+    ui.move_to(from);
     ui.press();
-    for (const float share : {0.3f, 0.6f, 1.0f}) ui.move_to(glm::mix(ui.at("Ink", 0.5f), to, share));
+    for (const float share : {0.3f, 0.6f, 1.0f}) {
+        ui.move_to(glm::mix(from, to, share));
+        CHECK_FALSE(ImGui::GetDragDropPayload());
+    }
     ui.release();
-    ui.frame();
     CHECK(ink == glm::vec3(0.2f, 0.4f, 0.6f));
     CHECK(paper == glm::vec3(1));
-    ui.click("Paper");
-    CHECK(ui.has("Colour picker"));
 }
 
 TEST_CASE("where the clock stands still, or goes backwards, frames are drawn all the same") {
