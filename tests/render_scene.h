@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,22 @@ inline PictureFile test_picture() {
         for (int x = 0; x < picture.width; ++x) {
             const bool bar = x > 40 && x < 50;
             picture.values.push_back(bar ? 0.0f : static_cast<float>(x) / 95.0f);
+        }
+    }
+    return picture;
+}
+
+/// The same ramp in brown above and in blue below, for pens that have no use for a grey.
+inline PictureFile coloured_picture() {
+    PictureFile picture = test_picture();
+    picture.channels = 3;
+    picture.values.clear();
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const float light = x > 40 && x < 50 ? 0.0f : static_cast<float>(x) / 95.0f;
+            const float strength = y < picture.height / 2 ? 1.0f : -1.0f;
+            for (const float part : {0.15f, 0.0f, -0.3f})
+                picture.values.push_back(std::clamp(light * (1 + strength * part), 0.0f, 1.0f));
         }
     }
     return picture;

@@ -258,6 +258,7 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
 
 TEST_CASE("of several pens each has its own dots, in tables, on machines and on the layers of a DXF") {
     const Scene scene;
+    write_picture(scene("cat.png"), coloured_picture());
     const std::string pens = "--pens 'Pale (blue):#9cf:0.4,Rust red:#b52:0.4,Ink:#111:0.4' --dot-radius 0.2";
     const std::vector<TableDot> table = table_of(scene, pens);
     const std::vector<std::string> names{"Pale (blue)", "Rust red", "Ink"};  // the lightest first

@@ -53,18 +53,19 @@ float linear(float encoded) {
 
 TEST_CASE("separations are each pen's ink alone, and laid over each other they are the drawing") {
     const Scene scene;
+    write_picture(scene("cat.png"), coloured_picture());
     for (const std::string ending : {"png", "tif"}) {
         CAPTURE(ending);
         const std::string deep = ending == "tif" ? " --bits 16" : "";
         const std::string draw = "render " + scene("cat.png") +
-                                 " --pens 'Mid (grey):#809080:0.6,Ink:#111111:0.4' --dots 900 --width 40 ";
+                                 " --pens 'Mid (brown):#c0a060:0.6,Ink:#111111:0.4' --dots 900 --width 40 ";
         const Outcome made =
             run_dapple(draw + " --dpi 254 --separations -o " + scene("out." + ending) + deep);
         CAPTURE(made.err);
         REQUIRE(made.status == 0);
-        CHECK(made.err.find("out-1-mid-grey." + ending) != std::string::npos);
+        CHECK(made.err.find("out-1-mid-brown." + ending) != std::string::npos);
         const Pixels mix = pixels_of(scene("out." + ending)),
-                     own[] = {pixels_of(scene("out-1-mid-grey." + ending)),
+                     own[] = {pixels_of(scene("out-1-mid-brown." + ending)),
                               pixels_of(scene("out-2-ink." + ending))};
         for (const Pixels& one : own) {
             CHECK(one.width == mix.width);
@@ -72,7 +73,7 @@ TEST_CASE("separations are each pen's ink alone, and laid over each other they a
             CHECK(one.channels == 1);
             CHECK(one.type == (deep.empty() ? "uint8" : "uint16"));
         }
-        const glm::vec3 inks[] = {{linear(0x80 / 255.0f), linear(0x90 / 255.0f), linear(0x80 / 255.0f)},
+        const glm::vec3 inks[] = {{linear(0xc0 / 255.0f), linear(0xa0 / 255.0f), linear(0x60 / 255.0f)},
                                   glm::vec3(linear(0x11 / 255.0f))};
         float farthest = 0;
         for (int y = 0; y < mix.height; ++y)
@@ -174,6 +175,7 @@ TEST_CASE("with registration each separation has crosses in its corners, and not
 
 TEST_CASE("with pen files each pen's file has its own dots alone, and waits for no other pen") {
     const Scene scene;
+    write_picture(scene("cat.png"), coloured_picture());
     const std::string draw = "render " + scene("cat.png") +
                              " --pens 'Pale (blue):#9cf,Rust:#b52,Ink:#111' --dots 900 --width 60 -o ";
     const std::vector<std::string> pens{"-1-pale-blue", "-2-rust", "-3-ink"};

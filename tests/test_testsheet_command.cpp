@@ -212,6 +212,7 @@ TEST_CASE("each letter of a pen's writing is another, and lies in its box") {
 
 TEST_CASE("a pen with a dot gain makes the dots of a wider pen, and draws lines as fine as it is") {
     const Scene scene;
+    write_picture(scene("cat.png"), coloured_picture());
     const auto drawn = [&](const std::string& pens, const std::string& name, const std::string& more = "") {
         const Outcome made = run_dapple("render " + scene("cat.png") + " --dots 2000 --width 60 --pens '" +
                                         pens + "' -o " + scene(name) + more);
