@@ -279,13 +279,13 @@ void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
                            grouped(count), steps, loads[i], i == 0 ? ", own" : "", 100 * seen.bare,
                            seen.of_halves, seen.of_quarters, seen.of_eighths, seen.worst());
                 std::fflush(stdout);
-                if (steps == kUsualSteps && i == 0) worst_marked = std::max(worst_marked, seen.worst());
+                if (steps == kFewestUsualSteps && i == 0) worst_marked = std::max(worst_marked, seen.worst());
             }
         }
     }
     if (worst_marked == 0) return;
     fmt::print("\n");
-    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kUsualSteps));
+    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kFewestUsualSteps));
     print_at_most("worst seam at its own load", worst_marked, 2);
 }
 

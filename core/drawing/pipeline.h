@@ -35,6 +35,7 @@ struct DrawingPlan {
     PlacingRequest placing;  // a count or a scale within the limits
     bool lowered = false;    // more was asked for
     int steps = 0;           // of relaxation
+    int usual_steps = 0;     // see usual_steps(); 0 of Figure 8
     DotSize size;
     bool joined = false;         // by lines
     double stroke_width_mm = 0;  // see DrawingRequest
