@@ -108,7 +108,7 @@ inline constexpr Setting black{
     .help =
         "How solid black gets. At 1 dots cover the paper; with less they stand apart, and more of them are "
         "left for the rest of the picture",
-    .more = ". auto: 0.95 of few dots, 1 of 100,000 and more and with --tone true"};
+    .more = ". auto: 0.9 of 5,000 dots and fewer, 1 of 100,000 and more and with --tone true"};
 inline constexpr Setting invert{.names = {"invert", "Invert", "--invert"},
                                 .help = "Dots where the picture is light, for light ink on dark paper"};
 

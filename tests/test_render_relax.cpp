@@ -210,7 +210,7 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
     CHECK(automatic["black_point"] > 0.3);
     CHECK(automatic["white_point"] < 0.7);
     CHECK(automatic["detail"] == 0.5);
-    CHECK(automatic["black"] == 0.95);
+    CHECK(automatic["black"] == 0.9);
     CHECK(tone_of("") == automatic);
     CHECK(text_of(scene("t.csv")) == drawn);
     CHECK(tone_of("--detail 0.2 --blur 3 --invert")["automatic"] == true);
