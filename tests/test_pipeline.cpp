@@ -254,6 +254,21 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
+TEST_CASE("what a scale came to is known when it is asked for again, and no longer with another picture") {
+    const DrawingRequest request{.tone = {.detail = 0.5f}, .placing = {.scale = 6000, .count = {}}};
+    Pipeline pipeline = pipeline_of(dull());
+    const DrawingPlan first = pipeline.plan(request), again = pipeline.plan(request);
+    CHECK(pipeline.tone_ms() == 0);
+    CHECK(again.density == first.density);
+    CHECK(again.steps == first.steps);
+    CHECK(again.full_load == first.full_load);
+    pipeline.set_light(ramp());
+    const DrawingPlan other = pipeline.plan(request), fresh = pipeline_of(ramp()).plan(request);
+    CHECK(other.steps == fresh.steps);
+    CHECK(other.density->values().values == fresh.density->values().values);
+    CHECK(other.steps != first.steps);
+}
+
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
     DrawingRequest request{.placing = {.count = 4000}, .relax = 4};

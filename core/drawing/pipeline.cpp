@@ -97,16 +97,20 @@ void Pipeline::set_light(Grid<float> light, float usual_exposure, int pixels_in_
     framing_ = whole_picture(pixels());
     usual_exposure_ = usual_exposure;
     histogram_.reset();
-    toned_.reset();
-    density_.reset();
+    forget_densities();
 }
 
 void Pipeline::set_colours(ColourGrid colours) {
     colours_ = std::move(colours);
     framed_colours_.reset();
     if (framing_ != whole_picture(pixels())) framed_colours_ = framed(colours_, framing_of_light());
+    forget_densities();
+}
+
+void Pipeline::forget_densities() {
     toned_.reset();
     density_.reset();
+    by_scale_.reset();
 }
 
 void Pipeline::set_plain(std::optional<Density> density) {
@@ -125,8 +129,7 @@ void Pipeline::frame(const PageSetup& setup) {
         if (!colours_.empty()) framed_colours_ = framed(colours_, framing_of_light());
     }
     histogram_.reset();
-    toned_.reset();
-    density_.reset();
+    forget_densities();
 }
 
 Framing Pipeline::framing_of_light() const {
@@ -268,16 +271,27 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         if (scale && by_level()) toned.ink.level = level_of(*scale, tile_->tile().size());
         plan.density = density_for(toned, request.mask);
     };
-    make_density(count ? std::nullopt : std::optional(plan.placing.scale));
-    for (int round = 0; count && by_level() && round < 2 && plan.density->mean() > 0; ++round)
-        make_density(scale_for(*plan.density, static_cast<double>(*count)));
-    // As many dots of a count have the same black and steps.
-    for (int round = 0; !count && round < 3; ++round) {
+    if (count) {
+        make_density({});
+        for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round)
+            make_density(scale_for(*plan.density, static_cast<double>(*count)));
+        return;
+    }
+    // As many dots of a count have the same black and steps: known from when the same was planned last.
+    ByScale by_scale{toned, request.mask, plan.placing.scale};
+    if (by_scale_ && by_scale_->asks_for(by_scale)) {
+        take_dots(by_scale_->dots);
+        return make_density(plan.placing.scale);
+    }
+    make_density(plan.placing.scale);
+    for (int round = 0; round < 3; ++round) {
         const InkedDots before = toned.ink;
-        take_dots(expected_dots(*plan.density, plan.placing.scale));
+        by_scale.dots = expected_dots(*plan.density, plan.placing.scale);
+        take_dots(by_scale.dots);
         if (toned.ink == before) break;
         make_density(plan.placing.scale);
     }
+    by_scale_ = std::move(by_scale);
 }
 
 DrawingPlan Pipeline::plan(const DrawingRequest& request) {
