@@ -108,7 +108,7 @@ inline constexpr Setting black{
     .help =
         "How solid black gets. At 1 dots cover the paper; with less they stand apart, and more of them are "
         "left for the rest of the picture",
-    .more = ". auto: 0.95 of few dots, 1 of 100,000 and more and with --tone true"};
+    .more = ". auto: 0.9 of 5,000 dots and fewer, 1 of 100,000 and more and with --tone true"};
 inline constexpr Setting invert{.names = {"invert", "Invert", "--invert"},
                                 .help = "Dots where the picture is light, for light ink on dark paper"};
 
@@ -139,14 +139,15 @@ inline constexpr Setting scale{
 inline constexpr Setting relax{
     .names = {"relax", "Even out", "--relax"},
     .range = {0, kMostRelaxingSteps},
-    .usual = kUsualSteps,
+    .usual = kFewestUsualSteps,
     .track = {0, 20},
     .format = "%.0f",
     .value = "auto|N",
     .help =
         "So many steps move each dot to the middle of the ink around it: more of them make the dots more "
         "even, and take longer",
-    .more = ". 0 to 100, or auto: 5, or none for millions of dots too fine to see"};
+    .more = ". 0 to 100, or auto: 20 for up to 20,000 dots, 5 from 320,000 on, none for millions of them too "
+            "fine to see"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
 inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},
                                 .range = {kSmallestRadiusMm, kLargestRadiusMm},

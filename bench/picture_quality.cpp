@@ -1,7 +1,7 @@
 // How good pictures are, beside a peer's: Dapple's dots as placed and after some steps of relaxation, and
 // plain weighted Voronoi stippling (Secord 2002) from random dots. Prints tables in Markdown.
 //
-//      picture_quality PHOTO...                    at 10,000, 40,000 and 200,000 dots; and seams on black
+//      picture_quality PHOTO...                    at 5,000, 20,000 and 100,000 dots; and seams on black
 //      picture_quality                             the same of the built-in still life
 //      picture_quality --dots 40000 --steps 0,3 --peer-steps 50 PHOTO...
 //      picture_quality --only seams --loads 1.35   or --only pictures, or black
@@ -22,6 +22,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ namespace {
 
 using namespace dapple;
 
-constexpr int kMarkedSteps = 3;    // of Dapple's: what is to be as good as the peer
+constexpr double kPageMm2 = 210 * 297;
 constexpr int kPeerEvenness = 50;  // steps after which Dapple's dots are about as even as the peer's
 constexpr std::uint64_t kSeed = 1;
 constexpr int kPanelWidth = 600;  // px
@@ -56,8 +57,8 @@ enum class Tables { all, pictures, black, seams, edges };
 
 struct Wanted {
     std::vector<std::filesystem::path> photos;  // none: the still life
-    std::vector<std::size_t> dots{10'000, 40'000, 200'000};
-    std::vector<int> steps{0, 1, 2, 3, 4, 5, 10};
+    std::vector<std::size_t> dots{5'000, 20'000, 100'000};
+    std::vector<int> steps{0, 1, 2, 3, 5, 10, 20};  // beside the usual ones
     int peer_steps = 100;
     std::vector<double> loads{1.35, 1.6};  // beside the one that the program draws black with
     Tables tables = Tables::all;
@@ -174,17 +175,20 @@ void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, 
     const auto show = [&](const Row& row) {
         if (panels) panels->add(row.dots, row.radius);
     };
-    std::optional<Row> marked;
-    for (const int steps : wanted.steps) {
+    const int usual = usual_steps(double(count), kPageMm2);
+    std::set<int> all(wanted.steps.begin(), wanted.steps.end());
+    all.insert(usual);
+    Row marked;
+    for (const int steps : all) {
         Row row = table.of_dapple(pipeline, steps);
         print(row);
-        if (steps == 0 || steps == kMarkedSteps) show(row);
-        if (steps == kMarkedSteps) marked = std::move(row);
+        if (steps == 0 || steps == usual) show(row);
+        if (steps == usual) marked = std::move(row);
     }
     const std::vector<Row> peers = table.of_peer(wanted.peer_steps);
     for (const Row& peer : peers) print(peer);
     show(peers[1]);
-    if (marked) print_marks(*marked, peers[0].marks, peers[1].marks);
+    print_marks(marked, peers[0].marks, peers[1].marks);
 }
 
 void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
@@ -210,9 +214,10 @@ void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
 }
 
 // Of a drawing in automatic tone, as it would be saved.
-void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count,
-                 std::optional<double> black) {
+void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count, std::optional<double> black,
+                 std::optional<int> steps) {
     DrawingRequest request;
+    request.relax = steps;
     request.tone = {.detail = kAutoDetail, .black = black};
     request.placing = {.count = count, .threads = 0};
     const DrawingPlan plan = pipeline.plan(request);
@@ -238,9 +243,10 @@ void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count
     });
     const double n = double(dots.size());
     const PictureMarks marks = picture_marks(dots, radius, target_for(light, count));
-    fmt::print("| {} | {}{:.2f} | {:.3f} | {:.3f} | {:.0f} % | {:.0f} % | {:.0f} % |\n", grouped(count),
-               black ? "" : "auto, ", *plan.tone.black, marks.ssim, marks.gradients, 100 * dark_area,
-               100 * double(in_dark) / n, 100 * double(overlap) / n);
+    fmt::print("| {} | {}{:.2f} | {}{} | {:.3f} | {:.3f} | {:.0f} % | {:.0f} % | {:.0f} % |\n",
+               grouped(count), black ? "" : "auto, ", *plan.tone.black, steps ? "" : "auto, ", plan.steps,
+               marks.ssim, marks.gradients, 100 * dark_area, 100 * double(in_dark) / n,
+               100 * double(overlap) / n);
     std::fflush(stdout);
 }
 
@@ -251,12 +257,14 @@ void measure_black(const Wanted& wanted, Pipeline& pipeline) {
         const Picture picture = photo.empty() ? sample_picture() : read_picture(photo);
         pipeline.set_light(picture.light);
         fmt::print(
-            "\n### Black: {}\n| dots | black | SSIM | gradients | dark area | dots there | dots that overlap "
-            "|\n|---|---|---|---|---|---|---|\n",
+            "\n### Automatic: {}\n| dots | black | steps | SSIM | gradients | dark area | dots there | dots "
+            "that overlap |\n|---|---|---|---|---|---|---|---|\n",
             photo.empty() ? "still life" : photo.filename().string());
-        for (const std::size_t count : {5'000, 20'000, 100'000})
-            for (const std::optional<double> black : {std::optional<double>(1.0), {}, {0.9}, {0.8}})
-                print_black(pipeline, picture.light, count, black);
+        for (const std::size_t count : wanted.dots) {
+            print_black(pipeline, picture.light, count, {}, kFewestUsualSteps);
+            for (const std::optional<double> black : {std::optional<double>{}, {1.0}, {0.9}, {0.8}})
+                print_black(pipeline, picture.light, count, black, {});
+        }
     }
 }
 
@@ -279,13 +287,13 @@ void measure_seams(const Wanted& wanted, Pipeline& pipeline) {
                            grouped(count), steps, loads[i], i == 0 ? ", own" : "", 100 * seen.bare,
                            seen.of_halves, seen.of_quarters, seen.of_eighths, seen.worst());
                 std::fflush(stdout);
-                if (steps == kUsualSteps && i == 0) worst_marked = std::max(worst_marked, seen.worst());
+                if (steps == kFewestUsualSteps && i == 0) worst_marked = std::max(worst_marked, seen.worst());
             }
         }
     }
     if (worst_marked == 0) return;
     fmt::print("\n");
-    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kUsualSteps));
+    fmt::print(fmt::runtime(kMarksHead), fmt::format("Dapple, {} steps", kFewestUsualSteps));
     print_at_most("worst seam at its own load", worst_marked, 2);
 }
 

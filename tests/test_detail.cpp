@@ -122,7 +122,7 @@ TEST_CASE("a weak wave is amplified as the formula says") {
     }
 }
 
-TEST_CASE("detail's scale is two mean spacings of the dots") {
-    CHECK(detail_sigma(40'000, 40'000) == doctest::Approx(2));
-    CHECK(detail_sigma(1'000'000, 40'000) == doctest::Approx(10));
+TEST_CASE("detail's scale is four mean spacings of the dots") {
+    CHECK(detail_sigma(40'000, 40'000) == doctest::Approx(4));
+    CHECK(detail_sigma(1'000'000, 40'000) == doctest::Approx(20));
 }

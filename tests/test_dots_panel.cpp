@@ -176,10 +176,14 @@ TEST_CASE("dots sized by tone have two radii that never cross, and no count of t
     CHECK(f.settings.dot_size.largest_mm < 0.03);
 }
 
-TEST_CASE("the relax row shows the usual steps until it is moved") {
+TEST_CASE("the relax row shows the usual steps until it is moved, and brought back they are automatic") {
     DotsUi f;
-    f.drawn.steps = 4;
+    f.drawn.steps = f.drawn.usual_steps = 14;
     f.ui.frame();
+    CHECK_FALSE(f.settings.relax);
+    f.ui.enter("Even out", "5");
+    CHECK(f.settings.relax == 5);
+    f.ui.enter("Even out", "14");
     CHECK_FALSE(f.settings.relax);
     f.ui.drag("Even out", 0.2f, 1.0f);
     CHECK(f.settings.relax == 20);

@@ -99,9 +99,9 @@ TEST_CASE(
         const DrawingPlan plan = pipeline.plan(request);
         return *plan.tone.black;
     };
-    CHECK(black({.placing = {.count = 5'000}}) == 0.95);
+    for (const std::uint64_t few : {500, 5'000}) CHECK(black({.placing = {.count = few}}) == 0.9);
     CHECK(black({.placing = {.count = 20'000}}) == 0.95);
-    CHECK(black({.placing = {.count = 45'000}}) == 0.98);
+    CHECK(black({.placing = {.count = 44'721}}) == 0.97);
     CHECK(black({.placing = {.count = 100'000}}) == 1);
     CHECK(black({.automatic_tone = false, .placing = {.count = 5'000}}) == 1);
     for (const bool automatic : {true, false})
@@ -193,20 +193,29 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
         return pipeline.plan({.placer = placer, .placing = {.count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
-    CHECK(steps(5000, {}) == kUsualSteps);
-    CHECK(steps(1'900'000, {}) == kUsualSteps);
+    // 5 of 320,000 dots, and twice as many of a quarter of them, but no more than 20.
+    CHECK(steps(100, {}) == 20);
+    CHECK(steps(20'000, {}) == 20);
+    CHECK(steps(80'000, {}) == 10);
+    CHECK(steps(320'000, {}) == 5);
+    CHECK(steps(1'900'000, {}) == 5);
     CHECK(steps(50'000'000, {}) == 0);
     CHECK(steps(50'000'000, 2) == 2);
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps ==
-          kUsualSteps);
+    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps == 5);
     // By a scale as by the count that it comes to.
-    CHECK(pipeline.plan({.placing = {.scale = 1000, .count = {}}}).steps == kUsualSteps);
-    CHECK(pipeline.plan({.placing = {.scale = 50'000'000, .count = {}}}).steps == 0);
-    CHECK(usual_steps(3e6, 3e6) == kUsualSteps);
+    for (const double scale : {1000, 11'000, 30'000, 50'000'000}) {
+        const DrawingPlan plan = pipeline.plan({.placing = {.scale = scale, .count = {}}});
+        CHECK(plan.steps == steps(static_cast<std::uint64_t>(expected_dots(*plan.density, scale)), {}));
+    }
+    CHECK(usual_steps(3e6, 3e6) == 5);
     CHECK(usual_steps(3e6, 2e4) == 0);
+    // What is usual is known where others are asked for.
+    const DrawingPlan own = pipeline.plan({.placing = {.count = 80'000}, .relax = 3});
+    CHECK(own.steps == 3);
+    CHECK(own.usual_steps == 10);
 }
 
 TEST_CASE(
@@ -245,6 +254,27 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
+TEST_CASE("what a scale came to is known when it is asked for again, and no longer with another picture") {
+    // Of the same tones, but the mask leaves the light half of one and the dark half of the other.
+    Grid<float> mirrored = ramp();
+    for (int y = 0; y < mirrored.height; ++y) std::reverse(mirrored.row(y), mirrored.row(y) + mirrored.width);
+    Grid<std::uint8_t> right_half(80, 40, kNeutralLevel);
+    for (int y = 0; y < 40; ++y) std::fill_n(right_half.row(y), 40, std::uint8_t{0});
+    const DrawingRequest request{
+        .automatic_tone = false, .mask = Mask(right_half), .placing = {.scale = 20'000, .count = {}}};
+    Pipeline pipeline = pipeline_of(ramp());
+    const DrawingPlan first = pipeline.plan(request), again = pipeline.plan(request);
+    CHECK(pipeline.tone_ms() == 0);
+    CHECK(again.density == first.density);
+    CHECK(again.steps == first.steps);
+    CHECK(again.full_load == first.full_load);
+    pipeline.set_light(mirrored);
+    const DrawingPlan other = pipeline.plan(request), fresh = pipeline_of(mirrored).plan(request);
+    CHECK(other.steps == fresh.steps);
+    CHECK(other.density->values().values == fresh.density->values().values);
+    CHECK(other.steps < first.steps);
+}
+
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
     DrawingRequest request{.placing = {.count = 4000}, .relax = 4};
@@ -254,7 +284,7 @@ TEST_CASE("what a change has no say in is not made again") {
     CHECK(pipeline.tone_ms() > 0);
     CHECK(stays());
     CHECK(pipeline.tone_ms() == 0);
-    request.placing.count = 19'000;
+    request.placing.count = 900;
     CHECK(stays());
     request.placing.threads = 2;
     CHECK(stays());

@@ -24,8 +24,6 @@ double milliseconds_since(Clock::time_point start) {
 
 // Figure 8 emits every fourth dot once more, a little more or less.
 constexpr double kWithDuplicates = 1.4;
-// Of a photograph, where nothing better is known yet.
-constexpr double kUsualMeanDensity = 0.3;
 
 // The scale at which the largest dots make black.
 double scale_of_radius(double radius, double full_load) {
@@ -99,16 +97,20 @@ void Pipeline::set_light(Grid<float> light, float usual_exposure, int pixels_in_
     framing_ = whole_picture(pixels());
     usual_exposure_ = usual_exposure;
     histogram_.reset();
-    toned_.reset();
-    density_.reset();
+    forget_densities();
 }
 
 void Pipeline::set_colours(ColourGrid colours) {
     colours_ = std::move(colours);
     framed_colours_.reset();
     if (framing_ != whole_picture(pixels())) framed_colours_ = framed(colours_, framing_of_light());
+    forget_densities();
+}
+
+void Pipeline::forget_densities() {
     toned_.reset();
     density_.reset();
+    by_scale_.reset();
 }
 
 void Pipeline::set_plain(std::optional<Density> density) {
@@ -127,8 +129,7 @@ void Pipeline::frame(const PageSetup& setup) {
         if (!colours_.empty()) framed_colours_ = framed(colours_, framing_of_light());
     }
     histogram_.reset();
-    toned_.reset();
-    density_.reset();
+    forget_densities();
 }
 
 Framing Pipeline::framing_of_light() const {
@@ -216,7 +217,7 @@ double DrawingPlan::dots_for_tone() const {
     return expected_dots(*density, scale_of_radius(radius(0), full_load));
 }
 
-// Density, count or scale, for the steps that the plan has.
+// Density, count or scale, steps and black, each of which may follow from the others.
 void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const int width = plain_ ? plain_->width() : framed_light().width;
     const int height = plain_ ? plain_->height() : framed_light().height;
@@ -228,55 +229,69 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 
     Toned toned{plan.tone,
-                {.relaxing_steps = plan.steps,
-                 .smallest_area = smallest_area(request.size),
-                 .joined = request.joined},
+                {.smallest_area = smallest_area(request.size), .joined = request.joined},
                 0,
                 plan.pens,
                 plan.pens.empty() ? kWhite : request.paper};
     if (request.pens.set == PenSet::cmyk) toned.pens_black = request.pens.black;
-    if (request.size.sizing == DotSizing::by_tone)  // whose number follows from it; their black is solid
-        plan.full_load = InkCurve(toned.ink).full_load();
     plan.placer = request.placer;
     plan.placing = request.placing;
-    if (request.size.sizing == DotSizing::by_tone) {
-        plan.placing.count.reset();
-        plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
-    }
-    const auto dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
-                                         : kDotsPerScale * plan.placing.scale * kUsualMeanDensity * pixels /
-                                               (longer * longer);
-    const bool has_black = !plain_ && !request.joined && request.size.sizing != DotSizing::by_tone;
-    const auto take_black = [&](double for_dots) {
-        plan.usual_tone.black = has_black ? usual_black(for_dots) : 1;
+    std::optional<std::uint64_t>& count = plan.placing.count;
+    const bool moves = plan.placer == PlacerKind::exact;
+    const bool by_tone = request.size.sizing == DotSizing::by_tone;  // their number follows; black is solid
+    if (by_tone) count.reset();
+    const bool has_black = !plain_ && !request.joined && !by_tone;
+    // What follows from how many dots there are.
+    const auto take_dots = [&](double dots) {
+        plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
+        plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
+        toned.ink.relaxing_steps = plan.steps;
+        plan.usual_tone.black = has_black ? usual_black(dots) : 1;
         const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
         plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
         toned.tone.black = toned.ink.black = *plan.tone.black;
+        plan.full_load = InkCurve(toned.ink).full_load();
+        if (by_tone) plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
     };
-    take_black(dots);
-    // Of a scale the number of dots follows from black too: nearly, at first, as the histogram has it.
-    for (int round = 0; has_black && !plan.placing.count && round < 2; ++round)
-        take_black(kDotsPerScale * plan.placing.scale * pixels / (longer * longer) *
-                   mean_density(*plan.histogram, toned.tone, InkCurve(toned.ink)));
-    if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, std::max(dots, 1.0));
+    // Of a scale, nearly: as the histogram has it.
+    const auto expected = [&] {
+        if (count) return static_cast<double>(*count);
+        const double mean =
+            plain_ ? plain_->mean() : mean_density(*plan.histogram, toned.tone, InkCurve(toned.ink));
+        return kDotsPerScale * plan.placing.scale * pixels / (longer * longer) * mean;
+    };
+    take_dots(static_cast<double>(count.value_or(1)));
+    for (int round = 0; !count && round < 3; ++round) take_dots(expected());
+    if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, expected());
 
     // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
-    const bool by_level = depends_on_level(plan.steps) && plan.placer == PlacerKind::exact;
-    const std::size_t tile_size = tile_->tile().size();
-    if (by_level && !plan.placing.count) toned.ink.level = level_of(plan.placing.scale, tile_size);
-    plan.density = density_for(toned, request.mask);
-    for (int round = 0; by_level && plan.placing.count && round < 2 && plan.density->mean() > 0; ++round) {
-        toned.ink.level = level_of(scale_for(*plan.density, dots), tile_size);
+    const auto by_level = [&] { return moves && depends_on_level(plan.steps); };
+    const auto make_density = [&](std::optional<double> scale) {
+        toned.ink.level.reset();
+        if (scale && by_level()) toned.ink.level = level_of(*scale, tile_->tile().size());
         plan.density = density_for(toned, request.mask);
+    };
+    if (count) {
+        make_density({});
+        for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round)
+            make_density(scale_for(*plan.density, static_cast<double>(*count)));
+        return;
     }
-    // As many dots of a count have the same black.
-    for (int round = 0; has_black && !plan.placing.count && round < 3; ++round) {
-        const double black = toned.ink.black;
-        take_black(expected_dots(*plan.density, plan.placing.scale));
-        if (toned.ink.black == black) break;
-        plan.density = density_for(toned, request.mask);
+    // As many dots of a count have the same black and steps: known from when the same was planned last.
+    ByScale by_scale{toned, request.mask, plan.placing.scale};
+    if (by_scale_ && by_scale_->asks_for(by_scale)) {
+        take_dots(by_scale_->dots);
+        return make_density(plan.placing.scale);
     }
-    plan.full_load = InkCurve(toned.ink).full_load();
+    make_density(plan.placing.scale);
+    for (int round = 0; round < 3; ++round) {
+        const InkedDots before = toned.ink;
+        by_scale.dots = expected_dots(*plan.density, plan.placing.scale);
+        take_dots(by_scale.dots);
+        if (toned.ink == before) break;
+        make_density(plan.placing.scale);
+    }
+    by_scale_ = std::move(by_scale);
 }
 
 DrawingPlan Pipeline::plan(const DrawingRequest& request) {
@@ -303,21 +318,14 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     }
     if (request.automatic_tone) plan.tone = plan.usual_tone;
 
-    const bool moves = request.placer == PlacerKind::exact;
-    plan.steps = moves ? std::clamp(request.relax.value_or(kUsualSteps), 0, kMostRelaxingSteps) : 0;
     tone_for(plan, request);
-    const auto dots = [&] {
-        return plan.placing.count ? static_cast<double>(*plan.placing.count)
-                                  : expected_dots(*plan.density, plan.placing.scale);
-    };
-    if (moves && !request.relax) {
-        const int steps = usual_steps(dots(), plan.page.width_mm * plan.page.height_mm);
-        if (std::exchange(plan.steps, steps) != steps) tone_for(plan, request);
-    }
 
-    const double most = static_cast<double>(request.most_dots) / (moves ? 1 : kWithDuplicates);
+    const double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
+                                           : expected_dots(*plan.density, plan.placing.scale);
+    const double most =
+        static_cast<double>(request.most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
-    plan.lowered = dots() > most;
+    plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);
     return plan;

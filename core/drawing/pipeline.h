@@ -35,6 +35,7 @@ struct DrawingPlan {
     PlacingRequest placing;  // a count or a scale within the limits
     bool lowered = false;    // more was asked for
     int steps = 0;           // of relaxation
+    int usual_steps = 0;     // see usual_steps(); 0 of Figure 8
     DotSize size;
     bool joined = false;         // by lines
     double stroke_width_mm = 0;  // see DrawingRequest
@@ -129,6 +130,18 @@ class Pipeline {
         bool operator==(const Toned&) const = default;
     };
 
+    // What a scale came to: as many dots, of which black and steps follow, which decide about them.
+    struct ByScale {
+        Toned toned;  // as the histogram has it
+        Mask mask;
+        double scale = 0;
+        double dots = 0;
+        bool asks_for(const ByScale& other) const {
+            return toned == other.toned && scale == other.scale && mask == other.mask;
+        }
+    };
+
+    void forget_densities();
     /// Under the mask, if there is one.
     std::shared_ptr<const Density> density_for(const Toned& toned, const Mask& mask);
     std::shared_ptr<const Density> toned_density(const Toned& toned);
@@ -159,6 +172,7 @@ class Pipeline {
     std::shared_ptr<const Histogram> histogram_;
     std::optional<Toned> toned_;  // what density_ was made with
     std::shared_ptr<const Density> density_, plain_;
+    std::optional<ByScale> by_scale_;
     Mask mask_;                                         // masked_ is density_ under it
     std::shared_ptr<const Density> masked_, unmasked_;  // the latter is density_ as it was then
     std::optional<RankedTile> tile_;

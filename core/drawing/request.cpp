@@ -1,5 +1,6 @@
 #include "core/drawing/request.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dapple {
@@ -13,12 +14,16 @@ namespace {
 
 constexpr double kSeenMm = 0.1;        // between dots, at reading distance
 constexpr double kNoWait = 2'000'000;  // dots
+// Few dots have to show a picture with what evenness they can get, and their steps take no time.
+constexpr double kFew = 20'000, kMany = 320'000;
 
 }  // namespace
 
 int usual_steps(double dots, double picture_area_mm2) {
     const bool unseen = std::sqrt(picture_area_mm2 / std::max(dots, 1.0)) < kSeenMm;
-    return unseen && dots > kNoWait ? 0 : kUsualSteps;
+    if (unseen && dots > kNoWait) return 0;
+    return static_cast<int>(
+        std::lround(kFewestUsualSteps * std::sqrt(kMany / std::clamp(dots, kFew, kMany))));
 }
 
 }  // namespace dapple

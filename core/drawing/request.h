@@ -61,9 +61,10 @@ struct DrawingRequest {
     bool operator==(const DrawingRequest&) const = default;
 };
 
-inline constexpr int kUsualSteps = 5;
+inline constexpr int kFewestUsualSteps = 5;
 
-/// The steps after which a drawing looks as good as it needs to: kUsualSteps; none where dots lie closer than
+/// The steps after which a drawing looks as good as it needs to: 20 for 20,000 dots and fewer, from there on
+/// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 320,000 and more; none where dots lie closer than
 /// the eye can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
 

@@ -108,7 +108,7 @@ float limited(float change) {
 }  // namespace
 
 double detail_sigma(double pixels, double dots) {
-    return 2 * std::sqrt(pixels / std::max(dots, 1.0));
+    return 4 * std::sqrt(pixels / std::max(dots, 1.0));
 }
 
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {

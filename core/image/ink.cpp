@@ -212,7 +212,7 @@ bool depends_on_level(int relaxing_steps) {
 }
 
 double usual_black(double dots) {
-    constexpr double kFew = 20'000, kMany = 100'000, kOpen = 0.95;
+    constexpr double kFew = 5'000, kMany = 100'000, kOpen = 0.9;
     const double way = std::log(std::max(dots, 1.0) / kFew) / std::log(kMany / kFew);
     return std::round(100 * std::lerp(kOpen, 1.0, std::clamp(way, 0.0, 1.0))) / 100;
 }

@@ -43,9 +43,9 @@ inline constexpr float kBlackCoverage = 0.995f;
 /// Of the darkest tone, see InkedDots::black.
 inline constexpr double kLeastBlack = 0.5;
 
-/// The black that automatic tone draws so many dots with, in hundredths: 0.95 to 20,000, 1 from 100,000 on.
-/// Covering the last twentieth of the paper takes a third of the dots that are in black, which few dots lack
-/// elsewhere.
+/// The black that automatic tone draws so many dots with, in hundredths: 0.9 to 5,000, 0.95 of 20,000, 1 from
+/// 100,000 on. Covering the last twentieth of the paper takes a third of the dots that are in black, which few
+/// dots lack elsewhere.
 double usual_black(double dots);
 
 /// log4(kDotsPerScale * scale / tile size).

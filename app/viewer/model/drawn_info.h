@@ -16,6 +16,7 @@ struct DrawnInfo {
     std::uint64_t most_dots = kMostDots;  // that the window takes on
     Tone tone{};                          // with the values that were chosen automatically
     int steps = 0;                        // of relaxation
+    int usual_steps = 0;                  // of so many dots
     PageSize page{200, 150, 200};
 };
 

@@ -21,6 +21,7 @@ struct PlacedDrawing : Stippling {
     Tone usual_tone;                             // see DrawingPlan
     std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
     int all_steps = 0;                           // of relaxation, to be done
+    int usual_steps = 0;                         // that so many dots are relaxed where none are asked for
     double dot_radius = 0;                       // page units: of all, or of the largest ones
     double dots_for_tone = 0;                    // that would give the picture's, of a fixed size; 0: they do
     double radius_for_tone_mm = 0;               // of these dots, that would do so

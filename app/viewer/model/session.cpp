@@ -477,6 +477,7 @@ DrawnInfo Session::drawn(const Pane& pane) const {
             .most_dots = most_dots_,
             .tone = drawing.tone,
             .steps = drawing.all_steps,
+            .usual_steps = drawing.usual_steps,
             .page = drawing.layout.page};
 }
 

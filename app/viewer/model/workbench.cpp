@@ -128,6 +128,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     const auto finish = [&](PlacedDrawing& placed) {
         placed.tone = made.tone;
         placed.usual_tone = made.usual_tone;
+        placed.usual_steps = made.usual_steps;
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
         placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());

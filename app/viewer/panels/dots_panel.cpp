@@ -140,10 +140,12 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
     return changed;
 }
 
+// The usual steps are automatic again: another number of dots has its own.
 bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
     int steps = relax.value_or(drawn.steps);
-    if (!slider_row(setting::relax, steps)) return false;
-    relax = steps;
+    if (!slider_row(setting::relax, steps, {.usual = drawn.usual_steps})) return false;
+    relax.reset();
+    if (steps != drawn.usual_steps) relax = steps;
     return true;
 }
 
