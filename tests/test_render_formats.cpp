@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
@@ -258,9 +260,9 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
 
 TEST_CASE("of several pens each has its own dots, in tables, on machines and on the layers of a DXF") {
     const Scene scene;
-    const std::string pens = "--pens 'Pale (blue):#9cf:0.4,Rust red:#b52:0.4,Ink:#111:0.4' --dot-radius 0.2";
+    const std::string pens = "--pens 'Pale (grey):#ccc:0.4,Mid grey:#777:0.4,Ink:#111:0.4' --dot-radius 0.2";
     const std::vector<TableDot> table = table_of(scene, pens);
-    const std::vector<std::string> names{"Pale (blue)", "Rust red", "Ink"};  // the lightest first
+    const std::vector<std::string> names{"Pale (grey)", "Mid grey", "Ink"};  // the lightest first
     std::vector<std::size_t> pen_of;                                         // each dot's, by the table
     std::istringstream lines(text_of(scene("dots.csv")));
     std::string line;
@@ -292,7 +294,7 @@ TEST_CASE("of several pens each has its own dots, in tables, on machines and on 
         draw_to(scene, "a.gcode", pens + " --gcode " + machine);
         const Plotted plotted = plotted_gcode(text_of(scene("a.gcode")));
         CHECK(farthest_off(table, plotted.dots) < 0.00075);
-        check_changes(plotted, {"1 Pale [blue]", "2 Rust red", "3 Ink"});
+        check_changes(plotted, {"1 Pale [grey]", "2 Mid grey", "3 Ink"});
     }
     draw_to(scene, "a.hpgl", pens);
     check_changes(plotted_hpgl(text_of(scene("a.hpgl"))), {"1", "2", "3"});
@@ -305,7 +307,7 @@ TEST_CASE("of several pens each has its own dots, in tables, on machines and on 
     REQUIRE(read_back["pens"].size() == 3);
     CHECK(read_back["columns"].back() == "pen");
     for (std::size_t pen = 0; pen < 3; ++pen) CHECK(read_back["pens"][pen]["name"] == names[pen]);
-    CHECK(read_back["pens"][1]["colour"] == "#bb5522");
+    CHECK(read_back["pens"][1]["colour"] == "#777777");
     CHECK(read_back["pens"][1]["width_mm"] == 0.4);
     REQUIRE(read_back["dots"].size() == table.size());
     for (std::size_t i = 0; i < table.size(); ++i) CHECK(read_back["dots"][i].back() == pen_of[i]);
@@ -318,7 +320,7 @@ TEST_CASE("of several pens each has its own dots, in tables, on machines and on 
              "drawing = ezdxf.readfile(sys.argv[1])\n"
              "audit = drawing.audit()\n"
              "assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
-             "wanted = {'1_Pale__blue_': (0x99, 0xcc, 0xff), '2_Rust_red': (0xbb, 0x55, 0x22), '3_Ink': "
+             "wanted = {'1_Pale__grey_': (0xcc, 0xcc, 0xcc), '2_Mid_grey': (0x77, 0x77, 0x77), '3_Ink': "
              "(17, 17, 17)}\n"
              "for name, rgb in wanted.items():\n"
              "    off = lambda n: sum((a - b) ** 2 for a, b in zip(aci2rgb(n), rgb)) ** 0.5\n"
@@ -331,7 +333,7 @@ TEST_CASE("of several pens each has its own dots, in tables, on machines and on 
     CAPTURE(read.err);
     REQUIRE(read.status == 0);
     std::istringstream layers(read.out);
-    const std::vector<std::string> layer_names{"1_Pale__blue_", "2_Rust_red", "3_Ink"};
+    const std::vector<std::string> layer_names{"1_Pale__grey_", "2_Mid_grey", "3_Ink"};
     for (std::size_t i = 0; i < table.size(); ++i) {
         std::getline(layers, line);
         CHECK(line == layer_names[pen_of[i]]);
@@ -355,6 +357,39 @@ TEST_CASE("of several pens the one that draws first is the lightest, the darkest
     CHECK(layers(pens) == Names{"1 Pale", "2 Sand", "3 Night"});
     CHECK(layers(pens + "--pen-order darkest") == Names{"1 Night", "2 Sand", "3 Pale"});
     CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 Pale", "3 Sand"});
+}
+
+TEST_CASE(
+    "readers of SVG and PDF see the inks of overlapping dots both, or the upper one, as the PNG has them") {
+    require_program("rsvg-convert --version");
+    require_program("pdftoppm -v");
+    const Scene scene;
+    // So large that they overlap nearly everywhere.
+    const std::string options = "render " + scene("cat.png") +
+                                " --dots 300 --width 60 --dot-radius 3 --pens "
+                                "Sun:#ffe000:6,Sky:#40c0ff:6,Rose:#ff60a0:6 --background --paper '#f1ead8' ";
+    std::array<double, 2> mean_light{};
+    for (const bool transparent : {true, false}) {
+        const std::string ink = transparent ? "" : "--pen-ink opaque ";
+        for (const char* name : {"p.svg", "p.pdf", "p.png"})
+            REQUIRE(run_dapple(options + ink + (name == std::string("p.png") ? "--dpi 254 -o " : "-o ") +
+                               scene(name))
+                        .status == 0);
+        const Outcome shown =
+            run_in_shell("rsvg-convert -w 600 -h 400 " + scene("p.svg") + " -o " + scene("svg.png") +
+                         " && pdftoppm -scale-to-x 600 -scale-to-y 400 -singlefile -png " + scene("p.pdf") +
+                         " " + scene("pdf"));
+        CAPTURE(shown.err);
+        REQUIRE(shown.status == 0);
+        const Picture svg = read_picture(scene("svg.png")), pdf = read_picture(scene("pdf.png")),
+                      png = read_picture(scene("p.png"));
+        CHECK(light_difference(svg, png) < 0.05);
+        CHECK(light_difference(pdf, png) < 0.05);
+        const std::vector<float>& light = png.light.values;
+        mean_light[transparent ? 0 : 1] =
+            std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(light.size());
+    }
+    CHECK(mean_light[0] < mean_light[1] - 0.03);
 }
 
 TEST_CASE("the layers of an SVG, plotted one after the other, touch no place twice") {
@@ -424,6 +459,7 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
     scene.must_fail("render -o " + scene("x.svg") + " --registration", "--registration: is for several pens");
     scene.must_fail("render -o " + scene("x.svg") + " --pen-order listed",
                     "--pen-order: is for several pens");
+    scene.must_fail("render -o " + scene("x.svg") + " --pen-ink opaque", "--pen-ink: is for several pens");
     scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
                     "--registration: is of what is plotted");
 }

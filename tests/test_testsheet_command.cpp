@@ -219,8 +219,8 @@ TEST_CASE("a pen with a dot gain makes the dots of a wider pen, and draws lines 
         REQUIRE(made.status == 0);
         return text_of(scene(name));
     };
-    const std::string gains = "Pale:#9cf:0.3+0.1,Ink:#111:0.3", wide = "Pale:#9cf:0.4,Ink:#111:0.3",
-                      none = "Pale:#9cf:0.3,Ink:#111:0.3";
+    const std::string gains = "Pale:#ccc:0.3+0.1,Ink:#111:0.3", wide = "Pale:#ccc:0.4,Ink:#111:0.3",
+                      none = "Pale:#ccc:0.3,Ink:#111:0.3";
     CHECK(drawn(gains, "a.csv") == drawn(wide, "b.csv"));
     CHECK(drawn(gains, "a.csv") != drawn(none, "c.csv"));
     drawn(gains, "a.png", " --dpi 200");
@@ -239,7 +239,7 @@ TEST_CASE("a pen with a dot gain makes the dots of a wider pen, and draws lines 
         CHECK(stats["pens"][0].contains("gain_mm"));
         return stats["preflight"]["overlapping"].get<int>();
     };
-    CHECK(overlapping("Pale:#9cf:0.3+0.4,Ink:#111:0.3+0.4") > overlapping("Pale:#9cf:0.3,Ink:#111:0.3"));
+    CHECK(overlapping("Pale:#ccc:0.3+0.4,Ink:#111:0.3+0.4") > overlapping("Pale:#ccc:0.3,Ink:#111:0.3"));
 }
 
 }  // namespace dapple
