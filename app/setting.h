@@ -242,6 +242,10 @@ inline constexpr Setting overlap{.names = {"sheet_overlap_mm", "Overlap", "--ove
 // Pens and colours.
 inline constexpr Setting pens{.names = {"pens", "Which pens", "--pens"}};
 inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-order"}};
+inline constexpr Setting pen_ink{
+    .names = {"pen_ink", "Pen ink", "--pen-ink"},
+    .help = "What is seen where dots of several pens overlap. transparent: both inks, as of fineliners and "
+            "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers"};
 inline constexpr Setting registration{
     .names = {"registration", "Registration", "--registration"},
     .help =

@@ -3,7 +3,7 @@
 layout(location = 0) in float dot_x;  // page units
 layout(location = 1) in float dot_y;
 layout(location = 2) in float dot_critical;  // the scale from which it exists
-layout(location = 3) in vec4 dot_colour;     // sRGB-encoded; white for all if the ink is left to the page
+layout(location = 3) in vec4 dot_colour;     // sRGB-encoded, or its pen; white for all if the ink is left to the page
 layout(location = 4) in float dot_radius;    // page units, one for all or one each
 
 uniform float grow;        // of all radii
@@ -13,6 +13,7 @@ uniform vec2 canvas;       // samples, with the guard band
 uniform float guard;       // samples
 uniform float fade_scale;  // dots are all there a seventh above their critical scale; 0: all are
 uniform bool coloured;
+uniform bool by_pen;
 uniform bool sprite;
 uniform float point_step;  // sizes of points may be rounded by so much
 
@@ -20,6 +21,7 @@ flat out vec2 centre;      // samples, y up
 flat out float radius;     // samples
 flat out float softness;   // width of the edge in samples
 flat out vec4 ink;         // linear light, times the alpha beside it
+flat out int pen;          // of several, or -1
 
 vec3 to_light(vec3 c) {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
@@ -28,6 +30,7 @@ vec3 to_light(vec3 c) {
 void main() {
     float presence = fade_scale > 0.0 ? smoothstep(0.0, 0.15, fade_scale / dot_critical - 1.0) : 1.0;
     presence *= dot_colour.a;  // hidden if it is 0
+    pen = by_pen ? int(dot_colour.r * 255.0 + 0.5) : -1;
     ink = vec4((coloured ? to_light(dot_colour.rgb) : vec3(1.0)) * presence, presence);
 
     float true_radius = dot_radius * grow * page_scale.x;

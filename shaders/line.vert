@@ -1,27 +1,25 @@
 #version 330 core
 // A line of a pen with round ends, as a rectangle around it.
 layout(location = 0) in vec4 ends;         // page units: from x, y, to x, y
-layout(location = 1) in vec4 line_colour;  // sRGB-encoded
+layout(location = 1) in vec4 line_colour;  // its pen
 layout(location = 2) in float line_width;  // page units
 
 uniform vec2 page_scale;   // page units to samples
 uniform vec2 page_offset;  // samples
 uniform vec2 canvas;       // samples
 uniform float grow;        // of all widths
-uniform bool coloured;     // or else the ink is left to the page
+uniform bool by_pen;       // or else the ink is left to the page
 
 flat out vec2 from;       // samples, y up
 flat out vec2 to;
 flat out float radius;    // samples
 flat out float softness;  // width of the edge in samples
 flat out vec4 ink;        // linear light
-
-vec3 to_light(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
+flat out int pen;         // of several, or -1
 
 void main() {
-    ink = vec4(coloured ? to_light(line_colour.rgb) : vec3(1.0), 1.0);
+    ink = vec4(1.0);
+    pen = by_pen ? int(line_colour.r * 255.0 + 0.5) : -1;
     float half_width = 0.5 * line_width * grow * page_scale.x;
     // As dot.vert has it: what is finer than a sample is right on average with a hard edge.
     softness = clamp(half_width / 3.0, 0.001, 1.0);

@@ -19,7 +19,11 @@ uniform vec3 paper_light;
 uniform float picture_opacity;
 uniform float picture_gain;  // of its light
 uniform sampler2D picture;
-uniform sampler2D dots;    // linear light times alpha, alpha
+uniform sampler2D dots;    // linear light times alpha, alpha; of several pens how much each of four covers
+uniform sampler2D dots_of_pens_4_to_7;
+uniform sampler2D dots_of_pens_8_to_11;
+uniform int pens;          // 0: none
+uniform vec4 pen_inks[12]; // linear light; 1: multiplied by what lies below, 0: hides it
 uniform int samples;       // of a pixel's side
 uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; y up; empty: there are no dots
 uniform ivec4 page_samples; // those on the page: low x, y, end x, y
@@ -35,16 +39,43 @@ vec3 to_encoded(vec3 c) {
     return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-vec4 dots_at(ivec2 pixel) {
-    if (any(lessThan(pixel, dots_box.xy)) || any(greaterThanEqual(pixel, dots_box.zw))) return vec4(0.0);
+// What the dots leave of the light of the sheet, and what they add to it.
+struct Ink {
+    vec3 through, own;
+};
+
+Ink sample_at(ivec2 place) {
+    vec4 texel = texelFetch(dots, place, 0);
+    if (pens == 0) return Ink(vec3(1.0 - texel.a), ink * texel.rgb);
+    Ink seen = Ink(vec3(1.0), vec3(0.0));
+    for (int first = 0; first < pens; first += 4) {
+        if (first == 4) texel = texelFetch(dots_of_pens_4_to_7, place, 0);
+        if (first == 8) texel = texelFetch(dots_of_pens_8_to_11, place, 0);
+        for (int k = 0; k < min(4, pens - first); ++k) {
+            vec4 its = pen_inks[first + k];
+            vec3 left = 1.0 - texel[k] * (1.0 - its.rgb * its.a);
+            seen = Ink(seen.through * left, seen.own * left + its.rgb * (1.0 - its.a) * texel[k]);
+        }
+    }
+    return seen;
+}
+
+Ink dots_at(ivec2 pixel) {
+    Ink seen = Ink(vec3(1.0), vec3(0.0));
+    if (any(lessThan(pixel, dots_box.xy)) || any(greaterThanEqual(pixel, dots_box.zw))) return seen;
     // On the page's edges only what lies on the page counts, at least one sample.
     ivec2 corner = (pixel - dots_box.xy) * samples;
     ivec2 first = clamp(page_samples.xy, corner, corner + samples - 1);
     ivec2 end = clamp(page_samples.zw, first + 1, corner + samples);
-    vec4 sum = vec4(0.0);
+    seen.through = vec3(0.0);
     for (int y = first.y; y < end.y; ++y)
-        for (int x = first.x; x < end.x; ++x) sum += texelFetch(dots, ivec2(x, y), 0);
-    return sum / float((end.x - first.x) * (end.y - first.y));
+        for (int x = first.x; x < end.x; ++x) {
+            Ink one = sample_at(ivec2(x, y));
+            seen.through += one.through;
+            seen.own += one.own;
+        }
+    float count = float((end.x - first.x) * (end.y - first.y));
+    return Ink(seen.through / count, seen.own / count);
 }
 
 #if !defined(SHEET) || defined(PICTURE)
@@ -67,8 +98,8 @@ void main() {
     vec2 outside = max(max(page_min - pixel, pixel - page_max), 0.0);
     if (picture_opacity > 0.0 && outside == vec2(0.0)) sheet = sheet_at(pixel);
 #endif
-    vec4 cover = dots_at(ivec2(gl_FragCoord.xy));
-    vec3 light = sheet * (1.0 - cover.a) + ink * cover.rgb;
+    Ink seen = dots_at(ivec2(gl_FragCoord.xy));
+    vec3 light = sheet * seen.through + seen.own;
 #ifndef SHEET
     vec2 lowered = pixel - vec2(0.0, shadow * 0.25);
     vec2 from_sheet = max(max(page_min - lowered, lowered - page_max), 0.0);

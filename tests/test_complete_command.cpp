@@ -40,6 +40,9 @@ TEST_CASE("options are offered where they belong, and values where they have nam
     CHECK(offered("render --placer ''") == std::set<std::string>{"exact", "figure8"});
     CHECK(offered("render --invert --tile paper") == std::set<std::string>{"paper16", "paper20"});
     CHECK(offered("tile show latt") == std::set<std::string>{"lattice24", "lattice28", "lattice36"});
+    CHECK(offered("render --pens fi") == std::set<std::string>{"fineliners"});
+    CHECK(offered("render --pens auto:3:fi") == std::set<std::string>{"auto:3:fineliners"});
+    CHECK(offered("render --pens auto:3:au").empty());
     CHECK(offered("render --width ''").empty());
     CHECK(offered("render -o ''").empty());
 }
@@ -55,4 +58,6 @@ TEST_CASE("bash completes with the script that is installed") {
     CHECK(completed("ren", 1) == "render\n");
     CHECK(completed("render --order s x", 3) == "shortest space\n");
     CHECK(completed("render cat", 2) == "\n");
+    // Bash has colons as words of their own, and wants what follows the last one.
+    CHECK(completed("render --pens auto : 3 : fi", 7) == "fineliners\n");
 }

@@ -103,6 +103,7 @@ TEST_CASE("own pens draw in the order in which they are listed, and change place
     DrawingSettings drawing;
     drawing.pens = parse_pens("Night:#102060,Sand:#d0a040,White:#ffffff");
     HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {}); });
+    ImGui::GetIO().DisplaySize.y = 1200;  // all of three pens are in sight
     const auto names = [&] {
         std::string all;
         for (const Pen& pen : drawing.pens.own) all += pen.name + " ";

@@ -130,7 +130,7 @@ TEST_CASE("what a mixture of pens looks like is separated into shares that look 
             sum += shares[pen] = static_cast<float>(random() % 1000) / 1000.0f;
         glm::vec3 light = linear_of(paper) * (0.2f / sum);
         for (std::size_t pen = 0; pen < pens.size(); ++pen)
-            light += linear_of(pens[pen].colour) * (shares[pen] / sum);
+            light += linear_of(paper) * linear_of(pens[pen].colour) * (shares[pen] / sum);
         const Shares found = mixer.solve(light);
         CHECK(*std::ranges::min_element(found) >= 0);
         CHECK(std::accumulate(found.begin(), found.end(), 0.0f) <= 1.0f + 1e-5f);
@@ -158,7 +158,7 @@ TEST_CASE("of a grey that black and the paper make, other pens draw nothing, and
                 CHECK(shares[0] == doctest::Approx(1 - light).epsilon(0.002));
                 CHECK(shares[1] == 0);
             }
-            const glm::vec3 mixed = 0.2f * linear_of(parse_colour(paper)) + 0.7f * linear_of(pens[1].colour);
+            const glm::vec3 mixed = linear_of(parse_colour(paper)) * (0.2f + 0.7f * linear_of(pens[1].colour));
             const Shares shares = separation.mixer().solve(mixed);
             CHECK(shares[0] == doctest::Approx(0.1f).epsilon(0.01));
             CHECK(shares[1] == doctest::Approx(0.7f).epsilon(0.002));

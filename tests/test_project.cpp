@@ -63,11 +63,13 @@ ViewerSettings nothing_usual() {
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
         .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
-        .pens = [] {
-            PenChoice pens = parse_pens("greys:0.4");
-            pens.order = PenOrder::darkest;
-            return pens;
-        }(),
+        .pens =
+            [] {
+                PenChoice pens = parse_pens("greys:0.4");
+                pens.order = PenOrder::darkest;
+                pens.ink = PenInk::opaque;
+                return pens;
+            }(),
         .registration = true,
         .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),

@@ -184,6 +184,28 @@ TEST_CASE("ink and paper mix as light does") {
     CHECK(coloured.at(2, 0) == glm::u8vec3(0x1d, 0x35, 0x57));
 }
 
+TEST_CASE("of two inks that overlap both are seen if they are transparent, the upper one if it is opaque") {
+    // Nothing, one, the other, both; and half a pixel of both.
+    std::vector<Grid<float>> coverage(2, Grid<float>(5, 1));
+    coverage[0].values = {0, 1, 0, 1, 0.5f};
+    coverage[1].values = {0, 0, 1, 1, 0.5f};
+    std::vector<Pen> pens{{.name = "Yellow", .colour = {1, 1, 0}}, {.name = "Cyan", .colour = {0, 1, 1}}};
+    const Grid<glm::u8vec3> through = ink_on_paper(coverage, pens, kWhite);
+    CHECK(through.at(0, 0) == glm::u8vec3(255));
+    CHECK(through.at(1, 0) == glm::u8vec3(255, 255, 0));
+    CHECK(through.at(2, 0) == glm::u8vec3(0, 255, 255));
+    CHECK(through.at(3, 0) == glm::u8vec3(0, 255, 0));
+    // Half of red's light and half of blue's: 188, as above.
+    CHECK(through.at(4, 0) == glm::u8vec3(188, 255, 188));
+    // The paper's colour is seen through ink too: half of its light in red, all in green, none in blue.
+    const Grid<glm::u8vec3> on_tint = ink_on_paper(coverage, pens, glm::vec3(188, 255, 255) / 255.0f);
+    CHECK(on_tint.at(1, 0) == glm::u8vec3(188, 255, 0));
+    for (Pen& pen : pens) pen.ink = PenInk::opaque;
+    const Grid<glm::u8vec3> hiding = ink_on_paper(coverage, pens, kBlack);
+    CHECK(hiding.at(1, 0) == glm::u8vec3(255, 255, 0));
+    CHECK(hiding.at(3, 0) == glm::u8vec3(0, 255, 255));
+}
+
 TEST_CASE(
     "a page of more pixels than PNG can have, or than minutes can draw, is refused with what would do") {
     const PageSize banner{.width_mm = 25'400, .height_mm = 10, .mm_per_page_unit = 25'400},

@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
@@ -358,6 +360,39 @@ TEST_CASE("of several pens the one that draws first is the lightest, the darkest
     CHECK(layers("--pen-order listed " + pens) == Names{"1 Night", "2 Pale", "3 Sand"});
 }
 
+TEST_CASE(
+    "readers of SVG and PDF see the inks of overlapping dots both, or the upper one, as the PNG has them") {
+    require_program("rsvg-convert --version");
+    require_program("pdftoppm -v");
+    const Scene scene;
+    // So large that they overlap nearly everywhere.
+    const std::string options = "render " + scene("cat.png") +
+                                " --dots 300 --width 60 --dot-radius 3 --pens "
+                                "Sun:#ffe000:6,Sky:#40c0ff:6,Rose:#ff60a0:6 --background --paper '#f1ead8' ";
+    std::array<double, 2> mean_light{};
+    for (const bool transparent : {true, false}) {
+        const std::string ink = transparent ? "" : "--pen-ink opaque ";
+        for (const char* name : {"p.svg", "p.pdf", "p.png"})
+            REQUIRE(run_dapple(options + ink + (name == std::string("p.png") ? "--dpi 254 -o " : "-o ") +
+                               scene(name))
+                        .status == 0);
+        const Outcome shown =
+            run_in_shell("rsvg-convert -w 600 -h 400 " + scene("p.svg") + " -o " + scene("svg.png") +
+                         " && pdftoppm -scale-to-x 600 -scale-to-y 400 -singlefile -png " + scene("p.pdf") +
+                         " " + scene("pdf"));
+        CAPTURE(shown.err);
+        REQUIRE(shown.status == 0);
+        const Picture svg = read_picture(scene("svg.png")), pdf = read_picture(scene("pdf.png")),
+                      png = read_picture(scene("p.png"));
+        CHECK(light_difference(svg, png) < 0.05);
+        CHECK(light_difference(pdf, png) < 0.05);
+        const std::vector<float>& light = png.light.values;
+        mean_light[transparent ? 0 : 1] =
+            std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(light.size());
+    }
+    CHECK(mean_light[0] < mean_light[1] - 0.03);
+}
+
 TEST_CASE("the layers of an SVG, plotted one after the other, touch no place twice") {
     const Scene scene;
     REQUIRE(
@@ -425,6 +460,7 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
     scene.must_fail("render -o " + scene("x.svg") + " --registration", "--registration: is for several pens");
     scene.must_fail("render -o " + scene("x.svg") + " --pen-order listed",
                     "--pen-order: is for several pens");
+    scene.must_fail("render -o " + scene("x.svg") + " --pen-ink opaque", "--pen-ink: is for several pens");
     scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
                     "--registration: is of what is plotted");
 }

@@ -78,8 +78,9 @@ TEST_CASE("separations are each pen's ink alone, and laid over each other they a
         float farthest = 0;
         for (int y = 0; y < mix.height; ++y)
             for (int x = 0; x < mix.width; ++x) {
-                glm::vec3 light(1);
-                for (int pen = 0; pen < 2; ++pen) light = glm::mix(light, inks[pen], 1 - own[pen].at(x, y));
+                glm::vec3 light(1);  // what one pen leaves of it the other takes some of
+                for (int pen = 0; pen < 2; ++pen)
+                    light *= glm::mix(glm::vec3(1), inks[pen], 1 - own[pen].at(x, y));
                 for (int c = 0; c < 3; ++c)
                     farthest = std::max(farthest, std::abs(light[c] - linear(mix.at(x, y, c))));
             }

@@ -197,8 +197,11 @@ TEST_CASE("lines of several pens have a colour and a width each, and those of on
                      {20 / unit, 100 / unit, 180 / unit, 100 / unit}};
     strokes.blocks = {{.count = 2, .low = {0.2f, 0.4f}, .high = {1.8f, 1.0f}}};
     strokes.width = 20 / unit;
-    strokes.colours = {{200, 0, 0, 255}, {0, 0, 100, 255}};
+    strokes.pens = {0, 1};
     strokes.widths = {20 / unit, 8 / unit};
+    const std::array<Pen, 2> pens{{{.name = "Red", .colour = parse_colour("#c80000")},
+                                   {.name = "Blue", .colour = parse_colour("#000064")}}};
+    picture.renderer.set_pens(pens);
     picture.renderer.set_strokes(strokes);
     Grid<glm::u8vec4> pixels = picture.draw_again();
     CHECK(glm::u8vec3(pixels.at(100, 40)) == glm::u8vec3(200, 0, 0));
@@ -207,7 +210,7 @@ TEST_CASE("lines of several pens have a colour and a width each, and those of on
     CHECK(glm::u8vec3(pixels.at(100, 107)) == glm::u8vec3(255, 255, 255));
     CHECK(glm::u8vec3(pixels.at(20, 20)) == glm::u8vec3(255, 255, 255));  // no dots
     picture.draw();                                                       // other dots
-    strokes.colours.clear();
+    strokes.pens.clear();
     strokes.widths.clear();
     picture.renderer.set_strokes(strokes);
     pixels = picture.draw_again();

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/drawing_settings.h"
@@ -11,6 +14,7 @@
 #include "app/viewer/canvas/renderer.h"
 #include "core/image/ink.h"
 #include "core/output/raster.h"
+#include "core/pens/pen.h"
 #include "core/placing/stipple.h"
 #include "tests/mean_light.h"
 #include "tests/offscreen_gl.h"
@@ -37,19 +41,47 @@ const Colours kBlueOnSand{{0.1f, 0.2f, 0.7f}, {0.95f, 0.9f, 0.6f}};
 
 /// A drawing, and the file of it.
 struct Drawing {
-    Drawing(std::uint64_t count, const Colours& c) : colours(c) {
+    Drawing(std::uint64_t count, const Colours& c, Palette several = {})
+        : colours(c), pens(std::move(several)) {
         const Density density(ramp());
         RankedTile tile = tile_named(kDefaultTile);
         REQUIRE(stipple(tile, density, PlacerKind::exact, {.count = count, .threads = 0}, stippling));
         const PageSize page = page_size(density, 1);
         size = {page.width_mm, page.height_mm};
         radius = radius_for_tone(stippling.scale, 1.6);
-        file = ink_on_paper(coverage_of(stream_of(stippling.dots), page,
-                                        {.dot_radius_mm = radius, .dpi = 25.4 * 1800, .threads = 0}),
-                            colours.ink, colours.paper);
+        const RasterRequest request{.dot_radius_mm = radius, .dpi = 25.4 * 1800, .threads = 0};
+        if (pens.empty()) {
+            file = ink_on_paper(coverage_of(stream_of(stippling.dots), page, request), colours.ink,
+                                colours.paper);
+            return;
+        }
+        share_out();
+        const RasterSize pixels = raster_size(page, request.dpi);
+        file = Grid<glm::u8vec3>(pixels.width, pixels.height);
+        rasterise_pens(stream_of(stippling.dots), page, request, pens.size(),
+                       [&](int first_row, std::span<const Grid<float>> coverage) {
+                           std::ranges::copy(ink_on_paper(coverage, pens, colours.paper).values,
+                                             file.row(first_row));
+                       });
+    }
+
+    // Each pen has one dot in so many, wherever they lie.
+    void share_out() {
+        DotPieces shared;
+        shared.pieces.resize(pens.size());
+        std::size_t i = 0;
+        for (const Dots& piece : stippling.dots.pieces)
+            for (std::size_t k = 0; k < piece.size(); ++k, ++i) {
+                Dots& own = shared.pieces[i % pens.size()];
+                own.pen = static_cast<int>(i % pens.size());
+                own.x.push_back(piece.x[k]);
+                own.y.push_back(piece.y[k]);
+            }
+        stippling.dots = std::move(shared);
     }
 
     Colours colours;
+    Palette pens;
     Stippling stippling;
     glm::dvec2 size;    // page units
     double radius = 0;  // page units
@@ -61,6 +93,7 @@ class Screen {
     explicit Screen(const Drawing& drawing) : drawing_(drawing), blocks_(dot_blocks(drawing.stippling.dots)) {
         picture.resize(kCanvas);
         renderer.set_dots(drawing.stippling.dots, blocks_);
+        renderer.set_pens(drawing.pens);
         look.page_size = drawing.size;
         look.dot_radius = drawing.radius;
         look.ink = drawing.colours.ink;
@@ -131,6 +164,29 @@ TEST_CASE("so it is in each channel with coloured ink on coloured paper, given t
     for (const double zoom : {0.06, 1.0, 3.3}) {
         CAPTURE(zoom);
         CHECK(screen.difference_from_file(kFitted * zoom) < 0.01);
+    }
+}
+
+TEST_CASE("dots of several pens are seen through one another, or hide each other, as they are in the file") {
+    // As many pens as need a picture of their dots, two and three.
+    for (const char* pens :
+         {"cmyk", "Sky:#3aa0d8,Rust:#c04010,Leaf:#40a030,Sun:#ffed00,Rose:#e05090",
+          "A:#3aa0d8,B:#c04010,C:#40a030,D:#ffed00,E:#e05090,F:#808080,G:#ffb0b0,H:#b0ffb0,"
+          "I:#d02020,J:#20d020,K:#2020d0"}) {
+        CAPTURE(std::string(pens));
+        Palette palette = palette_of(parse_pens(pens));
+        std::vector<glm::dvec3> mean;
+        for (const PenInk ink : {PenInk::transparent, PenInk::opaque}) {
+            for (Pen& pen : palette) pen.ink = ink;
+            const Drawing drawing(2'000, kBlueOnSand, palette);
+            Screen screen(drawing);
+            for (const double zoom : {0.06, 1.0, 3.3}) {
+                CAPTURE(zoom);
+                CHECK(screen.difference_from_file(kFitted * zoom) < 0.01);
+            }
+            mean.push_back(mean_light(drawing.file, {{900, 0}, {1800, 1200}}));
+        }
+        CHECK(mean[0].g < mean[1].g - 0.05);  // both inks take light
     }
 }
 

@@ -17,7 +17,8 @@ bool is_hidden(const CLI::App& command) {
 }
 
 // Of an option or a positional: "NAME" in capitals stands for anything, "auto|true" for these two.
-std::vector<Completion> values_of(const CLI::Option& option) {
+// `begun` is what is there of the value already.
+std::vector<Completion> values_of(const CLI::Option& option, const std::string& begun) {
     std::vector<Completion> values;
     const std::string type = option.get_type_name();
     if (type == "TILE") {
@@ -30,10 +31,14 @@ std::vector<Completion> values_of(const CLI::Option& option) {
         return values;
     }
     if (type == "PENS") {
-        for (const char* const set : {"greys", "cmyk", "auto:4"}) values.push_back({set, ""});
+        // Behind "auto:4:" there may be a palette too.
+        const std::size_t second = begun.starts_with("auto:") ? begun.find(':', 5) : begun.npos;
+        const std::string before = second == begun.npos ? "" : begun.substr(0, second + 1);
+        if (before.empty())
+            for (const char* const set : {"greys", "cmyk", "auto:4"}) values.push_back({set, ""});
         for (const NamedPalette& palette : built_in_palettes())
-            values.push_back({palette.name, palette.about});
-        for (const std::string& name : own_palettes(palettes_folder())) values.push_back({name, ""});
+            values.push_back({before + palette.name, palette.about});
+        for (const std::string& name : own_palettes(palettes_folder())) values.push_back({before + name, ""});
         return values;
     }
     std::istringstream parts(type);
@@ -54,14 +59,14 @@ std::vector<Completion> options_of(const CLI::App& command) {
     return options;
 }
 
-std::vector<Completion> commands_and_positionals_of(const CLI::App& app) {
+std::vector<Completion> commands_and_positionals_of(const CLI::App& app, const std::string& begun) {
     std::vector<Completion> words;
     for (const CLI::App* command : app.get_subcommands({})) {
         if (!is_hidden(*command)) words.push_back({command->get_name(), command->get_description()});
     }
     for (const CLI::Option* option : app.get_options()) {
         if (!option->get_positional()) continue;
-        for (Completion& value : values_of(*option)) words.push_back(std::move(value));
+        for (Completion& value : values_of(*option, begun)) words.push_back(std::move(value));
     }
     return words;
 }
@@ -84,9 +89,10 @@ std::vector<Completion> completions(const CLI::App& program, const std::vector<s
             }
         }
     }
-    std::vector<Completion> found = waiting                         ? values_of(*waiting)
-                                    : words.back().starts_with('-') ? options_of(*command)
-                                                                    : commands_and_positionals_of(*command);
+    std::vector<Completion> found = waiting ? values_of(*waiting, words.back())
+                                    : words.back().starts_with('-')
+                                        ? options_of(*command)
+                                        : commands_and_positionals_of(*command, words.back());
     std::erase_if(found, [&](const Completion& each) { return !each.word.starts_with(words.back()); });
     return found;
 }

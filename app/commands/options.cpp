@@ -206,9 +206,10 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
     return add_text(app, "--pens", "PENS", help, reading("--pens", [&pens](const std::string& text) {
-                        const PenOrder order = pens.order;
-                        pens = pens_in(text);
-                        pens.order = order;
+                        PenChoice read = pens_in(text);
+                        read.order = pens.order;
+                        read.ink = pens.ink;
+                        pens = std::move(read);
                     }));
 }
 
@@ -382,6 +383,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         app, "--pen-order", settings.pens.order,
         "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
         "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
+    add_choice(app, setting::pen_ink, settings.pens.ink);
     add_colour(app, setting::ink, settings.ink);
     add_colour(app, setting::paper, settings.paper);
 }

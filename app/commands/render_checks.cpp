@@ -79,7 +79,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     } else if (command.count("--sheet") == 0)
         refuse(command, {"--overlap"}, "is of sheets; give --sheets or --sheet too");
     if (options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--registration", "--pen-order", "--pen-files"},
+        refuse(command, {"--registration", "--pen-order", "--pen-ink", "--pen-files"},
                "is for several pens; give --pens too");
     if (has_pixels(format) || is_table(format)) {
         const std::string plotted =

@@ -1,7 +1,6 @@
 #include "app/files/page_pixels.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "core/output/raster.h"
 #include "core/output/raster_strokes.h"
@@ -16,13 +15,11 @@ template <class Ink>
 Grid<glm::u8vec3> pixels_of(const DrawingSettings& settings, const Ink& ink, std::span<const Pen> pens,
                             const PageSize& page, const RasterRequest& request) {
     if (pens.empty()) return ink_on_paper(coverage_of(ink, page, request), settings.ink, settings.paper);
-    std::vector<glm::vec3> inks;
-    for (const Pen& pen : pens) inks.push_back(pen.colour);
     const RasterSize size = raster_size(page, request.dpi);
     Grid<glm::u8vec3> all(size.width, size.height);
-    rasterise_pens(ink, page, request, inks.size(),
+    rasterise_pens(ink, page, request, pens.size(),
                    [&](int first_row, std::span<const Grid<float>> coverage) {
-                       const auto band = ink_on_paper(coverage, inks, settings.paper);
+                       const auto band = ink_on_paper(coverage, pens, settings.paper);
                        std::ranges::copy(band.values, &all.at(0, first_row));
                    });
     return all;

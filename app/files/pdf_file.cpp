@@ -53,11 +53,11 @@ class PdfPages {
     cairo_t* context() const { return context_; }
 
     // What follows belongs to this one: a page for each, one over the other in the end.
-    void begin_layer(const std::string& name) {
+    void begin_layer(const std::string& name, PenInk ink = PenInk::opaque) {
         if (!layers_.empty()) cairo_show_page(context_);
-        layers_.push_back(name);
+        layers_.push_back({name, ink == PenInk::transparent});
     }
-    const std::vector<std::string>& layers() const { return layers_; }
+    const std::vector<PdfLayer>& layers() const { return layers_; }
 
     // How much of the dots was gathered before the library begins to write.
     void gathered(double share) { report(kShareOfGathering * share); }
@@ -102,7 +102,7 @@ class PdfPages {
     std::ostream& out_;
     const WritingProgress& progress_;
     double bytes_expected_, bytes_ = 0, share_ = 0;
-    std::vector<std::string> layers_;
+    std::vector<PdfLayer> layers_;
     bool dropped_ = false;
     std::exception_ptr thrown_;
     cairo_surface_t* surface_;
@@ -162,7 +162,7 @@ bool lies_on(const PageSize& page, glm::dvec2 at_mm) {
 
 void begin_pen(PdfPages& pdf, const PdfStyle& style, int pen) {
     const Pen& drawn = style.pens[static_cast<std::size_t>(pen)];
-    pdf.begin_layer(fmt::format("{} {}", pen + 1, drawn.name));
+    pdf.begin_layer(fmt::format("{} {}", pen + 1, drawn.name), drawn.ink);
     set_colour(pdf.context(), drawn.colour);
     draw_marks(pdf.context(), style.registration, drawn.width_mm > 0 ? drawn.width_mm : kUsualMarkMm);
 }

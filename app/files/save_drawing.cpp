@@ -48,15 +48,13 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
                            grey ? PngColours::grey : PngColours::rgb,
                            {{kPngSettingsKeyword, drawing.settings}}};
     write_image(header, [&](const auto& pixels) {
-        if (!drawing.pens.empty()) {
-            std::vector<glm::vec3> inks;
-            for (const Pen& pen : drawing.pens) inks.push_back(pen.colour);
+        if (const std::span<const Pen> pens = drawing.pens; !pens.empty()) {
             const PenCoverageSink sink = [&](int first_row, std::span<const Grid<float>> coverage) {
                 if (progress) progress(static_cast<double>(first_row) / size.height);
-                pixels(colours(coverage, inks, settings.paper));
+                pixels(colours(coverage, pens, settings.paper));
             };
-            if (strokes) return rasterise_pens(*strokes, drawing.page, request, inks.size(), sink);
-            return rasterise_pens(drawing.dots, drawing.page, request, inks.size(), sink);
+            if (strokes) return rasterise_pens(*strokes, drawing.page, request, pens.size(), sink);
+            return rasterise_pens(drawing.dots, drawing.page, request, pens.size(), sink);
         }
         const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
             if (progress) progress(static_cast<double>(first_row) / size.height);

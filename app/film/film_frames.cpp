@@ -69,7 +69,7 @@ Levels levels_of(const DotStream& dots, std::size_t tile_size) {
             const int level = tile_rank_of(piece.threshold[i], tile_size).level;
             while (static_cast<int>(levels.pens.size()) <= level) {
                 const int next = static_cast<int>(levels.pens.size());
-                levels.pens.push_back({.name = "level", .colour = level_colour(next)});
+                levels.pens.push_back({.name = "level", .colour = level_colour(next), .ink = PenInk::opaque});
                 levels.dots.pieces.emplace_back().pen = next;
             }
             Dots& own = levels.dots.pieces[static_cast<std::size_t>(level)];

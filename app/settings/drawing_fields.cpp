@@ -93,6 +93,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.text(setting::pens, text_of(pens),
                 [&pens = pens](const std::string& text) { pens = parse_pens(text); });
     fields.choice(setting::pen_order, pens.order);
+    fields.choice(setting::pen_ink, pens.ink);
     fields.flag(setting::registration, registration);
     fields.colour(setting::ink, ink);
     fields.colour(setting::paper, paper);

@@ -16,31 +16,110 @@ constexpr int kLookedAt = 500;  // pixels, for automatic pens
 // they were drawn by lot: so far on the way from the first to the second. Measured on flat colours.
 constexpr float kUnevenness = 0.5f;
 
-// The density of each pen's dots of which that share of the paper is seen. A pen's dots lie over those of the
-// pens before it and hide some of them: from the last pen, of which all is seen, down to the first.
-Shares dots_that_show(Shares shares, std::size_t pens, const InkCurve& ink) {
-    const float asked = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
-    const float all_covered = ink.opened(asked);
-    if (all_covered < asked)
-        for (float& share : shares) share *= all_covered / asked;
-    const float all = ink.density(all_covered);
-    const float load = static_cast<float>(ink.full_load()) * all, overlap = load - all_covered;
-    // Of a share p of all dots, drawn by lot, p * load - p^2 * overlap is seen.
-    const auto by_lot = [&](float covered) {
-        const float root = std::sqrt(std::max(load * load - 4 * overlap * covered, 0.0f));
-        return std::min(2 * covered / (load + root), 1.0f) * all;
-    };
-    Shares dots{};
-    float covered = 0, above = 0;
-    for (std::size_t pen = pens; pen-- > 0;) {
-        if (shares[pen] <= 0) continue;
-        covered = std::min(covered + shares[pen], all_covered);
-        const float so_far = std::lerp(ink.density(covered), by_lot(covered), kUnevenness);
-        dots[pen] = std::max(so_far - above, 0.0f);
-        above = so_far;
+// From shares of the paper that are seen to the density of each pen's dots.
+class OverlappingDots {
+ public:
+    OverlappingDots(const PenMixer& mixer, const InkCurve& ink) : ink_(ink), pens_(mixer.pens().size()) {
+        const auto darkness_of = [&](glm::vec3 light) { return luminance(mixer.paper() - light); };
+        for (std::size_t i = 0; i < pens_; ++i) {
+            darkness_[i] = darkness_of(mixer.pens()[i]);
+            for (std::size_t j = 0; j < i; ++j) {
+                const glm::vec3 both =
+                    mixer.pens()[i] * mixer.pens()[j] / glm::max(mixer.paper(), glm::vec3(1e-3f));
+                pairs_.push_back({i, j, darkness_of(both), mixer.solve(both)});
+            }
+        }
     }
-    return dots;
-}
+
+    // A pen's dots lie over those of the pens before it and hide some of them: from the last pen, of which
+    // all is seen, down to the first.
+    Shares opaque(const Shares& shares) const {
+        const float all_covered = sum_of(shares), all = ink_.density(all_covered);
+        Shares dots{};
+        float covered = 0, above = 0;
+        for (std::size_t pen = pens_; pen-- > 0;) {
+            if (shares[pen] <= 0) continue;
+            covered = std::min(covered + shares[pen], all_covered);
+            const float so_far = density_of(covered, all);
+            dots[pen] = std::max(so_far - above, 0.0f);
+            above = so_far;
+        }
+        return dots;
+    }
+
+    // Where two pens' dots overlap, the light is multiplied by both, which looks much like some of the pens
+    // side by side. So many dots of each pen as have it seen as its share asks for; and of all as many as
+    // have the place as dark as it is to be, also where a pen without a share is seen.
+    Shares transparent(const Shares& shares) const {
+        constexpr int kRounds = 6;
+        constexpr float kLeastSeen = 0.5f;  // of a pen's area: what is left out of account has bounds
+        const float aim = darkness(shares);
+        if (aim <= 0) return opaque(shares);
+        Shares covered = shares, dots{};
+        float all = ink_.density(sum_of(shares));
+        for (int round = 0;; ++round) {
+            for (std::size_t pen = 0; pen < pens_; ++pen) dots[pen] = density_of(covered[pen], all);
+            all = sum_of(dots);
+            if (all > 1) {
+                for (float& density : dots) density /= all;
+                all = 1;
+            }
+            if (round == kRounds) return dots;
+            // By each pair in proportion to the product of their areas.
+            float products = 0;
+            for (const Pair& pair : pairs_) products += covered[pair.first] * covered[pair.second];
+            const float twice = std::max(sum_of(covered) - ink_.coverage(all), 0.0f);
+            Shares seen = covered;
+            float dark = darkness(covered);
+            for (const Pair& pair : pairs_) {
+                const float product = covered[pair.first] * covered[pair.second];
+                if (product <= 0) continue;
+                const float area = twice * product / products;
+                dark += area * (pair.darkness - darkness_[pair.first] - darkness_[pair.second]);
+                seen[pair.first] -= area;
+                seen[pair.second] -= area;
+                for (std::size_t pen = 0; pen < pens_; ++pen) seen[pen] += area * pair.looks_like[pen];
+            }
+            const float before = darkness(covered);
+            for (std::size_t pen = 0; pen < pens_; ++pen)
+                if (shares[pen] > 0)
+                    covered[pen] *= shares[pen] / std::max(seen[pen], kLeastSeen * covered[pen]);
+            const float ratio = before / darkness(covered) * aim / std::max(dark, 1e-6f);
+            for (float& share : covered) share *= ratio;
+        }
+    }
+
+ private:
+    // Of pens that overlap: the luminance that both take of the paper's, and the shares that look alike.
+    struct Pair {
+        std::size_t first, second;
+        float darkness;
+        Shares looks_like;
+    };
+
+    float sum_of(const Shares& shares) const { return std::accumulate(shares.begin(), shares.end(), 0.0f); }
+
+    // Of dots that cover so much, where that is of all dots.
+    float density_of(float covered, float all) const {
+        // Of a share p of all dots, drawn by lot, p * load - p^2 * overlap is covered.
+        const float load = static_cast<float>(ink_.full_load()) * all, overlap = load - ink_.coverage(all);
+        const float root = std::sqrt(std::max(load * load - 4 * overlap * covered, 0.0f));
+        const float by_lot = std::min(2 * covered / std::max(load + root, 1e-6f), 1.0f) * all;
+        return std::lerp(ink_.density(covered), by_lot, kUnevenness);
+    }
+
+    // Luminance of the bare paper less that of the place, if dots lie side by side.
+    float darkness(const Shares& covered) const {
+        float sum = 0;
+        for (std::size_t pen = 0; pen < pens_; ++pen) sum += covered[pen] * darkness_[pen];
+        return sum;
+    }
+
+    const InkCurve& ink_;
+    std::size_t pens_;
+    Shares darkness_{};  // of each pen, as of a pair
+    std::vector<Pair> pairs_;
+};
 
 }  // namespace
 
@@ -54,13 +133,17 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
             some.push_back(glm::clamp(unpacked(colours.values[i]) * std::exp2(exposure), 0.0f, 1.0f));
         if (some.empty()) some.assign({glm::vec3(0.2f), glm::vec3(0.5f)});
         const bool from_own = chooses_from_own(choice);
-        pens = best_pens(some, from_own ? choice.own : common_pens(), choice.automatic, paper);
+        Palette candidates = choice.own;
+        if (!from_own) candidates.assign(common_pens().begin(), common_pens().end());
+        for (Pen& pen : candidates) pen.ink = choice.ink;
+        pens = best_pens(some, candidates, choice.automatic, paper);
         for (Pen& pen : pens) {
             if (from_own) break;
             pen.width_mm = choice.width_mm;
             pen.gain_mm = choice.gain_mm;
         }
     }
+    for (Pen& pen : pens) pen.ink = choice.ink;
     sort_pens(pens, choice.order);
     return pens;
 }
@@ -87,12 +170,18 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
         const double ratio = widest / (pen.width_mm > 0 ? dot_width_mm(pen) : widest);
         dots_for_area.push_back(static_cast<float>(ratio * ratio));
     }
+    const OverlappingDots overlapping(separation.mixer(), ink);
+    const bool transparent = pens.front().ink == PenInk::transparent;
     Grid<float> all(width, height);
     std::vector<Grid<float>> each(pens.size(), Grid<float>(width, height));
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            const Shares shares = separation.shares(colour_at(tone, x, y));
-            const Shares dots = dots_that_show(shares, pens.size(), ink);
+            Shares shares = separation.shares(colour_at(tone, x, y));
+            const float asked = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
+            const float given = ink.opened(asked);
+            if (given < asked)
+                for (float& share : shares) share *= given / asked;
+            const Shares dots = transparent ? overlapping.transparent(shares) : overlapping.opaque(shares);
             float sum = 0;
             for (std::size_t pen = 0; pen < pens.size(); ++pen)
                 sum += each[pen].at(x, y) = dots[pen] * dots_for_area[pen];

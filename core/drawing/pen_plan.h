@@ -25,8 +25,14 @@ struct ColourTone {
 };
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
-/// Each pen's density, so that its dots cover the share of paper that its separation asks for. Where pens
-/// have widths of their own, dot gain and all, a thin one has more dots.
+/// Each pen's density, so that its dots are seen on the share of paper that its separation asks for. Where
+/// pens have widths of their own, dot gain and all, a thin one has more dots.
+///
+/// How much lies under other dots follows from the number of all dots and what they cover, which is less than
+/// where dots lie by chance, as Demichel's areas (1924) have it: only half of a pen's own dots are so. Of
+/// opaque inks the upper one is seen. Of transparent ones the paper's light is multiplied by both (Neugebauer
+/// 1937), in pairs; a third dot on top is left out of account, and so is light that spreads in the paper
+/// (Yule & Nielsen 1951), as it does not on the screen.
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,
                        const InkCurve& ink);
 

@@ -232,18 +232,20 @@ Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 i
 }
 
 template <class Channel>
-Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage,
-                                        std::span<const glm::vec3> inks, glm::vec3 paper) {
+Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, std::span<const Pen> pens,
+                                        glm::vec3 paper) {
     constexpr float most = std::numeric_limits<Channel>::max();
     std::vector<glm::vec3> light;
-    for (const glm::vec3 ink : inks) light.push_back(linear_of(ink));
+    for (const Pen& pen : pens) light.push_back(linear_of(pen.colour));
     const glm::vec3 bare = linear_of(paper);
     Grid<glm::vec<3, Channel>> result(coverage[0].width, coverage[0].height);
     tbb::parallel_for(0, result.height, [&](int y) {
         for (int x = 0; x < result.width; ++x) {
             glm::vec3 colour = bare;
-            for (std::size_t pen = 0; pen < light.size(); ++pen)
-                colour += coverage[pen].at(x, y) * (light[pen] - colour);
+            for (std::size_t pen = 0; pen < light.size(); ++pen) {
+                const glm::vec3 below = pens[pen].ink == PenInk::transparent ? colour : glm::vec3(1);
+                colour += coverage[pen].at(x, y) * (light[pen] * below - colour);
+            }
             result.at(x, y) = glm::vec<3, Channel>(glm::round(encoded_of(colour) * most));
         }
     });
@@ -252,9 +254,9 @@ Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage,
 
 template Grid<glm::u8vec3> ink_on_paper<std::uint8_t>(const Grid<float>&, glm::vec3, glm::vec3);
 template Grid<glm::u16vec3> ink_on_paper<std::uint16_t>(const Grid<float>&, glm::vec3, glm::vec3);
-template Grid<glm::u8vec3> ink_on_paper<std::uint8_t>(std::span<const Grid<float>>,
-                                                      std::span<const glm::vec3>, glm::vec3);
-template Grid<glm::u16vec3> ink_on_paper<std::uint16_t>(std::span<const Grid<float>>,
-                                                        std::span<const glm::vec3>, glm::vec3);
+template Grid<glm::u8vec3> ink_on_paper<std::uint8_t>(std::span<const Grid<float>>, std::span<const Pen>,
+                                                      glm::vec3);
+template Grid<glm::u16vec3> ink_on_paper<std::uint16_t>(std::span<const Grid<float>>, std::span<const Pen>,
+                                                        glm::vec3);
 
 }  // namespace dapple

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/image/grid.h"
+#include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 
@@ -54,10 +55,10 @@ Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const Raste
 template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
 
-/// The same of several inks, each over those before it: what is left of a pixel is covered by as large a
-/// share.
+/// The same of several pens, each over those before it: of what is seen of a pixel as large a share is
+/// covered, or multiplied if the ink is transparent.
 template <class Channel = std::uint8_t>
-Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage,
-                                        std::span<const glm::vec3> inks, glm::vec3 paper);
+Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, std::span<const Pen> pens,
+                                        glm::vec3 paper);
 
 }  // namespace dapple

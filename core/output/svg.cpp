@@ -22,9 +22,15 @@ int decimals_for(std::uint64_t dots, const PageSize& page) {
     return static_cast<double>(dots) * 4 < area ? 2 : 3;
 }
 
-void begin_layer(TextBuffer& text, int number, std::string_view label) {
+void begin_layer(TextBuffer& text, int number, std::string_view label, PenInk ink = PenInk::opaque) {
     text << R"(<g inkscape:groupmode="layer" inkscape:label=")" << std::int64_t{number} << ' ' << label
          << R"(" id="layer)" << std::int64_t{number} << '"';
+    if (ink == PenInk::transparent) text << R"( style="mix-blend-mode:multiply")";
+}
+
+// Above nothing but the paper.
+Pen only_pen(glm::vec3 ink) {
+    return {.name = pen_name(ink), .colour = ink, .ink = PenInk::opaque};
 }
 
 void write_marks(TextBuffer& text, std::span<const CutMark> marks) {
@@ -43,19 +49,19 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     const auto in_px = [](double radius_mm) { return std::max(radius_mm * kPxPerMm, 0.001); };
     const double radius = in_px(style.dot_radius_mm);
-    const auto begin_pen = [&](int number, const std::string& name, glm::vec3 colour) {
-        begin_layer(text, number, name);
-        text << R"( fill=")" << hex_of(colour) << R"(" stroke="none">)" << '\n';
+    const auto begin_pen = [&](int number, const Pen& pen) {
+        begin_layer(text, number, pen.name, pen.ink);
+        text << R"( fill=")" << hex_of(pen.colour) << R"(" stroke="none">)" << '\n';
     };
     int layer = -1;  // the pen whose layer is open
-    if (style.pens.empty()) begin_pen(1, pen_name(style.ink), style.ink);
+    if (style.pens.empty()) begin_pen(1, only_pen(style.ink));
     DotsReport report(dots.count, progress);
     dots.for_each_piece([&](const Dots& piece) {
         if (!style.pens.empty() && piece.pen != layer) {
             if (layer >= 0) text << "</g>\n";
             layer = piece.pen;
             const Pen& pen = style.pens[static_cast<std::size_t>(layer)];
-            begin_pen(layer + 1, pen.name, pen.colour);
+            begin_pen(layer + 1, pen);
             if (!style.registration.empty()) {
                 text << R"(<g fill="none" stroke=")" << hex_of(pen.colour) << R"(" stroke-width=")";
                 text.fixed((pen.width_mm > 0 ? pen.width_mm : kUsualMarkMm) * kPxPerMm, 3) << "\">\n";
@@ -82,22 +88,21 @@ void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize
                    const WritingProgress& progress) {
     constexpr double kTouchMm = 0.05;
     const int decimals = decimals_for(strokes.points, page);
-    const auto begin_pen = [&](int pen, const std::string& name, glm::vec3 colour) {
-        begin_layer(text, pen + 1, name);
-        text << R"( fill="none" stroke=")" << hex_of(colour) << R"(" stroke-width=")";
-        text.fixed(std::max(strokes.width_of(pen) * kPxPerMm, 0.001), 3);
+    const auto begin_pen = [&](int number, const Pen& pen) {
+        begin_layer(text, number + 1, pen.name, pen.ink);
+        text << R"( fill="none" stroke=")" << hex_of(pen.colour) << R"(" stroke-width=")";
+        text.fixed(std::max(strokes.width_of(number) * kPxPerMm, 0.001), 3);
         text << R"(" stroke-linecap="round" stroke-linejoin="round">)" << '\n';
         if (!style.pens.empty()) write_marks(text, style.registration);
     };
     int layer = -1;  // the pen whose layer is open
-    if (style.pens.empty()) begin_pen(0, pen_name(style.ink), style.ink);
+    if (style.pens.empty()) begin_pen(0, only_pen(style.ink));
     const auto number = [&](double mm) { text.fixed(mm * kPxPerMm, decimals); };
     for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
         if (!style.pens.empty() && its_pen != layer) {
             if (layer >= 0) text << "</g>\n";
             layer = its_pen;
-            const Pen& pen = style.pens[static_cast<std::size_t>(layer)];
-            begin_pen(layer, pen.name, pen.colour);
+            begin_pen(layer, style.pens[static_cast<std::size_t>(layer)]);
         }
         text << R"(<path d="M)";
         const bool touch = points.size() == 1;

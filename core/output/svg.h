@@ -3,7 +3,8 @@
 //
 // The root has its size in millimetres and a viewBox; coordinates are in px of 96 to the inch, so readers
 // that ignore the viewBox are right too. Each pen has a layer, a direct child of the root, numbered first in
-// its label: "1 Black". The tiles' outlines are the layer "2 Tiles". There is no background unless asked for.
+// its label: "1 Black"; one of transparent ink multiplies what lies below it. The tiles' outlines are the
+// layer "2 Tiles". There is no background unless asked for.
 
 #include <glm/vec3.hpp>
 #include <optional>

@@ -12,12 +12,22 @@
 
 namespace dapple {
 
+/// What is seen of a colour below it.
+enum class PenInk {
+    transparent,  // multiplied by its own in each channel of linear light, as of fineliners and process inks
+    opaque,       // nothing, as of paint markers
+};
+constexpr auto names_of(PenInk) {
+    return names("transparent", "opaque");
+}
+
 struct Pen {
-    std::string name;           // as its layer is called; letters, digits, spaces and - _ . ( )
-    glm::vec3 colour = kBlack;  // sRGB-encoded, 0..1: what it leaves on paper
-    double width_mm = 0;        // of its line, and so of its dots; 0: as large as the dots are drawn
-    double gap_mm = 0;          // the middles of two of its dots that are nearer run together on paper
-    double gain_mm = 0;         // dot gain: how much wider than its line its dots are, as ink spreads
+    std::string name;                  // as its layer is called; letters, digits, spaces and - _ . ( )
+    glm::vec3 colour = kBlack;         // sRGB-encoded, 0..1: what it leaves on white paper
+    double width_mm = 0;               // of its line, and so of its dots; 0: as large as the dots are drawn
+    double gap_mm = 0;                 // the middles of two of its dots that are nearer run together on paper
+    double gain_mm = 0;                // dot gain: how much wider than its line its dots are, as ink spreads
+    PenInk ink = PenInk::transparent;  // a palette's pens have the choice's
 
     bool operator==(const Pen&) const = default;
 };
@@ -68,9 +78,11 @@ struct PenChoice {
     int automatic = 4;    // how many, 1..kMostPens
     double width_mm = 0;  // of all pens of a set that is not one's own; 0: as large as the dots are drawn
     double gain_mm = 0;   // of the same pens
-    double black = kUsualBlack;           // of cmyk, 0..1: see Separation
-    Palette own = {};                     // of automatic ones those to choose from: see chooses_from_own()
-    PenOrder order = PenOrder::lightest;  // not of the text
+    double black = kUsualBlack;  // of cmyk, 0..1: see Separation
+    Palette own = {};            // of automatic ones those to choose from: see chooses_from_own()
+    // Not of the text.
+    PenOrder order = PenOrder::lightest;
+    PenInk ink = PenInk::transparent;
 
     bool operator==(const PenChoice&) const = default;
 };

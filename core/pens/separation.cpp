@@ -21,7 +21,7 @@ constexpr double kHueWeight = 1, kStrengthWeight = 0.2;  // over that of luminan
 constexpr double kFaint = 0.02;    // strength of a colour, linear, below which its hue matters less and less
 constexpr double kSumWeight = 30;  // of the shares' sum being 1 with the bare paper
 constexpr double kSmallness = 0.0001;  // of the sum of squares
-constexpr int kRounds = 3;             // of making them small
+constexpr int kRounds = 4;             // of making them small
 constexpr double kLeastShare = 0.001;  // below it none: a pen's few dots on a page would be specks
 constexpr std::size_t kMostUnknowns = kMostPens + 1;
 
@@ -123,7 +123,8 @@ std::size_t lattice_index(int r, int g, int b) {
 }  // namespace
 
 PenMixer::PenMixer(std::span<const Pen> pens, glm::vec3 paper) : paper_(linear_of(paper)) {
-    for (const Pen& pen : pens) pens_.push_back(linear_of(pen.colour));
+    for (const Pen& pen : pens)
+        pens_.push_back(linear_of(pen.colour) * (pen.ink == PenInk::transparent ? paper_ : glm::vec3(1)));
 }
 
 Shares PenMixer::solve(glm::vec3 aim) const {

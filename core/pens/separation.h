@@ -1,13 +1,13 @@
 #pragma once
 // Which share of the paper each pen covers, for a colour to be seen from afar.
 //
-// Dots of opaque ink lie side by side, so light adds up by area: the colour seen is the paper's, as far as it
-// is bare, and each pen's as far as it covers, in linear light. (Neugebauer's equations of 1937 without
-// overprints.) The shares are those whose colour errs least, none below 0 and all together at most 1; of the
-// many that do so the smallest in the sum of squares, so that they change smoothly where the colour does; a
-// share below 0.001 is none.
-// Colours that no mixture reaches get paler rather than darker, lighter or of another hue: an error in
-// luminance or hue weighs more than one in how strong the colour is.
+// Dots lie side by side, so light adds up by area: the colour seen is the paper's, as far as it is bare, and
+// each pen's as far as it covers, in linear light. (Neugebauer's equations of 1937 without overprints; what
+// overlaps is made up for later, see core/drawing/pen_plan.h.) The shares are those whose colour errs least,
+// none below 0 and all together at most 1; of the many that do so the smallest in the sum of squares, so that
+// they change smoothly where the colour does; a share below 0.001 is none. Colours that no mixture reaches
+// get paler rather than darker, lighter or of another hue: an error in luminance or hue weighs more than one
+// in how strong the colour is.
 //
 // The picture's black to white is mapped onto the darkest to the lightest of the pens and the paper, so that
 // every set of pens gives all the contrast it can.
@@ -35,7 +35,7 @@ class PenMixer {
     /// The shares that come nearest to that linear colour.
     Shares solve(glm::vec3 aim) const;
 
-    std::span<const glm::vec3> pens() const { return pens_; }  // linear
+    std::span<const glm::vec3> pens() const { return pens_; }  // linear, on the paper
     glm::vec3 paper() const { return paper_; }
 
  private:

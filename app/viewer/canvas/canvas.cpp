@@ -23,6 +23,7 @@ constexpr double kUploadSeconds = 0.01;
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
     renderer.set_dots(drawing.dots, drawing.blocks, drawing.window);
+    renderer.set_pens(drawing.pens);
     renderer.set_dot_colours(drawing.colours);
     renderer.set_strokes(drawing.strokes);
     renderer.set_tiles(drawing.outlines, drawing.window);

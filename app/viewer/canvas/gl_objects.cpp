@@ -120,21 +120,30 @@ void GlTexture::put_rows(int level, const Grid<glm::u8vec4>& pixels, int first, 
 
 GlFramebuffer::GlFramebuffer() : name_(generated([](GLsizei n, GLuint* p) { glGenFramebuffers(n, p); })) {}
 
-void GlFramebuffer::resize(glm::ivec2 size, Texels texels) {
-    if (size == size_ && texels == texels_) return;
+void GlFramebuffer::resize(glm::ivec2 size, Texels texels, std::size_t pictures) {
+    if (size == size_ && texels == texels_ && pictures == pictures_.size()) return;
     size_ = size;
     texels_ = texels;
-    colour_.bind();
+    bind();
+    // What is taken away has to be let go of first.
+    for (std::size_t i = pictures; i < pictures_.size(); ++i)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + GLenum(i), GL_TEXTURE_2D, 0, 0);
+    pictures_.resize(pictures);
     const GLint format = texels == Texels::as_given ? GL_RGBA8
                          : texels == Texels::light  ? GL_SRGB8_ALPHA8
                                                     : GL_R8;
     const std::array<GLint, 4> as_it_is{GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
     const std::array<GLint, 4> all_red{GL_RED, GL_RED, GL_RED, GL_RED};
-    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA,
-                     (texels == Texels::cover ? all_red : as_it_is).data());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    bind();
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.get(), 0);
+    std::vector<GLenum> outputs;
+    for (const GlTexture& picture : pictures_) {
+        picture.bind();
+        glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA,
+                         (texels == Texels::cover ? all_red : as_it_is).data());
+        glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, outputs.back(), GL_TEXTURE_2D, picture.get(), 0);
+    }
+    glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("The graphics driver offers no picture of " + std::to_string(size.x) +
                                  " x " + std::to_string(size.y) + " pixels to draw into.");

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/image/grid.h"
 
@@ -100,20 +101,21 @@ enum class Texels {
     cover,     // red alone, in one byte; read, it stands in all four components
 };
 
-/// A picture to draw into, without depth.
+/// A picture to draw into, without depth; or several as large, one for each of a fragment shader's outputs.
 class GlFramebuffer {
  public:
     GlFramebuffer();
     /// Leaves what is in it unset, unless it is as it was.
-    void resize(glm::ivec2 size, Texels texels = Texels::as_given);
+    void resize(glm::ivec2 size, Texels texels = Texels::as_given, std::size_t pictures = 1);
     glm::ivec2 size() const { return size_; }
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, name_.get()); }
-    void bind_texture() const { colour_.bind(); }
-    GLuint texture() const { return colour_.get(); }
+    void bind_texture(std::size_t picture = 0) const { pictures_[picture].bind(); }
+    GLuint texture() const { return pictures_[0].get(); }
+    std::size_t pictures() const { return pictures_.size(); }
 
  private:
     GlName<delete_framebuffer> name_;
-    GlTexture colour_;
+    std::vector<GlTexture> pictures_{1};
     glm::ivec2 size_{0, 0};
     Texels texels_ = Texels::as_given;
 };

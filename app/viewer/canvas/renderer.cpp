@@ -98,6 +98,11 @@ void take(FloatBuffer& to, const FloatBuffer& from, const DotBlock& block) {
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(block.count));
 }
 
+// Its number, as the shaders of dots and lines read it.
+glm::u8vec4 pen_as_colour(int pen) {
+    return {pen, 0, 0, 255};
+}
+
 // The same shader with a few words defined, after its first line, which says the version.
 std::string with_define(std::string_view source, std::initializer_list<const char*> words) {
     std::string text(source);
@@ -156,6 +161,7 @@ void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks,
     dots_shown_ = &dots;
     part_.reset();
     blocks_ = blocks;
+    pens_.clear();
     colours_ = {};
     has_colours_ = false;
     strokes_ = nullptr;
@@ -174,6 +180,13 @@ void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks,
     dot_origin_ = {window.x, window.y};
 }
 
+void Renderer::set_pens(std::span<const Pen> pens) {
+    job_.reset();
+    pens_.clear();
+    for (const Pen& pen : pens)
+        pens_.emplace_back(light_of(pen.colour), pen.ink == PenInk::transparent ? 1 : 0);
+}
+
 void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
     job_.reset();
     has_colours_ = !colours.empty() && colours.size() == dot_count_;
@@ -186,8 +199,8 @@ void Renderer::set_strokes(const ShownStrokes& strokes) {
     strokes_ = &strokes;
     blocks_ = strokes.blocks;
     has_radii_ = false;
-    has_colours_ = !strokes.colours.empty();
-    colours_ = strokes.colours;
+    has_colours_ = false;
+    colours_ = {};
 }
 
 void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
@@ -345,8 +358,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         const auto every = static_cast<double>(job.every);
         const double drawn = static_cast<double>(job.in_view) / every,
                      radius = mean_radius(job.camera, job.look) * job.grid.samples * std::sqrt(every);
-        if (drawn > 1000 && job.fineness == Fineness::quick)
-            quick_cost_.learn(drawn, radius, dots_seconds_);
+        if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
     picture.bind();
@@ -394,7 +406,9 @@ Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& loo
     const glm::ivec2 size = grid.high - grid.low;
     if (!look.dots || dot_count_ == 0 || radius <= 0 || size.x == 0 || size.y == 0)
         return {grid.low, grid.low, 0};
-    grid.samples = samples_per_side(radius, size, fineness, limits_);
+    SampleLimits limits = limits_;
+    limits.most /= static_cast<double>(pictures_of_dots());
+    grid.samples = samples_per_side(radius, size, fineness, limits);
     return grid;
 }
 
@@ -405,7 +419,8 @@ GlFramebuffer& Renderer::dots_of(const Job& job) {
 void Renderer::prepare_dots(const Job& job) {
     const glm::ivec2 size = (job.grid.high - job.grid.low) * job.grid.samples;
     GlFramebuffer& dots = dots_of(job);
-    dots.resize(size, has_colours_ ? Texels::light : Texels::cover);
+    const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
+    dots.resize(size, texels, pictures_of_dots());
     dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -418,7 +433,7 @@ void Renderer::attach_columns() {
             column(kDotRadius, dot_radius_, 1, divisor);
         else
             glDisableVertexAttribArray(kDotRadius);
-        if (!has_colours_) {
+        if (!has_colours_ && !by_pen()) {
             glDisableVertexAttribArray(kDotColour);
             continue;
         }
@@ -467,6 +482,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
         // Not looked at if it isn't there, but the column must be as long as the others.
         take_of(dots.critical, has_critical_ ? from.critical : from.x);
         if (has_radii_) take_of(dots.radius, from.radius);
+        if (by_pen()) colours_handed_over_.resize(dots.size(), pen_as_colour(from.pen));
         if (!has_colours_) continue;
         const auto colours = colours_.subspan(block.index, block.count);
         if (job.every == 1)
@@ -478,7 +494,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     dot_y_.write(std::as_bytes(std::span(dots.y)));
     dot_critical_.write(std::as_bytes(std::span(dots.critical)));
     if (has_radii_) dot_radius_.write(std::as_bytes(std::span(dots.radius)));
-    if (has_colours_) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
+    if (has_colours_ || by_pen()) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
     attach_columns();
     // Those left away are made up for.
     const double grow = std::sqrt(static_cast<double>(job.every));
@@ -490,7 +506,8 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
     dots_of(job).bind();
     glEnable(GL_FRAMEBUFFER_SRGB);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // Each component unites what is drawn into it.
+    glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     dot_.use();
     set_transform(dot_, {.offset = (to_canvas(camera, dot_origin_) - glm::dvec2(grid.low)) *
                                    static_cast<double>(grid.samples),
@@ -502,6 +519,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     glUniform1i(dot_.uniform("sprite"), sprites);
     glUniform1f(dot_.uniform("point_step"), static_cast<float>(point_step_));
     glUniform1i(dot_.uniform("coloured"), has_colours_);
+    glUniform1i(dot_.uniform("by_pen"), by_pen());
     glUniform1f(dot_.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
     // What the shader reads where no column is attached.
     glVertexAttrib4f(kDotColour, 1, 1, 1, 1);
@@ -528,14 +546,14 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
         for (std::size_t i = block.first; i < block.first + block.count; i += job.every) {
             if (!strokes_->pens.empty() && job.look.hidden_pens >> strokes_->pens[i] & 1) continue;
             lines_handed_over_.push_back(strokes_->lines[i]);
-            if (!has_colours_) continue;
-            colours_handed_over_.push_back(colours_[i]);
+            if (!by_pen()) continue;
+            colours_handed_over_.push_back(pen_as_colour(strokes_->pens[i]));
             line_widths_handed_over_.push_back(strokes_->widths[i]);
         }
     }
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
     line_array_.bind();
-    if (has_colours_) {
+    if (by_pen()) {
         dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
         colour_column(kLineColour, dot_colour_, 1);
         line_widths_.write(std::as_bytes(std::span(line_widths_handed_over_)));
@@ -548,7 +566,7 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
     const double scale = job.camera.pixels_per_unit * grid.samples;
     dots_of(job).bind();
     glEnable(GL_FRAMEBUFFER_SRGB);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     line_.use();
     set_transform(line_, {.offset = (to_canvas(job.camera, dot_origin_) - glm::dvec2(grid.low)) *
                                     static_cast<double>(grid.samples),
@@ -556,7 +574,7 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
                           .canvas = glm::dvec2((grid.high - grid.low) * grid.samples)});
     // Those left away are made up for: a line covers in proportion to its width.
     glUniform1f(line_.uniform("grow"), static_cast<float>(job.every));
-    glUniform1i(line_.uniform("coloured"), has_colours_);
+    glUniform1i(line_.uniform("by_pen"), by_pen());
     // What the shader reads where no column is attached.
     glVertexAttrib4f(kLineColour, 1, 1, 1, 1);
     glVertexAttrib1f(kLineWidth, static_cast<float>(strokes_->width));
@@ -602,7 +620,15 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1f(program.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
     glUniform1f(program.uniform("picture_gain"), look.picture_gain);
     glUniform1i(program.uniform("picture"), 0);
-    glUniform1i(program.uniform("dots"), 1);
+    constexpr std::array kDotPictures{"dots", "dots_of_pens_4_to_7", "dots_of_pens_8_to_11"};
+    const GlFramebuffer& dots = dots_of(job);
+    for (std::size_t i = 0; i < kDotPictures.size(); ++i) {
+        glUniform1i(program.uniform(kDotPictures[i]), static_cast<GLint>(i) + 1);
+        glActiveTexture(GL_TEXTURE1 + static_cast<GLenum>(i));
+        dots.bind_texture(std::min(i, dots.pictures() - 1));
+    }
+    glUniform1i(program.uniform("pens"), by_pen() ? static_cast<GLint>(pens_.size()) : 0);
+    if (by_pen()) glUniform4fv(program.uniform("pen_inks"), static_cast<GLsizei>(pens_.size()), &pens_[0].x);
     glUniform1i(program.uniform("samples"), grid.samples);
     const int height = static_cast<int>(camera.canvas.y);
     glUniform4i(program.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
@@ -620,8 +646,6 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     set_colour(program, "paper", look.paper);
     set_colour(program, "paper_light", light_of(look.paper));
     set_colour(program, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
-    glActiveTexture(GL_TEXTURE1);
-    dots_of(job).bind_texture();
     glActiveTexture(GL_TEXTURE0);
     picture_.bind();
     empty_.bind();

@@ -2,8 +2,9 @@
 // Draws the sheet, the picture under it, dots and tile outlines with OpenGL 3.3.
 //
 // The page is as light as in a file (core/output/raster.h): ink and paper are mixed in linear light, dots
-// that overlap unite, and what of them lies beyond the page's edges is cut off. For that the dots are first
-// drawn by themselves, with more samples than the canvas has pixels where they are small.
+// that overlap unite, each pen's among themselves, and what of them lies beyond the page's edges is cut off.
+// For that the dots are first drawn by themselves, with more samples than the canvas has pixels where they
+// are small; how much of a sample each of several pens covers stands in a component of its own.
 //
 // Nothing here takes longer for more dots unless it is told to: a drawing goes forward in steps, as long as
 // one likes, and dots are handed to OpenGL as they are drawn, through buffers of constant size.
@@ -24,6 +25,7 @@
 #include "app/viewer/model/frame_budget.h"
 #include "app/viewer/model/shown_strokes.h"
 #include "core/image/rectangle.h"
+#include "core/pens/pen.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
 
@@ -73,7 +75,10 @@ class Renderer {
     /// Positions are relative to the window's corner. Dots::critical is for fading in and for a part of the
     /// dots. All pieces have it or none, and so it is with Dots::radius. The blocks are dot_blocks() of them.
     void set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window = {});
-    /// One colour a dot, or none for the ink; until the next set_dots().
+    /// Several, for Dots::pen and ShownStrokes::pens, each over those before it; none: all is in ink. Until
+    /// the next set_dots().
+    void set_pens(std::span<const Pen> pens);
+    /// One colour a dot, or none for the ink or the pens'; until the next set_dots().
     void set_dot_colours(std::span<const glm::u8vec4> colours);
     /// What is drawn in place of the dots, if there is any; until the next set_dots().
     void set_strokes(const ShownStrokes& strokes);
@@ -138,6 +143,9 @@ class Renderer {
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
     void choose(const Job& job, const DotBlock& block);
+    bool by_pen() const { return !pens_.empty() && !has_colours_; }
+    /// Pictures that have so many pens' dots.
+    std::size_t pictures_of_dots() const { return by_pen() ? (pens_.size() + 3) / 4 : 1; }
     // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
     void draw_page(const Job& job, const Rectangle<int>& box);
     void draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program);
@@ -156,6 +164,7 @@ class Renderer {
     std::size_t dot_count_ = 0;
     const DotPieces* dots_shown_ = nullptr;
     std::span<const DotBlock> blocks_;
+    std::vector<glm::vec4> pens_;  // linear light; what of that below is seen: 1, multiplied, or 0
     std::span<const glm::u8vec4> colours_;
     std::span<const PlacedTile> tiles_shown_;
     const ShownStrokes* strokes_ = nullptr;  // instead of the dots; none: these
@@ -169,7 +178,7 @@ class Renderer {
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     DotCost quick_cost_;
-    double dots_seconds_ = 0;              // of the last quick drawing
+    double dots_seconds_ = 0;  // of the last quick drawing
     bool has_critical_ = false;
     bool has_colours_ = false;
     bool has_radii_ = false;

@@ -130,12 +130,4 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
     return colours;
 }
 
-std::vector<glm::u8vec4> pen_colours(const DotPieces& dots, std::span<const Pen> pens) {
-    std::vector<glm::u8vec4> colours;
-    colours.reserve(dots.size());
-    for (const Dots& piece : dots.pieces)
-        colours.insert(colours.end(), piece.size(), opaque(pens[static_cast<std::size_t>(piece.pen)].colour));
-    return colours;
-}
-
 }  // namespace dapple

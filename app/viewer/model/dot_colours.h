@@ -4,11 +4,9 @@
 #include <cstddef>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "core/image/colour.h"
-#include "core/pens/pen.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
 #include "core/text/names.h"
@@ -56,9 +54,6 @@ std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours,
 /// Both of these, as chosen; empty: all dots in ink.
 std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
                                         const DotColourChoice& choice);
-
-/// Each dot in its pen's colour.
-std::vector<glm::u8vec4> pen_colours(const DotPieces& dots, std::span<const Pen> pens);
 
 /// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,
 /// so it reads without colours too.

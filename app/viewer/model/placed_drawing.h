@@ -28,7 +28,7 @@ struct PlacedDrawing : Stippling {
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     ShownStrokes strokes;              // instead of the dots, where a pen draws them on the screen
-    std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink
+    std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink, or their pens'
     Palette pens;                      // several, for Dots::pen
     glm::dvec2 page_size{1, 1};        // of the picture, page units
     PageLayout layout;                 // of the whole page

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/files/save_drawing.h"
-#include "app/viewer/model/dot_colours.h"
 
 namespace dapple {
 
@@ -59,6 +58,7 @@ PlacedDrawing ShownPlot::drawn(const PlacedDrawing& page, std::size_t count) con
     now.page_size = page.page_size;
     now.window = page.window;
     if (!film_) return now;
+    now.pens = film_->pens;
     const PlotFilm& plot = film_->plot;
     if (!plot.strokes.points.empty()) {
         const Strokes strokes = first_points(plot.strokes, count);
@@ -69,7 +69,6 @@ PlacedDrawing ShownPlot::drawn(const PlacedDrawing& page, std::size_t count) con
     }
     now.dots = first_dots(plot.dots, count);
     now.blocks = dot_blocks(now.dots);
-    if (!film_->pens.empty()) now.colours = pen_colours(now.dots, film_->pens);
     return now;
 }
 

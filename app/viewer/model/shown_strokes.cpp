@@ -62,8 +62,6 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
         const auto add = [&](glm::dvec2 a, glm::dvec2 b) {
             shown.lines.emplace_back(glm::vec2(a * unit), glm::vec2(b * unit));
             if (pens.empty()) return;
-            const glm::vec3 colour = glm::round(pens[static_cast<std::size_t>(pen)].colour * 255.0f);
-            shown.colours.emplace_back(colour, 255);
             shown.widths.push_back(static_cast<float>(strokes.width_of(pen) * unit));
             shown.pens.push_back(static_cast<std::uint8_t>(pen));
         };

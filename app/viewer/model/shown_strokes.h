@@ -1,7 +1,6 @@
 #pragma once
 // What a pen would draw, as lines for the canvas.
 
-#include <glm/gtc/type_precision.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
@@ -35,9 +34,8 @@ struct ShownStrokes {
     std::vector<DotBlock> blocks;  // of the lines, with the boxes around them
     double width = 0;              // page units; of the widest pen
     // Of each line, where several pens draw; empty: all in ink, all as wide.
-    std::vector<glm::u8vec4> colours;  // sRGB-encoded
-    std::vector<float> widths;         // page units
-    std::vector<std::uint8_t> pens;    // places in the drawing's palette
+    std::vector<float> widths;       // page units
+    std::vector<std::uint8_t> pens;  // places in the drawing's palette
 };
 
 enum class LineWay {

@@ -150,8 +150,6 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         return false;
     finish(drawing);
     drawing.pens = request.close ? Palette{} : made.pens;
-    if (!drawing.pens.empty() && drawing.colours.empty())
-        drawing.colours = pen_colours(drawing.dots, drawing.pens);
     return true;
 }
 

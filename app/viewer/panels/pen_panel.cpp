@@ -121,6 +121,14 @@ bool draw_order(PenChoice& pens) {
     return true;
 }
 
+bool draw_ink(PenChoice& pens) {
+    const Greyed greyed(pens.set == PenSet::one ? "Of several pens only." : nullptr);
+    int ink = static_cast<int>(pens.ink);
+    if (!choice_row(setting::pen_ink.names.row, ink, names_of(pens.ink), setting::pen_ink.help)) return false;
+    pens.ink = static_cast<PenInk>(ink);
+    return true;
+}
+
 bool is_free(const Palette& pens, const std::string& name) {
     return std::ranges::find(pens, name, &Pen::name) == pens.end();
 }
@@ -243,6 +251,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     if (kept.row) changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     changed |= draw_made_set(settings.pens, unit);
     changed |= draw_order(settings.pens);
+    changed |= draw_ink(settings.pens);
     {
         const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Of CMYK only.");
         changed |= slider_row("Black ink", settings.pens.black,
