@@ -245,7 +245,8 @@ inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-or
 inline constexpr Setting pen_ink{
     .names = {"pen_ink", "Pen ink", "--pen-ink"},
     .help = "What is seen where dots of several pens overlap. transparent: both inks, as of fineliners and "
-            "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers"};
+            "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers; so are pens of "
+            "which one, as white on brown paper, would hardly be seen"};
 inline constexpr Setting registration{
     .names = {"registration", "Registration", "--registration"},
     .help =

@@ -158,7 +158,8 @@ TEST_CASE("of a grey that black and the paper make, other pens draw nothing, and
                 CHECK(shares[0] == doctest::Approx(1 - light).epsilon(0.002));
                 CHECK(shares[1] == 0);
             }
-            const glm::vec3 mixed = linear_of(parse_colour(paper)) * (0.2f + 0.7f * linear_of(pens[1].colour));
+            const glm::vec3 mixed =
+                linear_of(parse_colour(paper)) * (0.2f + 0.7f * linear_of(pens[1].colour));
             const Shares shares = separation.mixer().solve(mixed);
             CHECK(shares[0] == doctest::Approx(0.1f).epsilon(0.01));
             CHECK(shares[1] == doctest::Approx(0.7f).epsilon(0.002));
@@ -233,6 +234,22 @@ TEST_CASE(
     CHECK(chosen(choice) == "Navy 0.3 Rose 0.5 ");
     choice.own.resize(2);  // leaves nothing to choose
     CHECK(chosen(choice) == "Blue 1 Red 1 ");
+}
+
+TEST_CASE("pens that the paper would swallow are opaque, and others as they are asked to be") {
+    const auto ink_of = [](const char* pens, const char* paper, PenInk asked = PenInk::transparent) {
+        PenChoice choice = parse_pens(pens);
+        choice.ink = asked;
+        const Palette made = pens_for(choice, {}, 0, parse_colour(paper));
+        for (const Pen& pen : made) CHECK(pen.ink == made.front().ink);
+        return made.front().ink;
+    };
+    CHECK(ink_of("White:#ffffff,Black:#000000", "#b08d57") == PenInk::opaque);
+    CHECK(ink_of("Gold:#d4a017,Red:#c1121f", "#111111") == PenInk::opaque);
+    for (const char* paper : {"#ffffff", "#f1ead8"}) {
+        CHECK(ink_of("cmyk", paper) == PenInk::transparent);
+        CHECK(ink_of("cmyk", paper, PenInk::opaque) == PenInk::opaque);
+    }
 }
 
 TEST_CASE("pens share dots in their proportions, all of them even and each pen's own too") {

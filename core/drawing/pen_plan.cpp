@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <vector>
 
@@ -15,6 +16,14 @@ constexpr int kLookedAt = 500;  // pixels, for automatic pens
 // Dots of some of the pens are neither as even as all dots together, which overlap least, nor as uneven as if
 // they were drawn by lot: so far on the way from the first to the second. Measured on flat colours.
 constexpr float kUnevenness = 0.5f;
+
+// Whether a pen, white on brown paper for example, is hardly seen in ink that lets the paper through.
+bool has_to_cover(const Pen& pen, glm::vec3 paper) {
+    constexpr float kHardly = 0.25f;  // of what is seen of opaque ink
+    const glm::vec3 light = linear_of(pen.colour), bare = linear_of(paper);
+    const auto seen = [&](glm::vec3 drawn) { return glm::distance(oklab_of(drawn), oklab_of(bare)); };
+    return luminance(light) > luminance(bare) && seen(light * bare) < kHardly * seen(light);
+}
 
 // From shares of the paper that are seen to the density of each pen's dots.
 class OverlappingDots {
@@ -51,7 +60,7 @@ class OverlappingDots {
     // side by side. So many dots of each pen as have it seen as its share asks for; and of all as many as
     // have the place as dark as it is to be, also where a pen without a share is seen.
     Shares transparent(const Shares& shares) const {
-        constexpr int kRounds = 6;
+        constexpr int kRounds = 12;
         constexpr float kLeastSeen = 0.5f;  // of a pen's area: what is left out of account has bounds
         const float aim = darkness(shares);
         if (aim <= 0) return opaque(shares);
@@ -135,7 +144,7 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
         const bool from_own = chooses_from_own(choice);
         Palette candidates = choice.own;
         if (!from_own) candidates.assign(common_pens().begin(), common_pens().end());
-        for (Pen& pen : candidates) pen.ink = choice.ink;
+        for (Pen& pen : candidates) pen.ink = has_to_cover(pen, paper) ? PenInk::opaque : choice.ink;
         pens = best_pens(some, candidates, choice.automatic, paper);
         for (Pen& pen : pens) {
             if (from_own) break;
@@ -143,7 +152,8 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
             pen.gain_mm = choice.gain_mm;
         }
     }
-    for (Pen& pen : pens) pen.ink = choice.ink;
+    const bool covers = std::ranges::any_of(pens, [&](const Pen& pen) { return has_to_cover(pen, paper); });
+    for (Pen& pen : pens) pen.ink = covers ? PenInk::opaque : choice.ink;
     sort_pens(pens, choice.order);
     return pens;
 }
@@ -172,16 +182,24 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
     }
     const OverlappingDots overlapping(separation.mixer(), ink);
     const bool transparent = pens.front().ink == PenInk::transparent;
+    const auto opened = [&](Shares shares) {
+        const float asked = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
+        const float given = ink.opened(asked);
+        if (given < asked)
+            for (float& share : shares) share *= given / asked;
+        return shares;
+    };
+    // Which dots are seen as shares of transparent ink takes too long to find for each pixel.
+    const Separation dots_of = transparent ? separation.changed([&](const Shares& shares) {
+        return overlapping.transparent(opened(shares));
+    })
+                                           : separation;
     Grid<float> all(width, height);
     std::vector<Grid<float>> each(pens.size(), Grid<float>(width, height));
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            Shares shares = separation.shares(colour_at(tone, x, y));
-            const float asked = std::min(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f);
-            const float given = ink.opened(asked);
-            if (given < asked)
-                for (float& share : shares) share *= given / asked;
-            const Shares dots = transparent ? overlapping.transparent(shares) : overlapping.opaque(shares);
+            Shares dots = dots_of.shares(colour_at(tone, x, y));
+            if (!transparent) dots = overlapping.opaque(opened(dots));
             float sum = 0;
             for (std::size_t pen = 0; pen < pens.size(); ++pen)
                 sum += each[pen].at(x, y) = dots[pen] * dots_for_area[pen];

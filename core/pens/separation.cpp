@@ -238,6 +238,13 @@ Separation::Separation(std::span<const Pen> pens, glm::vec3 paper, double black)
     for (Shares& shares : lattice_) shares = line.moved(shares, black);
 }
 
+Separation Separation::changed(const std::function<Shares(const Shares&)>& change) const {
+    Separation other = *this;
+    tbb::parallel_for(std::size_t{0}, lattice_.size(),
+                      [&](std::size_t i) { other.lattice_[i] = change(lattice_[i]); });
+    return other;
+}
+
 Shares Separation::shares(glm::vec3 colour) const {
     // Tetrahedra between eight lattice colours: from one corner along the axes in the order of what is left.
     std::array<int, 3> at{};

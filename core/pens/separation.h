@@ -13,6 +13,7 @@
 // every set of pens gives all the contrast it can.
 
 #include <array>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -54,6 +55,9 @@ class Separation {
     /// Of a colour of the picture, linear, 0..1; clamped. Between the solutions on a lattice of 33 colours
     /// along each axis, in tetrahedra.
     Shares shares(glm::vec3 colour) const;
+
+    /// The same with the shares of each of the lattice's colours changed; from several threads at once.
+    Separation changed(const std::function<Shares(const Shares&)>& change) const;
 
     /// What a colour of the picture is to look like on this paper; linear.
     glm::vec3 aim(glm::vec3 colour) const { return darkest_ + (lightest_ - darkest_) * colour; }
