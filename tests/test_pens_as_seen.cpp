@@ -19,7 +19,7 @@ glm::vec3 seen_of(const SmallPicture& picture, const PenChoice& pens) {
     settings.tone = {};
     settings.pens = pens;
     settings.placing.count = 4000;
-    const SmallPicture drawing = small_drawing(picture, settings, 1500, {});
+    const SmallPicture drawing = small_drawing(picture, settings, 600, {});
     glm::dvec3 sum(0);
     for (const glm::u8vec4 pixel : drawing.values) sum += glm::dvec3(linear_of(glm::vec3(pixel) / 255.0f));
     return glm::vec3(sum / static_cast<double>(drawing.values.size()));
@@ -47,7 +47,9 @@ TEST_CASE("pens' dots that lie over one another are seen from afar as the colour
                 const glm::vec3 aim = linear_of(glm::vec3(colour) / 255.0f);
                 const glm::vec3 asked = oklab_of(separation.mixer().seen(separation.shares(aim)));
                 const glm::vec3 seen = oklab_of(seen_of(flat, pens));
-                const bool close = ink == PenInk::transparent && text == std::string("cmyk");
+                // In opaque ink the dark blue comes out 0.02 too dark or too light.
+                const bool close =
+                    text == std::string("cmyk") && (ink == PenInk::transparent || colour.r > 40);
                 CHECK(std::abs(seen.x - asked.x) < (close ? 0.015 : 0.025));
                 CHECK(glm::distance(seen, asked) < (ink == PenInk::transparent ? 0.025 : 0.035));
             }
