@@ -119,15 +119,20 @@ class RunningViewer {
             move(x0 + 1 + (x1 - x0 - 2) * along, (y0 + y1) / 2);
         } while (status()["widgets"][widget] != place);
     }
-    /// Turns the wheel over the panels until the widget is in the window; its corners.
+    /// Turns the wheel over the panels, or over the lower half of a dialog, until the widget is in the
+    /// window, or in the dialog; its corners.
     json scrolled_into_view(const std::string& widget) {
-        constexpr double kTop = 10, kPanels = 1100;
-        const double bottom = height_ - 10;
         while (true) {
-            const json place = status()["widgets"][widget];
+            const json widgets = status()["widgets"], place = widgets[widget];
+            const bool in_dialog = widgets.contains("Dialog");
+            if (!in_dialog && place[0] < 940) return place;
+            const json around = in_dialog ? widgets["Dialog"] : json{0, 10, 0, height_ - 10};
+            const double top = around[1], bottom = around[3];
             const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
-            if (place[0] < 940 || (y > kTop && y < bottom)) return place;
-            move(kPanels, 400);
+            if (y > top && y < bottom) return place;
+            in_dialog
+                ? move((around[0].get<double>() + around[2].get<double>()) / 2, top + 0.8 * (bottom - top))
+                : move(1100, 400);
             y > bottom ? wheel_down() : wheel_up();
             REQUIRE(shows([&] { return status()["widgets"][widget] != place; }));
         }

@@ -402,6 +402,10 @@ TEST_CASE("of a picture with an impossible size the size is told, whatever its l
     };
     put_text(folder / "wide.bmp", bmp(std::string("\xff\xff\xff\x7f\x01\0\0\0", 8)));
     CHECK(sentence_of(folder / "wide.bmp") == "2,147,483,647 x 1 pixels are over 400 megapixels");
+    // Within the number of pixels, but a row takes gigabytes.
+    put_text(folder / "long.bmp", bmp(std::string("\x00\x84\xd7\x17\x01\0\0\0", 8)));
+    CHECK(sentence_of(folder / "long.bmp") ==
+          "has 400,000,000 x 1 pixels, where a side has at most 1,000,000");
     // From the top down.
     put_text(folder / "high.bmp", bmp(std::string("\x01\0\0\0\x01\0\0\x80", 8)));
     CHECK(sentence_of(folder / "high.bmp") == "1 x 2,147,483,647 pixels are over 400 megapixels");

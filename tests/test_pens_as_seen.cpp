@@ -19,7 +19,7 @@ glm::vec3 seen_of(const SmallPicture& picture, const PenChoice& pens) {
     settings.tone = {};
     settings.pens = pens;
     settings.placing.count = 4000;
-    const SmallPicture drawing = small_drawing(picture, settings, 600, {});
+    const SmallPicture drawing = small_drawing(picture, settings, 400, {});
     glm::dvec3 sum(0);
     for (const glm::u8vec4 pixel : drawing.values) sum += glm::dvec3(linear_of(glm::vec3(pixel) / 255.0f));
     return glm::vec3(sum / static_cast<double>(drawing.values.size()));

@@ -20,6 +20,12 @@ double light_of(double grey) {
     return grey <= 0.04045 ? grey / 12.92 : std::pow((grey + 0.055) / 1.055, 2.4);
 }
 
+// The nearest of 256 steps, by the inverse of the same formula.
+int byte_of(double light) {
+    const double grey = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    return static_cast<int>(std::lround(grey * 255));
+}
+
 // Light from black to white, one value a pixel.
 Grid<float> greys() {
     Grid<float> light(201, 1);
@@ -35,6 +41,21 @@ Grid<float> ink_of(const Grid<float>& light, const Tone& tone) {
 }
 
 }  // namespace
+
+TEST_CASE("light is the nearest of 256 encoded greys, wherever it lies between them") {
+    for (int i = 0; i <= 1'000'000; ++i) {
+        const float light = static_cast<float>(i) * 1e-6f;
+        // A float's formula may round the other way where two steps are as near.
+        const double low = byte_of(light * (1 - 1e-5)), high = byte_of(light * (1 + 1e-5));
+        const int byte = srgb_byte(light);
+        if (byte < low || byte > high) FAIL_CHECK(i << ": " << byte);
+    }
+    for (int byte = 0; byte < 256; ++byte)
+        CHECK(srgb_byte(static_cast<float>(light_of(byte / 255.0))) == byte);
+    CHECK(srgb_byte(-1) == 0);
+    CHECK(srgb_byte(7) == 255);
+    CHECK(srgb_byte(std::nanf("")) == 0);
+}
 
 TEST_CASE("dark ink covers the light that the picture lacks, light ink the light that it has") {
     const Grid<float> light = greys(), dark_ink = ink_of(light, {}),

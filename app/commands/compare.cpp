@@ -46,9 +46,8 @@ std::string png_of_light(const Grid<float>& light) {
         small = std::move(half);
     }
     Grid<glm::u8vec3> pixels(small.width, small.height);
-    std::ranges::transform(small.values, pixels.values.begin(), [](float value) {
-        return glm::u8vec3(std::uint8_t(std::lround(255 * linear_to_srgb(std::clamp(value, 0.0f, 1.0f)))));
-    });
+    std::ranges::transform(small.values, pixels.values.begin(),
+                           [](float value) { return glm::u8vec3(srgb_byte(value)); });
     return png_of(pixels);
 }
 

@@ -169,8 +169,7 @@ class MethodMeasurer {
         const Grid<float> ink = raster_of_dots(dots, radius, page_of_width(light, kDrawingWidth));
         Grid<glm::u8vec3> pixels(ink.width, ink.height);
         for (std::size_t i = 0; i < ink.values.size(); ++i)
-            pixels.values[i] = glm::u8vec3(
-                std::uint8_t(std::lround(255 * linear_to_srgb(1 - std::clamp(ink.values[i], 0.0f, 1.0f)))));
+            pixels.values[i] = glm::u8vec3(srgb_byte(1 - ink.values[i]));
         return png_of(pixels);
     }
 

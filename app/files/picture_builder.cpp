@@ -47,10 +47,6 @@ int pixels_in_one(int width, int height, std::int64_t most) {
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most)))));
 }
 
-std::uint8_t encode(float light) {
-    return static_cast<std::uint8_t>(std::lround(linear_to_srgb(std::clamp(light, 0.0f, 1.0f)) * 255.0f));
-}
-
 }  // namespace
 
 PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation, PictureColours colours,
@@ -109,7 +105,7 @@ Picture PictureBuilder::finish(std::string description, bool scene_light) {
     for (std::size_t i = 0; i < preview_.values.size(); ++i) {
         const Sum& sum = preview_.values[i];
         const glm::vec3 mean = sum.light * (gain / std::max(sum.count, 1.0f));
-        picture.preview.values[i] = {encode(mean.x), encode(mean.y), encode(mean.z), 255};
+        picture.preview.values[i] = glm::u8vec4(srgb_bytes(mean), 255);
     }
     picture.light = std::move(light_);
     picture.colours = std::move(colours_);

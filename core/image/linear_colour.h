@@ -18,6 +18,9 @@ inline glm::vec3 linear_of(glm::vec3 encoded) {
 inline glm::vec3 encoded_of(glm::vec3 linear) {
     return {linear_to_srgb(linear.r), linear_to_srgb(linear.g), linear_to_srgb(linear.b)};
 }
+inline glm::u8vec3 srgb_bytes(glm::vec3 linear) {
+    return {srgb_byte(linear.r), srgb_byte(linear.g), srgb_byte(linear.b)};
+}
 
 /// Rec. 709 weights, of linear light.
 inline float luminance(glm::vec3 linear) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/image/blur.h"
@@ -62,6 +64,49 @@ float srgb_to_linear(float encoded) {
 
 float linear_to_srgb(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+}
+
+namespace {
+
+std::uint8_t rounded_srgb(float linear) {
+    return static_cast<std::uint8_t>(std::lround(linear_to_srgb(linear) * 255.0f));
+}
+
+// The byte of each light in steps so small that one byte more at most is reached within a step, and the light
+// from which each byte is reached.
+class SrgbBytes {
+ public:
+    SrgbBytes() {
+        for (int i = 0; i <= kSteps; ++i)
+            below_[i] = rounded_srgb(static_cast<float>(i) / static_cast<float>(kSteps));
+        // The bits of floats from 0 on are ordered as they are.
+        for (int byte = 1; byte < 256; ++byte) {
+            std::uint32_t too_dark = 0, enough = std::bit_cast<std::uint32_t>(1.0f);
+            while (enough - too_dark > 1) {
+                const std::uint32_t middle = too_dark + (enough - too_dark) / 2;
+                (rounded_srgb(std::bit_cast<float>(middle)) >= byte ? enough : too_dark) = middle;
+            }
+            least_[byte] = std::bit_cast<float>(enough);
+        }
+        least_[256] = std::numeric_limits<float>::infinity();
+    }
+    std::uint8_t operator()(float linear) const {
+        const float light = linear > 0 ? std::min(linear, 1.0f) : 0.0f;
+        const int byte = below_[static_cast<std::size_t>(light * kSteps)];
+        return static_cast<std::uint8_t>(byte + (light >= least_[byte + 1] ? 1 : 0));
+    }
+
+ private:
+    static constexpr int kSteps = 4096;
+    std::array<std::uint8_t, kSteps + 1> below_;
+    std::array<float, 257> least_{};
+};
+
+}  // namespace
+
+std::uint8_t srgb_byte(float linear) {
+    static const SrgbBytes bytes;
+    return bytes(linear);
 }
 
 namespace {

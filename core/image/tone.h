@@ -1,6 +1,7 @@
 #pragma once
 // From a photograph's light to the density of dots: the darkroom.
 
+#include <cstdint>
 #include <optional>
 
 #include "core/image/grid.h"
@@ -33,6 +34,8 @@ struct Tone {
 /// sRGB transfer function (IEC 61966-2-1), encoded value 0..1 to linear light 0..1, and back.
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
+/// The same as one of 256 steps, rounded, without the time that a power takes. Clamped; NaN is 0.
+std::uint8_t srgb_byte(float linear);
 
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies

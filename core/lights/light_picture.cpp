@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/image/tone.h"
+#include "core/image/linear_colour.h"
 
 namespace dapple {
 
@@ -50,11 +50,7 @@ double natural_exposure(const EnvironmentMap& map) {
 glm::u8vec3 tone_mapped(const glm::dvec3& radiance, double exposure) {
     const glm::dvec3 light = radiance * exposure;
     const glm::dvec3 pressed = light * (1.25 / (1 + luminance(light)));
-    const auto encoded = [](double value) {
-        const float srgb = linear_to_srgb(std::clamp(static_cast<float>(value), 0.0f, 1.0f));
-        return static_cast<glm::u8>(255 * srgb + 0.5f);
-    };
-    return {encoded(pressed.x), encoded(pressed.y), encoded(pressed.z)};
+    return srgb_bytes(glm::vec3(pressed));
 }
 
 Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::dvec2> places,

@@ -246,7 +246,10 @@ Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, s
                 const glm::vec3 below = pens[pen].ink == PenInk::transparent ? colour : glm::vec3(1);
                 colour += coverage[pen].at(x, y) * (light[pen] * below - colour);
             }
-            result.at(x, y) = glm::vec<3, Channel>(glm::round(encoded_of(colour) * most));
+            if constexpr (sizeof(Channel) == 1)
+                result.at(x, y) = srgb_bytes(colour);
+            else
+                result.at(x, y) = glm::vec<3, Channel>(glm::round(encoded_of(colour) * most));
         }
     });
     return result;

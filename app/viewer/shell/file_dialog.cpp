@@ -445,8 +445,9 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options, const Thumb
     const char* title = saves_ ? question_.title : open_question_.title;
     float unit = ImGui::GetTextLineHeight() / 15;
     ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float height = has_formats() && question_.has_options ? 800 : 560;  // with room for all options
     ImGui::SetNextWindowSize(
-        {std::clamp(screen.x - 20, 1.0f, 660 * unit), std::clamp(screen.y - 20, 1.0f, 560 * unit)});
+        {std::clamp(screen.x - 20, 1.0f, 660 * unit), std::clamp(screen.y - 20, 1.0f, height * unit)});
     // Tab walks its rows: ImGui is not to walk its text fields.
     if (!begin_dialog(title, open_, ImGuiWindowFlags_NoNavInputs)) return std::nullopt;
 
