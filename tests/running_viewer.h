@@ -127,7 +127,8 @@ class RunningViewer {
             const bool in_dialog = widgets.contains("Dialog");
             if (!in_dialog && place[0] < 940) return place;
             const json around = in_dialog ? widgets["Dialog"] : json{0, 10, 0, height_ - 10};
-            const double top = around[1], bottom = around[3];
+            // In its first frame, which is not seen, a dialog may reach below the window.
+            const double top = around[1], bottom = std::min(around[3].get<double>(), 1.0 * height_);
             const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
             if (y > top && y < bottom) return place;
             in_dialog
