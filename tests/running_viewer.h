@@ -123,11 +123,11 @@ class RunningViewer {
     /// window, or in the dialog; its corners.
     json scrolled_into_view(const std::string& widget) {
         while (true) {
-            const json widgets = status()["widgets"], place = widgets[widget];
+            const json widgets = status()["widgets"], place = widgets.at(widget);
             const bool in_dialog = widgets.contains("Dialog");
             if (!in_dialog && place[0] < 940) return place;
             const json around = in_dialog ? widgets["Dialog"] : json{0, 10, 0, height_ - 10};
-            // In its first frame, which is not seen, a dialog may reach below the window.
+            // In its first frame, which is not seen, a dialog has neither its size nor its place.
             const double top = around[1], bottom = std::min(around[3].get<double>(), 1.0 * height_);
             const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
             if (y > top && y < bottom) return place;
@@ -135,7 +135,11 @@ class RunningViewer {
                 ? move((around[0].get<double>() + around[2].get<double>()) / 2, top + 0.8 * (bottom - top))
                 : move(1100, 400);
             y > bottom ? wheel_down() : wheel_up();
-            REQUIRE(shows([&] { return status()["widgets"][widget] != place; }));
+            REQUIRE(shows([&] {
+                const json now = status()["widgets"];
+                return now.value(widget, json()) != place ||
+                       now.value("Dialog", json()) != widgets.value("Dialog", json());
+            }));
         }
     }
     void move(double x, double y) {

@@ -511,6 +511,7 @@ TEST_CASE("several pens' files have about the size told before") {
     drawing.pens = parse_pens("cmyk");
     Session session(drawing, [] {});
     session.open_sample();
+    session.settings.saving.dpi = 100;
     const auto brings = [&](auto done) {
         return wait_until([&] {
             session.take_events(std::chrono::milliseconds(0));
