@@ -260,7 +260,7 @@ TEST_CASE("a malformed file of several kinds is refused with its line and a reas
         {"successors\n", "successors\nAA==\n", "line 12: ", "kind 0 has 3 points"},
         {"ranking energy", "ranking best", "line 17: ", "not known"},
         {"ranks\n", "ranks\nAAAAAAAA\n", "line 19: ", "comes twice"},
-        {"newborn stages\n", "newborn stages\nAAAAAAA=\n", "line 21: ", "by the end of stage 0"},
+        {"newborn stages\n", "newborn stages\nAAAAAAAA\n", "line 21: ", "by the end of stage 0"},
         {"end\n", "end\nmore\n", "line 24: ", "more after 'end'"},
     };
     for (const Case& c : cases) {

@@ -50,8 +50,8 @@ std::vector<int> farthest_point_ranks(const Tile& tile);
 std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int> stage);
 
 /// Many points need few bits each: the newborn points of several kinds are ranked by stages, at the ends of
-/// which a tile has N 4^(1/8), N 4^(2/8), ... 4 N points. Within a stage they come scattered over the tile.
-inline constexpr int kRankStages = 8;
+/// which a tile has N 4^(1/16), N 4^(2/16), ... 4 N points. Within a stage they come scattered over the tile.
+inline constexpr int kRankStages = 16;
 
 /// The stages 0 .. kRankStages - 1 of newborn points that have these ranks.
 std::vector<int> stages_of_ranks(std::size_t tile_size, std::span<const float> newborn_ranks);

@@ -182,7 +182,7 @@ Tile read_successors(TextLines& lines, const Rule& rule, const NextKinds& next, 
     return on_line(lines, [&] { return make_tile(rule, next, letters, std::move(successor)); });
 }
 
-constexpr int kRankBits = 12, kStageBits = 3;
+constexpr int kRankBits = 12, kStageBits = 4;
 static_assert(1 << kRankBits == kMaxTilePoints && 1 << kStageBits == kRankStages);
 
 std::vector<float> read_root_ranks(TextLines& lines, std::size_t points) {

@@ -35,7 +35,7 @@
 //      ranks
 //      AAIx...                           of the points of kind 0, 12 bits each
 //      newborn stages
-//      o5eB...                           for each kind, a line: of its newborn points, 3 bits each; see
+//      o5eB...                           for each kind, a line: of its newborn points, 4 bits each; see
 //      ...                               ranks_of_stages()
 //      end
 
