@@ -2,9 +2,12 @@
 // Tiles and densities that placers are tested on.
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/image/grid.h"
 #include "core/tile/tile.h"
@@ -27,6 +30,29 @@ inline Tile random_tile(const Rule& rule, int points, unsigned seed) {
         }
     }
 }
+
+/// A tile of several kinds: each takes any quarter of the points of each of its children's.
+inline Tile random_kinds(const Rule& rule, const NextKinds& next, std::uint32_t points, unsigned seed) {
+    std::string letters;
+    std::vector<std::uint32_t> successor, chosen(points);
+    std::mt19937 random(seed);
+    for (const auto& children : next) {
+        for (std::size_t q = 0; q < 4; ++q) {
+            std::iota(chosen.begin(), chosen.end(), children[q] * points);
+            std::shuffle(chosen.begin(), chosen.end(), random);
+            letters.append(points / 4, static_cast<char>('0' + q));
+            successor.insert(successor.end(), chosen.begin(), chosen.begin() + points / 4);
+        }
+    }
+    try {
+        return make_tile(rule, next, letters, successor);
+    } catch (const std::runtime_error&) {  // two points coincide: others
+        return random_kinds(rule, next, points, seed + 1000);
+    }
+}
+
+/// Three kinds of which every two touch, and none makes only itself.
+inline const NextKinds kThreeKinds{{0, 1, 2, 1}, {2, 0, 0, 2}, {1, 2, 1, 0}};
 
 /// Scattered dark pixels on white.
 inline Grid<float> blotches(int width, int height, unsigned seed) {

@@ -11,6 +11,7 @@
 #include "app/viewer/model/dot_colours.h"
 #include "app/viewer/model/workbench.h"
 #include "core/image/colour.h"
+#include "tests/densities.h"
 #include "tests/dot_pieces.h"
 
 namespace dapple {
@@ -69,6 +70,43 @@ TEST_CASE("a dot has the colour of the orientation of the tile around it at its 
     CHECK(found == static_cast<int>(colours.size()));
     CHECK(wrong == 0);
     CHECK(seen.size() >= 6);
+}
+
+TEST_CASE("of a tile of several kinds, a dot has the colour of the kind of the tile around it") {
+    RankedTile tile(random_kinds(Rule{}, kThreeKinds, 64, 2), RankingMethod::energy);
+    const PlacingRequest request{.scale = 300, .thresholds = true};
+    Stippling placed;
+    REQUIRE(stipple(tile, Density(Grid<float>(1, 1, 1.0f)), PlacerKind::exact, request, placed));
+    const auto colours =
+        dot_colours(placed.dots, {64, Rule{}, PageWindow{}, kThreeKinds}, DotColouring::orientation);
+    REQUIRE(colours.size() == placed.dots.size());
+    int wrong = 0;
+    std::set<std::size_t> seen;
+    std::size_t i = 0;
+    for (const Dots& piece : placed.dots.pieces) {
+        for (std::size_t k = 0; k < piece.size(); ++k, ++i) {
+            double x = piece.x[k], y = piece.y[k];
+            std::size_t kind = 0;
+            for (int level = tile_rank_of(piece.threshold[k], 64).level; level > 0; --level) {
+                const bool right = x >= 0.5, below = y >= 0.5;
+                kind = kThreeKinds[kind][(right ? 1 : 0) + (below ? 2 : 0)];
+                x = 2 * x - right;
+                y = 2 * y - below;
+            }
+            seen.insert(kind);
+            wrong += rgb8(kind_colour(kind)) != glm::u8vec3(colours[i]);
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(seen.size() == 3);
+}
+
+TEST_CASE("hues of kinds differ, and are dark enough for paper") {
+    for (std::size_t a = 0; a < 16; ++a) {
+        for (std::size_t b = 0; b < a; ++b) CHECK(glm::distance(kind_colour(a), kind_colour(b)) > 0.05f);
+        const glm::vec3 c = kind_colour(a);
+        CHECK(std::min({c.r, c.g, c.b}) < 0.2f);
+    }
 }
 
 TEST_CASE("a dot has its level's colour, and the first of its level is darker than the last") {

@@ -25,6 +25,7 @@ void test_every_point(const Density& density, double scale, const Tile& tile, co
     struct Placed {
         glm::dvec2 corner;
         Orientation orientation;
+        std::size_t kind;
     };
     const auto consider = [&](glm::dvec2 p, double threshold) {
         const double margin = scale * density.at(p) / threshold - 1;
@@ -33,12 +34,13 @@ void test_every_point(const Density& density, double scale, const Tile& tile, co
     for (std::size_t i = 0; i < tile.size(); ++i)
         consider(to_unit_square(tile.points[i]), ranking.tile[i] / 16);
     const auto newborns = newborns_of(tile);
-    std::vector<Placed> tiles{{{0, 0}, {}}};
+    std::vector<Placed> tiles{{{0, 0}, {}, 0}};
     for (int level = 0; level < levels; ++level) {
         const double side = std::ldexp(1.0, -level);
         std::vector<Placed> next;
         for (const Placed& placed : tiles) {
-            for (std::size_t i = 0; i < newborns.size(); ++i) {
+            const std::size_t count = 3 * tile.size(), first = placed.kind * count;
+            for (std::size_t i = first; i < first + count; ++i) {
                 const glm::dvec2 p =
                     apply(placed.orientation, to_unit_square(newborns[i].position) - 0.5) + 0.5;
                 consider(placed.corner + side * p, std::ldexp(ranking.newborn[i] / 16.0, 2 * level));
@@ -46,7 +48,8 @@ void test_every_point(const Density& density, double scale, const Tile& tile, co
             for (int q = 0; q < 4; ++q) {
                 const int at = apply_to_quadrant(placed.orientation, q);
                 next.push_back({placed.corner + side / 2 * glm::dvec2(at & 1, at >> 1),
-                                compose(placed.orientation, tile.rule.child[q])});
+                                compose(placed.orientation, tile.rule.child[q]),
+                                tile.next_kind[placed.kind][q]});
             }
         }
         tiles = std::move(next);
@@ -94,6 +97,20 @@ TEST_CASE("the placer's dots are those that testing every point of every level f
             CHECK(dots.size() > 20);
             check_same(dots, expected);
         }
+    }
+}
+
+TEST_CASE("so they are of tiles of several kinds, turned or not") {
+    for (const auto& [rule, size] : {std::pair{Rule{}, 16u}, {kTurning, 64u}, {Rule{}, 300u}}) {
+        const Tile tile = random_kinds(rule, kThreeKinds, size, size);
+        const Ranking ranking = rank(tile, RankingMethod::energy);
+        const PlacingTable table = make_placing_table(tile, ranking);
+        const Density density(blotches(31, 17, size));
+        std::vector<Expected> expected;
+        test_every_point(density, 350, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
+        const Dots dots = placed(table, density, {350});
+        CHECK(dots.size() > 20);
+        check_same(dots, expected);
     }
 }
 

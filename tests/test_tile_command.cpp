@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -162,6 +163,33 @@ TEST_CASE("a timed search does not claim that it can be made again, and takes th
     // However short, it is a search.
     CHECK(run_dapple("tile search --points 4 --rule any --seconds 0.01 -o " + file).status == 0);
     CHECK(read_tile(text_of(file)).tile.size() == 4);
+}
+
+TEST_CASE("several kinds are searched for, checked, shown and rendered, and found again") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "kinds.tile", again = folder / "again.tile";
+    const std::string search = "tile search --kinds 3 --points 64 --seed 2 --moves 50000";
+    const Outcome outcome = run_dapple(search + " -o " + file);
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.out.find("the same again: dapple " + search + "\n") != std::string::npos);
+    REQUIRE(run_dapple(search + " -o " + again).status == 0);
+    CHECK(text_of(file) == text_of(again));
+    const nlohmann::json json = nlohmann::json::parse(run_dapple("tile check --json " + file).out);
+    CHECK(json["kinds"] == 3);
+    CHECK(json["points"] == 64);
+    CHECK(json["kind_coincidence"] > 0.3);
+    CHECK(run_dapple("tile check " + file).out.find("3 kinds of 64 points") != std::string::npos);
+    const std::string drawing = folder / "kinds.svg";
+    REQUIRE(run_dapple("tile show " + file + " -o " + drawing).status == 0);
+    CHECK(text_of(drawing).find("half-size copies of kinds ") != std::string::npos);
+    const std::string picture = folder / "grey.pgm", csv = folder / "dots.csv";
+    std::ofstream(picture) << "P2 1 1 255\n0\n";
+    REQUIRE(run_dapple("render " + picture + " --tile " + file + " --dots 5000 -o " + csv).status == 0);
+    for (const char* wrong : {"--rule 3760", "--runs 2", "--peaks 0"})
+        CHECK(run_dapple(search + " -o " + file + " " + wrong).status != 0);
+    CHECK(run_dapple("tile search --kinds 3 --points 62 -o " + file).status != 0);
+    CHECK(run_dapple("tile search --kinds 3 --points 64").status != 0);
+    CHECK(run_dapple("tile rank --ranking farthest " + file + " -o " + again).status != 0);
 }
 
 TEST_CASE("a search finds what it is told to weigh: points apart, an even tone, or no repetition") {
@@ -322,8 +350,8 @@ TEST_CASE("a search by evenness saves its best tile as it goes, and whatever sto
         CAPTURE(signal);
         const TemporaryFolder folder, said;
         const std::string file = folder / "best.tile";
-        ChildProcess search({dapple_program(), "tile", "search", "--points", "64", "--rule", "3760", "--moves",
-                             "1e12", "-o", file},
+        ChildProcess search({dapple_program(), "tile", "search", "--points", "64", "--rule", "3760",
+                             "--moves", "1e12", "-o", file},
                             {.output = said / "out", .errors = said / "err"});
         REQUIRE(search.brings([&] { return std::filesystem::exists(file); }));
         CHECK(text_of(file).find("not finished") != std::string::npos);

@@ -121,7 +121,7 @@ TEST_CASE("a malformed tile file is refused with its line and a reason") {
     };
     const std::vector<Case> cases{
         {"dapple", "stipple", "line 1: ", "does not start with"},
-        {"tile 1", "tile 2", "line 1: ", "version '2'"},
+        {"tile 1", "tile 3", "line 1: ", "version '3'"},
         {"rule 0 0 0 0", "rule 0 0 0", "line 4: ", "four orientations"},
         {"rule 0 0 0 0", "rule 0 0 0 8", "line 4: ", "from 0 to 7"},
         {"rule 0 0 0 0", "rules 0 0 0 0", "line 4: ", "'rule' is expected"},

@@ -69,33 +69,35 @@ nlohmann::ordered_json json_of(const std::string& name, const StoredTile& stored
                                const Seams& seams) {
     std::vector<int> rule;
     for (const Orientation g : stored.tile.rule.child) rule.push_back(g.index);
-    nlohmann::ordered_json json{{"tile", name},
-                                {"points", stored.tile.size()},
-                                {"rule", rule},
-                                {"words", stored.tile.words},
-                                {"integers", nullptr},
-                                {"ranking", name_of(stored.method)},
-                                {"balanced", marks.balanced},
-                                {"letters", marks.letters},
-                                {"relative_radius", marks.relative_radius},
-                                {"worst_relative_radius", marks.worst_relative_radius},
-                                {"coherent_share", marks.coherent_share},
-                                {"low_frequency_power", marks.low_frequency_power},
-                                {"lattice_share", marks.lattice_share},
-                                {"seam_on_black", seams.worst()},
-                                {"orientation_coincidence", marks.orientation_coincidence},
-                                {"coincidence_lag", marks.coincidence_lag},
-                                {"coincidence_at_lags_from_1", marks.coincidences}};
+    nlohmann::ordered_json json{
+        {"tile", name},
+        {"kinds", stored.tile.kinds()},
+        {"points", stored.tile.size()},
+        {"rule", rule},
+        {"words", stored.tile.words},
+        {"integers", nullptr},
+        {"ranking", name_of(stored.method)},
+        {"balanced", marks.balanced},
+        {"letters", marks.letters},
+        {"relative_radius", marks.relative_radius},
+        {"worst_relative_radius", marks.worst_relative_radius},
+        {"coherent_share", marks.coherent_share},
+        {"low_frequency_power", marks.low_frequency_power},
+        {"lattice_share", marks.lattice_share},
+        {"seam_on_black", seams.worst()},
+        {marks.kinds > 1 ? "kind_coincidence" : "orientation_coincidence", marks.orientation_coincidence},
+        {"coincidence_lag", marks.coincidence_lag},
+        {"coincidence_at_lags_from_1", marks.coincidences}};
     if (const auto integers = paper_notation(stored.tile)) json["integers"] = *integers;
     return json;
 }
 
 void list_tiles(std::ostream& out) {
-    out << fmt::format("{:<14} {:>6}  {:<8}  {}\n", "name", "points", "rule", "");
+    out << fmt::format("{:<14} {:>5}  {:>6}  {:<8}  {}\n", "name", "kinds", "points", "rule", "");
     for (const BuiltInTile& built_in : built_in_tiles()) {
         const Tile tile = load_tile(std::string(built_in.name)).tile;
-        out << fmt::format("{:<14} {:>6}  {:<8}  {}\n", built_in.name, tile.size(), text_of(tile.rule),
-                           built_in.about);
+        out << fmt::format("{:<14} {:>5}  {:>6}  {:<8}  {}\n", built_in.name, tile.kinds(), tile.size(),
+                           text_of(tile.rule), built_in.about);
     }
 }
 
@@ -144,6 +146,7 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format, 
         out << fmt::format("  {:<24} {:<9} {}\n", mark.name, mark.value, mark.meaning);
     out << fmt::format("  {:<24} {:<9.2f} {}\n", "seam on black", seams.worst(),
                        "bare paper along borders of tiles over the page's, as placed; 1 is no seam");
+    if (stored.tile.kinds() > 1) return;
     if (stored.tile.size() > kMostPointsInWords && words == ShownWords::of_small_tiles) {
         out << fmt::format("\n{} words; --words shows them\n", stored.tile.words.size());
         return;

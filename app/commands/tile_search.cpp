@@ -29,6 +29,7 @@
 #include "core/tile/cycle_search.h"
 #include "core/tile/exhaustive_search.h"
 #include "core/tile/identity_word.h"
+#include "core/tile/kind_search.h"
 #include "core/tile/relink_search.h"
 #include "core/tile/rule_search.h"
 #include "core/tile/rules.h"
@@ -42,6 +43,9 @@ namespace fs = std::filesystem;
 
 constexpr TextKind kSearch{.what = "saved search"};
 constexpr std::uint64_t kMovesPerPoint = 10'000;
+constexpr int kFewestPointsOfKinds = 64;
+// Of a search for several kinds, for the one tile that all of them start as.
+constexpr double kShareOfStart = 0.25;
 // Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
 constexpr std::size_t kRulesTried = 20;
 
@@ -279,6 +283,74 @@ std::vector<Rule> rules_to_try() {
     return rules;
 }
 
+void search_kinds(const TileSearchOptions& options, std::ostream& out) {
+    check_can_save(*options.output);
+    const auto points = static_cast<std::uint64_t>(options.points);
+    const auto kinds = static_cast<std::uint64_t>(options.kinds);
+    const std::uint64_t moves = options.moves.value_or(kMovesPerPoint * points * kinds);
+    const auto of_start = static_cast<std::uint64_t>(kShareOfStart * static_cast<double>(moves));
+    const auto start = std::chrono::steady_clock::now();
+    std::function<double()> clock;
+    if (options.seconds) clock = [start] { return seconds_since(start); };
+    const double seconds = options.seconds.value_or(0);
+
+    KindSearchResult found;
+    std::uint64_t tried = 0;
+    bool interrupted = false;
+    {
+        const StopOnInterrupt stop;
+        ProgressLine line;
+        const auto show = [&](std::uint64_t so_far, double energy) {
+            line.show(clock ? clock() / seconds : static_cast<double>(so_far) / static_cast<double>(moves),
+                      fmt::format("energy a point {:.5f}", energy));
+        };
+        RelinkSettings first;
+        first.rule = Rule{};
+        first.points = points;
+        first.seed = options.seed;
+        first.moves = std::max<std::uint64_t>(of_start, 1);
+        first.clock = clock;
+        first.seconds = kShareOfStart * seconds;
+        first.peak_weight = 0;
+        first.progress = [&](const RelinkProgress& p) { show(p.moves, p.energy); };
+        first.stop = stop.token();
+        const RelinkResult one = relink_search(first);
+
+        KindSearchSettings settings;
+        settings.start = one.tile;
+        settings.kinds = options.kinds;
+        settings.seed = options.seed;
+        settings.moves = moves - std::min(moves, of_start);
+        settings.clock = clock;
+        settings.seconds = clock ? std::max(seconds - clock(), 0.0) : 0;
+        settings.progress = [&](const KindSearchProgress& p) { show(one.moves + p.moves, p.energy); };
+        settings.stop = stop.token();
+        found = kind_search(settings);
+        tried = one.moves + found.moves;
+        interrupted = StopOnInterrupt::interrupted();
+    }
+    const std::string command =
+        fmt::format("dapple tile search --kinds {} --points {} --seed {}", kinds, points, options.seed);
+    std::string again, how;
+    if (interrupted) {
+        again = "stopped: this is what there was, and cannot be made again";
+    } else if (options.seconds) {
+        again = fmt::format(
+            "timed: the same again would be another tile; about as long, and always the same: {} --moves {}",
+            command, tried);
+        how = fmt::format("found by {} --seconds {}; timed, so that the same again is another tile", command,
+                          *options.seconds);
+    } else {
+        how = fmt::format("found by {} --moves {}", command, moves);
+        again = fmt::format("the same again: {} --moves {}", command, moves);
+    }
+    std::vector<std::string> comments;
+    if (!how.empty()) comments.push_back(how);
+    save_tile(*options.output, ranked(std::move(found.tile), RankingMethod::energy), comments);
+    out << fmt::format("{} kinds of {} points, energy a point {:.5f}\n{}\n", kinds, points, found.energy,
+                       again);
+}
+
 void search_any(const TileSearchOptions& options, std::ostream& out) {
     check_can_save(*options.output);
     const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
@@ -364,6 +436,9 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--points", options.points, {.least = 4, .most = kMaxTilePoints},
                      "Points of the tile, a multiple of 4; up to 60 for identity")
         ->default_str("");
+    add_whole_number(command, "--kinds", options.kinds, {.least = 1, .most = static_cast<int>(kMaxKinds)},
+                     "Look for a tile of so many kinds, with --points of each, none of them turned: they fit "
+                     "each other without seams, and a picture repeats less the more there are");
     command
         .add_option_function<std::string>(
             "--rule",
@@ -456,13 +531,27 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
         "  dapple tile search --points 64 --rule any --seconds 60 -o mine.tile\n"
         "  dapple tile search --points 1024 --rule 3760 --seconds 60 -o mine.tile\n"
         "  dapple tile search --points 256 --rule 3760 --pairs 5 -o apart.tile    points farther apart, less "
-        "even");
+        "even\n"
+        "  dapple tile search --kinds 8 --points 1024 --seconds 300 -o kinds.tile");
 }
 
 void check_search_options(const CLI::App& command, const TileSearchOptions& options) {
     const auto refuse = [&](const std::string& option, const std::string& why) {
         if (command.count(option) > 0) throw CLI::ValidationError(option, why);
     };
+    if (options.kinds > 1) {
+        for (const char* option : {"--rule", "--cycles", "--top", "--by", "--runs", "--threads", "--tone",
+                                   "--pairs", "--peaks", "--resume"})
+            refuse(option, "does not go with --kinds");
+        if (options.seconds) refuse("--moves", "and --seconds exclude each other");
+        if (!options.output) throw CLI::ValidationError("--output", "is needed: name the file for the tile");
+        if (options.points % 4 != 0 || options.points < kFewestPointsOfKinds) {
+            throw CLI::ValidationError(
+                "--points", fmt::format("{} is not possible with --kinds; give a multiple of 4 from {} to {}",
+                                        options.points, kFewestPointsOfKinds, kMaxTilePoints));
+        }
+        return;
+    }
     if (options.kind == SearchKind::identity) {
         for (const char* option : {"--moves", "--runs", "--seed", "--tone", "--pairs", "--peaks"})
             refuse(option,
@@ -512,7 +601,9 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
 }
 
 void search_tiles(const TileSearchOptions& options, std::ostream& out) {
-    if (!options.cycles.empty()) {
+    if (options.kinds > 1) {
+        search_kinds(options, out);
+    } else if (!options.cycles.empty()) {
         search_sets(options, out);
     } else if (options.kind == SearchKind::identity && options.by != TileCriterion::radius) {
         search_by(options, out);

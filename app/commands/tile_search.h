@@ -34,6 +34,7 @@ constexpr auto names_of(TileCriterion) {
 
 struct TileSearchOptions {
     int points = 0;
+    int kinds = 1;  // over 1: as many, none turned, by annealing
     SearchKind kind = SearchKind::identity;
     std::optional<Rule> rule;  // of SearchKind::any; none: the one that suits the points
     std::vector<int> cycles;   // identity: the lengths of a tile's cycles; none: one cycle of all points

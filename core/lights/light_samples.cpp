@@ -135,8 +135,9 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
 }
 
 bool meets_itself(const Tile& tile) {
-    return std::ranges::any_of(legal_neighbours(tile.rule), [](const Neighbour& neighbour) {
-        return neighbour.offset == glm::ivec2(1, 0) && neighbour.orientation == Orientation{};
+    return std::ranges::any_of(legal_neighbours(tile.rule, tile.next_kind), [](const Neighbour& neighbour) {
+        return neighbour.of == 0 && neighbour.kind == 0 && neighbour.offset == glm::ivec2(1, 0) &&
+               neighbour.orientation == Orientation{};
     });
 }
 

@@ -77,11 +77,10 @@ class Figure8 {
 
 Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
                             double scale, const std::stop_token& stop) {
-    if (tile.rule != Rule{} || tile.size() > 62) {
+    if (tile.rule != Rule{} || tile.kinds() > 1 || tile.size() > 62) {
         throw std::runtime_error(
-            "the paper's placer (figure8) knows only tiles whose children are not turned; use paper16 or "
-            "another "
-            "A,B/N tile, or the exact placer");
+            "the paper's placer (figure8) knows only tiles of one kind whose children are not turned; use "
+            "paper16 or another A,B/N tile, or the exact placer");
     }
     if (!(scale >= 0) || !std::isfinite(scale))
         throw std::runtime_error("the scale must be a number from 0 up");

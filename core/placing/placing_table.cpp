@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostOwnPoints = 64;  // of a cell; it has three times as many newborn ones
 constexpr std::size_t kMostSubtreePoints = 1536;
 
-// The cell of a point, and the point within it about its centre, in half sides.
+// The cell of a point in its kind, and the point within it about its centre, in half sides.
 struct InCell {
     std::size_t cell;
     glm::dvec2 offset;
@@ -48,13 +48,15 @@ float on_grid(double offset) {
     return static_cast<float>(std::clamp(std::round(offset / kStep) * kStep, -kLast, kLast));
 }
 
-// Each cell's points, of these tile points and ranks.
+// Each cell's points, of these tile points, so many of each kind, and ranks.
 std::vector<std::vector<CellPoint>> share_out(const PlacingTable& table, const auto& position_of,
-                                              const std::vector<float>& ranks) {
+                                              std::size_t of_each_kind, const std::vector<float>& ranks) {
     std::vector<std::vector<CellPoint>> points(table.cells.size());
+    const std::size_t cells = table.cells.size() / table.next_kind.size();
     for (std::size_t i = 0; i < ranks.size(); ++i) {
         const InCell in = find_cell(position_of(i), table.cell_depth);
-        points[in.cell].push_back({on_grid(in.offset.x), on_grid(in.offset.y), ranks[i]});
+        points[i / of_each_kind * cells + in.cell].push_back(
+            {on_grid(in.offset.x), on_grid(in.offset.y), ranks[i]});
     }
     return points;
 }
@@ -137,33 +139,38 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     PlacingTable table;
     table.tile_size = tile.size();
     table.rule = tile.rule;
+    table.next_kind = tile.next_kind;
     std::size_t cell_points = tile.size();
     for (; cell_points > kMostOwnPoints; cell_points /= 4) ++table.cell_depth;
-    table.cells.resize(std::size_t{1} << (2 * table.cell_depth));
+    const std::size_t cells = std::size_t{1} << (2 * table.cell_depth);  // of a kind
+    table.cells.resize(cells * tile.kinds());
 
     const std::vector<Newborn> newborns = newborns_of(tile);
     const auto own = share_out(
-        table, [&](std::size_t i) { return tile.points[i]; }, ranking.tile);
+        table, [&](std::size_t i) { return tile.points[i]; }, tile.size(), ranking.tile);
     const auto newborn = share_out(
-        table, [&](std::size_t i) { return newborns[i].position; }, ranking.newborn);
+        table, [&](std::size_t i) { return newborns[i].position; }, 3 * tile.size(), ranking.newborn);
 
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Cell& cell = table.cells[c];
         cell.newborn = by_rank(newborn[c]);
-        std::vector<CellPoint> all = own[c];
-        all.insert(all.end(), newborn[c].begin(), newborn[c].end());
-        cell.all = by_rank(std::move(all));
+        if (c < cells) {
+            std::vector<CellPoint> all = own[c];
+            all.insert(all.end(), newborn[c].begin(), newborn[c].end());
+            cell.all = by_rank(std::move(all));
+        }
         // A quadrant of a cell is a cell of the child tile in the cell's outermost quadrant: drop the first
         // digit, append the quadrant, and see the digits from the child's frame.
         for (int q = 0; q < 4; ++q) {
-            const std::size_t digits = c * 4 + q;
+            const std::size_t digits = c % cells * 4 + static_cast<std::size_t>(q);
             const int child = static_cast<int>(digits >> (2 * table.cell_depth));
             const Orientation turn = tile.rule.child[child];
             std::size_t next = 0;
             for (int d = table.cell_depth - 1; d >= 0; --d) {
                 next = next * 4 + apply_to_quadrant(inverse(turn), static_cast<int>(digits >> (2 * d) & 3));
             }
-            cell.next_cell[q] = static_cast<std::uint16_t>(next);
+            const std::size_t kind = tile.next_kind[c / cells][static_cast<std::size_t>(child)];
+            cell.next_cell[q] = static_cast<std::uint16_t>(kind * cells + next);
             cell.next_turn[q] = turn;
         }
     }

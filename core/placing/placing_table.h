@@ -9,7 +9,8 @@
 // Making a square ready costs as much as testing some hundred points. So a cell brings up to about a thousand
 // at once, by ascending rank: a tile of more than 64 points is cut into cells, a power of four of them, and
 // below each cell several generations of newborn points are sorted into one subtree. Tiles of any size run
-// through one recursion with the same pruning.
+// through one recursion with the same pruning. The cells of a tile of several kinds follow each other, kind
+// after kind; the root's come first.
 
 #include <array>
 #include <cstdint>
@@ -63,14 +64,16 @@ struct Cell {
     CellPoints newborn;
     CellPoints subtree;     // the newborn points of the cell and of all squares some generations down
     float subtree_end = 0;  // further down nothing is born before, in this cell's ranks
-    CellPoints all;  // the tile's own points, and after them the newborn ones: what the root tile brings
+    CellPoints all;  // of kind 0: the tile's own points, and after them the newborn ones, for the root tile
 };
 
 struct PlacingTable {
     std::size_t tile_size = 0;  // N
     int cell_depth = 0;         // cells are the tile's squares of this depth
-    std::vector<Cell> cells;    // 4^cell_depth; the index's base-4 digits are the quadrants, outermost first
+    std::vector<Cell> cells;    // 4^cell_depth of each kind; the base-4 digits are the quadrants, outermost
+                                // first
     Rule rule;
+    NextKinds next_kind = NextKinds(1);
 };
 
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking);

@@ -7,8 +7,8 @@ namespace dapple {
 
 RankedTile::RankedTile(Tile tile, const Ranking& ranking)
     : tile_(std::move(tile)), placer_(make_placing_table(tile_, ranking)) {
-    // Figure 8 knows no other rule, and large tiles take a while.
-    if (tile_.rule == Rule{}) own_ranks_ = farthest_point_ranks(tile_);
+    // Figure 8 knows one kind and no other rule, and large tiles take a while.
+    if (tile_.rule == Rule{} && tile_.kinds() == 1) own_ranks_ = farthest_point_ranks(tile_);
 }
 
 RankedTile::RankedTile(Tile tile, RankingMethod method) : RankedTile(tile, rank(tile, method)) {}

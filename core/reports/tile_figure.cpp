@@ -1,10 +1,12 @@
 #include "core/reports/tile_figure.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -47,7 +49,7 @@ double dot_radius(const Panel& panel, std::size_t count) {
 class Figure {
  public:
     Figure(std::ostream& out, const StoredTile& stored) : text_(out), stored_(stored) {
-        for (const BinaryPoint p : stored.tile.points) points_.push_back(to_unit_square(p));
+        for (const BinaryPoint p : points_of(0)) points_.push_back(to_unit_square(p));
     }
 
     void write() {
@@ -78,12 +80,15 @@ class Figure {
     void caption(const Panel& panel, std::string_view words);
     void circle(glm::dvec2 centre, double radius);
     void number(double value) { text_.fixed(value, 2); }
-    std::size_t size() const { return points_.size(); }
+    std::size_t size() const { return stored_.tile.size(); }
+    std::span<const BinaryPoint> points_of(std::size_t kind) const {
+        return std::span(stored_.tile.points).subspan(kind * size(), size());
+    }
     int rank_of(std::size_t i) const { return static_cast<int>(stored_.ranking.tile[i]); }
 
     TextBuffer text_;
     const StoredTile& stored_;
-    std::vector<glm::dvec2> points_;
+    std::vector<glm::dvec2> points_;  // of kind 0
 };
 
 void Figure::begin() {
@@ -156,7 +161,7 @@ void Figure::write_tile(const Panel& panel) {
     for (const glm::dvec2 p : points_) circle(panel.at(p), dot_radius(panel, size()));
     text_ << "</g>\n";
     frame(panel, false);
-    caption(panel, "the tile");
+    caption(panel, stored_.tile.kinds() > 1 ? "kind 0" : "the tile");
 }
 
 void Figure::write_copies(const Panel& panel) {
@@ -169,7 +174,7 @@ void Figure::write_copies(const Panel& panel) {
     text_ << "<g id=\"copies\">\n";
     for (int q = 0; q < 4; ++q) {
         text_ << R"(<g fill=")" << kQuadrantColours[q] << "\">\n";
-        for (const BinaryPoint p : stored_.tile.points) {
+        for (const BinaryPoint p : points_of(stored_.tile.next_kind[0][q])) {
             const BinaryPoint turned = apply(stored_.tile.rule.child[q], p);
             circle(panel.at(to_unit_square(shrink_to_quadrant(q, turned))), radius);
         }
@@ -184,7 +189,11 @@ void Figure::write_copies(const Panel& panel) {
     text_ << "\">\n";
     for (const glm::dvec2 p : points_) circle(panel.at(p), (circled ? 2.1 : 1.3) * radius);
     text_ << "</g>\n";
-    caption(panel, circled ? "half-size copies, own points circled" : "half-size copies, own points black");
+    const std::string copies =
+        stored_.tile.kinds() > 1
+            ? fmt::format("half-size copies of kinds {}", fmt::join(stored_.tile.next_kind[0], ", "))
+            : "half-size copies";
+    caption(panel, copies + (circled ? ", own points circled" : ", own points black"));
 }
 
 void Figure::write_ranks(const Panel& panel) {

@@ -25,20 +25,28 @@ double widest_spacing(double count) {
 // For each point the squared distance to the nearest of the points before it, its own copies included; `far`
 // squared if there is none as near as that.
 std::vector<double> nearest_before(const std::vector<glm::dvec2>& places,
-                                   const std::vector<Neighbour>& neighbours, double far) {
-    const Candidates grid(places, 0);
+                                   const std::vector<std::size_t>& kinds, const Tile& tile, double far) {
+    const auto copies = copies_of_kinds(tile);
+    const GridOfKinds grid(places, kinds, tile.kinds());
     std::vector<double> nearest(places.size(), far * far);
     for (std::uint32_t i = 0; i < places.size(); ++i) {
-        for_copies(places[i], neighbours, far, [&](glm::dvec2 copy, double) {
+        const auto visit = [&](glm::dvec2 copy, double, std::size_t of) {
             const bool is_itself = copy == places[i];
-            grid.for_each_near(copy, far, [&](std::uint32_t j, double squared) {
+            grid.for_each_near(of, copy, far, [&](std::uint32_t j, double squared) {
                 if (j == i && is_itself) return;
                 const std::uint32_t later = std::max(i, j);
                 nearest[later] = std::min(nearest[later], squared);
             });
-        });
+        };
+        for_copies(places[i], kinds[i], copies[kinds[i]], far, visit);
     }
     return nearest;
+}
+
+std::vector<std::size_t> kinds_of(const Tile& tile) {
+    std::vector<std::size_t> kinds;
+    for (std::size_t i = 0; i < tile.points.size(); ++i) kinds.push_back(tile.kind_of(i));
+    return kinds;
 }
 
 // e^(-2 pi i k v) for k = 0, step, 2 step ... `count` of them.
@@ -48,19 +56,21 @@ std::vector<std::complex<double>> waves(double v, double step, int count) {
     return result;
 }
 
-// F(k) of the unturned tile at the multiples of a step with |kx|, |ky| <= reach steps.
+// F(k) of one kind of the unturned tile at the multiples of a step with |kx|, |ky| <= reach steps.
 class Amplitudes {
  public:
-    Amplitudes(const Tile& tile, double step, int reach) : reach_(reach) {
+    Amplitudes(const Tile& tile, std::size_t kind, double step, int reach) : reach_(reach) {
         const auto width = static_cast<std::size_t>(2 * reach + 1);
         values_.resize(static_cast<std::size_t>(reach + 1) * width);
-        for (const glm::dvec2 p : places_of(tile)) {
+        const std::size_t first = kind * tile.size();
+        for (std::size_t i = first; i < first + tile.size(); ++i) {
+            const glm::dvec2 p = to_unit_square(tile.points[i]);
             const auto x = waves(p.x - 0.5, step, reach + 1), y = waves(p.y - 0.5, step, reach + 1);
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                std::complex<double>* row = &values_[i * width + static_cast<std::size_t>(reach)];
+            for (std::size_t column = 0; column < x.size(); ++column) {
+                std::complex<double>* row = &values_[column * width + static_cast<std::size_t>(reach)];
                 for (int j = 0; j <= reach; ++j) {
-                    const double a = x[i].real() * y[j].real(), b = x[i].imag() * y[j].imag();
-                    const double c = x[i].real() * y[j].imag(), d = x[i].imag() * y[j].real();
+                    const double a = x[column].real() * y[j].real(), b = x[column].imag() * y[j].imag();
+                    const double c = x[column].real() * y[j].imag(), d = x[column].imag() * y[j].real();
                     row[j] += std::complex(a - b, c + d);
                     if (j > 0) row[-j] += std::complex(a + b, d - c);
                 }
@@ -99,41 +109,49 @@ std::array<int, 4> letter_counts(const Tile& tile) {
 
 double relative_radius(const Tile& tile) {
     const double widest = widest_spacing(static_cast<double>(tile.size()));
-    const auto nearest = nearest_before(places_of(tile), legal_neighbours(tile.rule), 1.01 * widest);
+    const auto nearest = nearest_before(places_of(tile), kinds_of(tile), tile, 1.01 * widest);
     return std::sqrt(*std::min_element(nearest.begin(), nearest.end())) / widest;
 }
 
 double worst_relative_radius(const Tile& tile, const Ranking& ranking) {
     struct Born {
         float rank;
+        std::size_t kind;
         glm::dvec2 place;
     };
     std::vector<Born> born;
-    for (const glm::dvec2 p : places_of(tile)) born.push_back({0, p});
+    for (std::size_t i = 0; i < tile.points.size(); ++i)
+        born.push_back({0, tile.kind_of(i), to_unit_square(tile.points[i])});
     const auto newborns = newborns_of(tile);
     for (std::size_t i = 0; i < newborns.size(); ++i)
-        born.push_back({ranking.newborn[i], to_unit_square(newborns[i].position)});
+        born.push_back({ranking.newborn[i], i / (3 * tile.size()), to_unit_square(newborns[i].position)});
     std::stable_sort(born.begin(), born.end(), [](const Born& a, const Born& b) { return a.rank < b.rank; });
     std::vector<glm::dvec2> places;
-    for (const Born& b : born) places.push_back(b.place);
+    std::vector<std::size_t> kinds;
+    for (const Born& b : born) {
+        places.push_back(b.place);
+        kinds.push_back(b.kind);
+    }
 
     const double far = 1.01 * widest_spacing(static_cast<double>(tile.size()));
-    const auto nearest = nearest_before(places, legal_neighbours(tile.rule), far);
+    const auto nearest = nearest_before(places, kinds, tile, far);
     double smallest = far * far, worst = 1;
     for (std::size_t i = 0; i < born.size(); ++i) {
         smallest = std::min(smallest, nearest[i]);
         if (i + 1 < born.size() && born[i + 1].rank == born[i].rank) continue;
-        worst = std::min(worst, std::sqrt(smallest) / widest_spacing(static_cast<double>(i + 1)));
+        worst = std::min(worst, std::sqrt(smallest) / widest_spacing(static_cast<double>(i + 1) /
+                                                                     static_cast<double>(tile.kinds())));
     }
     return worst;
 }
 
 double coherent_share(const Tile& tile) {
     const auto turns = orientations_made(tile.rule);
-    const auto turn_count = static_cast<double>(turns.size());
+    const auto copies = static_cast<double>(turns.size() * tile.kinds());
     const double limit = 4 * static_cast<double>(tile.size());
     const int reach = static_cast<int>(std::sqrt(limit));
-    const Amplitudes amplitudes(tile, 1, reach);
+    std::vector<Amplitudes> kinds;
+    for (std::size_t k = 0; k < tile.kinds(); ++k) kinds.emplace_back(tile, k, 1, reach);
     double together = 0, apart = 0;
     for (int x = -reach; x <= reach; ++x) {
         for (int y = 0; y <= reach; ++y) {
@@ -143,12 +161,14 @@ double coherent_share(const Tile& tile) {
             for (const Orientation g : turns) {
                 // k . g(p) = g^-1(k) . p
                 const glm::dvec2 k = apply(inverse(g), glm::dvec2(x, y));
-                const auto f = amplitudes.at(static_cast<int>(k.x), static_cast<int>(k.y));
-                sum += f;
-                squares += std::norm(f);
+                for (const Amplitudes& amplitudes : kinds) {
+                    const auto f = amplitudes.at(static_cast<int>(k.x), static_cast<int>(k.y));
+                    sum += f;
+                    squares += std::norm(f);
+                }
             }
-            together += std::norm(sum / turn_count);
-            apart += squares / turn_count;
+            together += std::norm(sum / copies);
+            apart += squares / copies;
         }
     }
     return together / apart;
@@ -157,17 +177,19 @@ double coherent_share(const Tile& tile) {
 double low_frequency_power(const Tile& tile) {
     const auto count = static_cast<double>(tile.size());
     const int reach = static_cast<int>(std::sqrt(count));  // in halves
-    const Amplitudes amplitudes(tile, 0.5, reach);
     const auto sinc = [](double t) {
         return t == 0 ? 1.0 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t);
     };
     double sum = 0;
     int frequencies = 0;
-    for (int x = -reach; x <= reach; ++x) {
-        for (int y = -reach; y <= reach; ++y) {
-            if (x * x + y * y == 0 || x * x + y * y > count) continue;
-            sum += std::norm(amplitudes.at(x, y) - count * sinc(0.5 * x) * sinc(0.5 * y)) / count;
-            ++frequencies;
+    for (std::size_t k = 0; k < tile.kinds(); ++k) {
+        const Amplitudes amplitudes(tile, k, 0.5, reach);
+        for (int x = -reach; x <= reach; ++x) {
+            for (int y = -reach; y <= reach; ++y) {
+                if (x * x + y * y == 0 || x * x + y * y > count) continue;
+                sum += std::norm(amplitudes.at(x, y) - count * sinc(0.5 * x) * sinc(0.5 * y)) / count;
+                ++frequencies;
+            }
         }
     }
     return sum / frequencies;
@@ -179,15 +201,16 @@ double lattice_share(const Tile& tile) {
     constexpr int kSide = static_cast<int>(2 * (kLongest + 1) * kSteps) + 1;
     const double spacing = 1 / std::sqrt(static_cast<double>(tile.size()));
     const auto places = places_of(tile);
-    const auto neighbours = legal_neighbours(tile.rule);
-    const Candidates grid(places, 0);
+    const auto kinds = kinds_of(tile);
+    const auto copies = copies_of_kinds(tile);
+    const GridOfKinds grid(places, kinds, tile.kinds());
 
     // hits[v]: the points p with another one about p + v.
     std::vector<double> hits(static_cast<std::size_t>(kSide) * kSide, 0.0);
     const double reach = (kLongest + kTolerance) * spacing;
     for (std::uint32_t i = 0; i < places.size(); ++i) {
-        for_copies(places[i], neighbours, reach, [&](glm::dvec2 copy, double probability) {
-            grid.for_each_near(copy, reach, [&](std::uint32_t j, double) {
+        const auto visit = [&](glm::dvec2 copy, double probability, std::size_t of) {
+            grid.for_each_near(of, copy, reach, [&](std::uint32_t j, double) {
                 const glm::dvec2 shift = (copy - places[j]) / spacing;
                 const int x0 = static_cast<int>(std::ceil((shift.x + kLongest + 1 - kTolerance) * kSteps));
                 const int y0 = static_cast<int>(std::ceil((shift.y + kLongest + 1 - kTolerance) * kSteps));
@@ -200,7 +223,8 @@ double lattice_share(const Tile& tile) {
                     }
                 }
             });
-        });
+        };
+        for_copies(places[i], kinds[i], copies[kinds[i]], reach, visit);
     }
     double most = 0;
     for (int y = 0; y < kSide; ++y) {
@@ -211,7 +235,7 @@ double lattice_share(const Tile& tile) {
             most = std::max(most, hits[static_cast<std::size_t>(y * kSide + x)]);
         }
     }
-    return std::min(1.0, most / static_cast<double>(tile.size()));
+    return std::min(1.0, most / static_cast<double>(tile.points.size()));
 }
 
 }  // namespace dapple

@@ -3,6 +3,7 @@
 //
 // F_g(k) below is the sum over the tile's points p, about its centre and turned by g, of exp(-2 pi i k .
 // g(p)), with the tile's side as the unit; N is the number of points, and r_max = sqrt(1 / (2 sqrt(3) N)).
+// Of a tile of several kinds all of them count alike.
 
 #include <array>
 #include <vector>
@@ -25,8 +26,8 @@ double worst_relative_radius(const Tile& tile, const Ranking& ranking);
 
 /// How much of the spectrum repeats with every tile: the sum of |mean over g of F_g(k)|^2 over the sum of the
 /// mean over g of |F_g(k)|^2, g being the orientations that the rule makes (only the identity for the paper's
-/// tiles, which have 1), k the whole numbers with 0 < |k| <= 2 sqrt(N) and ky >= 0. Evenly mixed orientations
-/// bring it to about 1 over their number.
+/// tiles, which have 1), k the whole numbers with 0 < |k| <= 2 sqrt(N) and ky >= 0; and over all kinds.
+/// Evenly mixed orientations bring it to about 1 over their number.
 double coherent_share(const Tile& tile);
 
 /// Unevenness of the tone: the mean of |F(k) - N sinc(kx) sinc(ky)|^2 / N over the multiples of 1/2 with
@@ -42,5 +43,8 @@ double lattice_share(const Tile& tile);
 /// all vectors whose larger coordinate is d tiles, in an endless subdivision. 1 for the identity rule; 1/8
 /// would be chance.
 std::vector<double> orientation_coincidence(const Rule& rule, int lags = 64);
+
+/// The same for tiles of one kind, of several, whatever their orientations; 1 / kinds would be chance.
+std::vector<double> kind_coincidence(const NextKinds& next_kind, int lags = 32);
 
 }  // namespace dapple

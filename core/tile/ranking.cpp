@@ -1,7 +1,10 @@
 #include "core/tile/ranking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "core/tile/candidates.h"
 
@@ -96,46 +99,65 @@ std::vector<int> farthest_order(const std::vector<glm::dvec2>& placed, std::vect
 }
 
 // Void and cluster (Ulichney 1993) on a given set of candidates: the Gaussian narrows as the points get
-// denser.
+// denser. All kinds go on together, point by point; `placed` and `positions` are theirs, kind after kind,
+// and equally many of each.
 // Candidates of a lower stage come first, if stages are given.
-std::vector<int> energy_order(std::vector<glm::dvec2> placed, std::vector<glm::dvec2> positions,
-                              const std::vector<Neighbour>& neighbours, std::span<const int> stage = {}) {
+std::vector<int> energy_order(const std::vector<glm::dvec2>& placed, const std::vector<glm::dvec2>& positions,
+                              const std::vector<std::vector<Neighbour>>& copies,
+                              std::span<const int> stage = {}) {
     // A small tile's copies are alike, and a wide Gaussian keeps their rows even; a large one does better
     // with closer looks, and is spared some of the work.
     constexpr double kStageCost = 1e4;  // far above any energy
-    const bool small = placed.size() + positions.size() < 500;
+    const std::size_t kinds = copies.size(), size = positions.size() / kinds;
+    const bool small = (placed.size() + positions.size()) / kinds < 500;
     const double width = small ? 0.62 : 0.5;   // of the mean spacing at the count
     const double growth = small ? 1.0 : 1.05;  // of the count between two narrowings
     const double reach_in_widths = small ? 7 : 4.3;
-    Candidates candidates(std::move(positions), 0);
-    std::vector<int> rank(candidates.size());
+    std::vector<std::vector<glm::dvec2>> there(kinds);
+    std::vector<Candidates> candidates;
+    for (std::size_t k = 0; k < kinds; ++k) {
+        const auto share = [&](const std::vector<glm::dvec2>& all) {
+            const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * all.size() / kinds);
+            return std::vector<glm::dvec2>(first, first + static_cast<std::ptrdiff_t>(all.size() / kinds));
+        };
+        there[k] = share(placed);
+        candidates.emplace_back(share(positions), 0);
+    }
+    std::vector<int> rank(positions.size());
 
     double falloff = 0, reach = 0, narrowed_at = 0;
-    const auto spread = [&](glm::dvec2 p, auto add) {
-        for_copies(p, neighbours, reach, [&](glm::dvec2 copy, double probability) {
-            candidates.for_each_near(copy, reach, [&](std::uint32_t i, double squared) {
-                add(i, probability * std::exp(-falloff * squared));
+    const auto spread = [&](glm::dvec2 p, std::size_t kind, auto add) {
+        for_copies(p, kind, copies[kind], reach, [&](glm::dvec2 copy, double probability, std::size_t of) {
+            candidates[of].for_each_near(copy, reach, [&](std::uint32_t i, double squared) {
+                add(of, i, probability * std::exp(-falloff * squared));
             });
         });
     };
-    for (std::size_t k = 0; k < rank.size(); ++k) {
-        const auto count = static_cast<double>(placed.size() + 1);
-        if (count >= growth * narrowed_at) {
-            narrowed_at = count;
-            falloff = count / (2 * width * width);
-            reach = reach_in_widths * width / std::sqrt(count);
-            std::vector<double> costs(candidates.size(), 0.0);
-            for (std::size_t i = 0; i < stage.size(); ++i) costs[i] = kStageCost * stage[i];
-            for (const glm::dvec2 p : placed)
-                spread(p, [&](std::uint32_t i, double energy) { costs[i] += energy; });
-            candidates.set_costs(std::move(costs));
+    const auto narrow = [&](double count) {
+        narrowed_at = count;
+        falloff = count / (2 * width * width);
+        reach = reach_in_widths * width / std::sqrt(count);
+        std::vector<std::vector<double>> costs(kinds, std::vector<double>(size, 0.0));
+        for (std::size_t i = 0; i < stage.size(); ++i) costs[i / size][i % size] = kStageCost * stage[i];
+        for (std::size_t k = 0; k < kinds; ++k) {
+            for (const glm::dvec2 p : there[k]) {
+                spread(p, k, [&](std::size_t of, std::uint32_t i, double energy) { costs[of][i] += energy; });
+            }
         }
-        const std::uint32_t next = candidates.cheapest();
-        rank[next] = static_cast<int>(k);
-        candidates.remove(next);
-        placed.push_back(candidates.position(next));
-        spread(placed.back(),
-               [&](std::uint32_t i, double energy) { candidates.set_cost(i, candidates.cost(i) + energy); });
+        for (std::size_t k = 0; k < kinds; ++k) candidates[k].set_costs(std::move(costs[k]));
+    };
+    for (std::size_t r = 0; r < size; ++r) {
+        const auto count = static_cast<double>(there[0].size() + 1);
+        if (count >= growth * narrowed_at) narrow(count);
+        for (std::size_t k = 0; k < kinds; ++k) {
+            const std::uint32_t next = candidates[k].cheapest();
+            rank[k * size + next] = static_cast<int>(r);
+            candidates[k].remove(next);
+            there[k].push_back(candidates[k].position(next));
+            spread(there[k].back(), k, [&](std::size_t of, std::uint32_t i, double energy) {
+                candidates[of].set_cost(i, candidates[of].cost(i) + energy);
+            });
+        }
     }
     return rank;
 }
@@ -143,6 +165,12 @@ std::vector<int> energy_order(std::vector<glm::dvec2> placed, std::vector<glm::d
 std::vector<glm::dvec2> positions_of(const Tile& tile) {
     std::vector<glm::dvec2> positions;
     for (const BinaryPoint p : tile.points) positions.push_back(to_unit_square(p));
+    return positions;
+}
+
+std::vector<glm::dvec2> positions_of_newborns(const Tile& tile) {
+    std::vector<glm::dvec2> positions;
+    for (const Newborn& n : newborns_of(tile)) positions.push_back(to_unit_square(n.position));
     return positions;
 }
 
@@ -155,14 +183,59 @@ std::vector<float> half_way(const std::vector<int>& ranks, float first) {
 }  // namespace
 
 std::vector<int> farthest_point_ranks(const Tile& tile) {
+    if (tile.kinds() > 1)
+        throw std::runtime_error("a tile of several kinds is ranked by energy only; choose that ranking");
     return farthest_order({}, positions_of(tile), legal_neighbours(tile.rule));
 }
 
 std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int> stage) {
-    std::vector<glm::dvec2> born;
-    for (const Newborn& n : newborns_of(tile)) born.push_back(to_unit_square(n.position));
-    return half_way(energy_order(positions_of(tile), std::move(born), legal_neighbours(tile.rule), stage),
-                    static_cast<float>(tile.size()));
+    return half_way(
+        energy_order(positions_of(tile), positions_of_newborns(tile), copies_of_kinds(tile), stage),
+        static_cast<float>(tile.size()));
+}
+
+std::size_t born_until(std::size_t tile_size, int stage) {
+    const auto n = static_cast<double>(tile_size);
+    const double there = n * std::pow(4.0, static_cast<double>(stage + 1) / kRankStages);
+    return static_cast<std::size_t>(std::llround(there - n));
+}
+
+std::vector<int> stages_of_ranks(std::size_t tile_size, std::span<const float> newborn_ranks) {
+    std::vector<int> stages;
+    stages.reserve(newborn_ranks.size());
+    for (const float rank : newborn_ranks) {
+        int stage = 0;
+        while (rank - static_cast<float>(tile_size) > static_cast<float>(born_until(tile_size, stage)))
+            ++stage;
+        stages.push_back(stage);
+    }
+    return stages;
+}
+
+std::vector<float> ranks_of_stages(std::size_t tile_size, std::span<const int> stages) {
+    // Points lie in the order of their squares' digits; read backwards, these tell far from near.
+    const auto scattered = [](std::size_t i, std::size_t count) {
+        constexpr int kDigits = 16;
+        std::uint64_t digits = (std::uint64_t{i} << (2 * kDigits)) / count, backwards = 0;
+        for (int d = 0; d < kDigits; ++d, digits >>= 2) backwards = backwards << 2 | (digits & 3);
+        return backwards;
+    };
+    std::vector<float> ranks(stages.size());
+    const std::size_t newborns = 3 * tile_size;
+    for (std::size_t first = 0; first < stages.size(); first += newborns) {
+        std::array<std::vector<std::size_t>, kRankStages> members;
+        for (std::size_t i = first; i < first + newborns; ++i)
+            members[static_cast<std::size_t>(stages[i])].push_back(i);
+        std::size_t rank = tile_size;
+        for (const std::vector<std::size_t>& stage : members) {
+            std::vector<std::pair<std::uint64_t, std::size_t>> order;
+            for (std::size_t i = 0; i < stage.size(); ++i)
+                order.emplace_back(scattered(i, stage.size()), stage[i]);
+            std::ranges::sort(order);
+            for (const auto& [key, i] : order) ranks[i] = static_cast<float>(rank++) + 0.5f;
+        }
+    }
+    return ranks;
 }
 
 std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks) {
@@ -173,21 +246,21 @@ std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> 
 }
 
 Ranking rank(const Tile& tile, RankingMethod method) {
-    const auto neighbours = legal_neighbours(tile.rule);
-    const auto own = positions_of(tile);
-    const auto newborns = newborns_of(tile);
-    std::vector<glm::dvec2> born;
-    for (const Newborn& n : newborns) born.push_back(to_unit_square(n.position));
+    const auto own = positions_of(tile), born = positions_of_newborns(tile);
     const float count = static_cast<float>(tile.size());
-
     if (method == RankingMethod::energy) {
-        return {half_way(energy_order({}, own, neighbours), 0),
-                half_way(energy_order(own, born, neighbours), count)};
+        const auto copies = copies_of_kinds(tile);
+        const std::vector<float> newborn = half_way(energy_order(own, born, copies), count);
+        if (tile.kinds() == 1) return {half_way(energy_order({}, own, copies), 0), newborn};
+        // The root lies beside nothing but itself, where a drawing repeats.
+        const std::vector<glm::dvec2> root(own.begin(),
+                                           own.begin() + static_cast<std::ptrdiff_t>(tile.size()));
+        return {half_way(energy_order({}, root, {legal_neighbours(Rule{})}), 0),
+                ranks_of_stages(tile.size(), stages_of_ranks(tile.size(), newborn))};
     }
-    const std::vector<int> ranks = farthest_order({}, own, neighbours);
-    Ranking ranking{half_way(ranks, 0), {}};
+    Ranking ranking{half_way(farthest_point_ranks(tile), 0), {}};
     if (method == RankingMethod::farthest) {
-        ranking.newborn = half_way(farthest_order(own, born, neighbours), count);
+        ranking.newborn = half_way(farthest_order(own, born, legal_neighbours(tile.rule)), count);
     } else {
         ranking.newborn = paper_newborn_ranks(tile, ranking.tile);
     }

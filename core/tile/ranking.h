@@ -26,12 +26,14 @@ constexpr auto names_of(RankingMethod) {
 }
 
 struct Ranking {
-    std::vector<float> tile;     // N ranks of the tile's points
-    std::vector<float> newborn;  // 3 N ranks, in the order of newborns_of()
+    std::vector<float> tile;     // N ranks of the tile's points; of several kinds those of kind 0, the root's
+    std::vector<float> newborn;  // 3 N ranks of each kind, in the order of newborns_of()
 };
 
-/// Ranks a tile. Where a neighbour may be oriented in several ways, distances (squared) to the nearest of its
-/// points and energies are means over them, as often as they occur.
+/// Ranks a tile. Where a neighbour may be oriented in several ways or of several kinds, distances (squared)
+/// to the nearest of its points and energies are means over them, as often as they occur. All kinds are
+/// ranked together, as many points of each at any density, and their ranks are those of ranks_of_stages();
+/// that has only the energy, and std::runtime_error is thrown by the other methods.
 Ranking rank(const Tile& tile, RankingMethod method);
 
 /// The paper's newborn ranks from the ranks of a tile's own points: a child of density 1..4 parents shows
@@ -39,11 +41,25 @@ Ranking rank(const Tile& tile, RankingMethod method);
 std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks);
 
 /// Greedy farthest-point order (section 6; Eldar et al. 1997): the ranks 0..N-1 of the tile's points, the
-/// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A.
+/// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A. Of
+/// one kind only, as above.
 std::vector<int> farthest_point_ranks(const Tile& tile);
 
 /// The ranks of the newborn points in an order that takes them stage by stage, a whole number for each in
 /// the order of newborns_of(), and within a stage lowest energy first.
 std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int> stage);
+
+/// Many points need few bits each: the newborn points of several kinds are ranked by stages, at the ends of
+/// which a tile has N 4^(1/16), N 4^(2/16), ... 4 N points. Within a stage they come scattered over the tile.
+inline constexpr int kRankStages = 16;
+
+/// The stages 0 .. kRankStages - 1 of newborn points that have these ranks.
+std::vector<int> stages_of_ranks(std::size_t tile_size, std::span<const float> newborn_ranks);
+
+/// How many newborn points of a kind are born before the end of a stage.
+std::size_t born_until(std::size_t tile_size, int stage);
+
+/// The ranks that go with stages. Of each kind there must be as many points in a stage as born_until() says.
+std::vector<float> ranks_of_stages(std::size_t tile_size, std::span<const int> stages);
 
 }  // namespace dapple

@@ -25,10 +25,10 @@ struct Partner {
 class Stages {
  public:
     Stages(const Tile& tile, const Ranking& ranking, const RankingSearchSettings& settings)
-        : stages_(settings.stages), newborn_(3 * tile.size()) {
+        : stages_(tile.kinds() > 1 ? kRankStages : settings.stages), newborn_(3 * tile.points.size()) {
         const auto count = static_cast<double>(tile.size());
         const auto size_at = [&](int s) { return count * std::pow(4.0, static_cast<double>(s) / stages_); };
-        stage_.assign(newborn_ + tile.size(), 0);
+        stage_.assign(newborn_ + tile.points.size(), 0);
         for (std::size_t i = 0; i < newborn_; ++i) {
             while (stage_[i]<stages_&& static_cast<double>(ranking.newborn[i])> size_at(stage_[i]))
                 ++stage_[i];
@@ -50,19 +50,22 @@ class Stages {
         std::vector<glm::dvec2> places;
         for (const Newborn& n : newborns_of(tile)) places.push_back(to_unit_square(n.position));
         for (const BinaryPoint p : tile.points) places.push_back(to_unit_square(p));
-        const Candidates grid(places, 0);
-        const auto neighbours = legal_neighbours(tile.rule);
+        for (std::size_t i = 0; i < newborn_; ++i) kind_.push_back(i / (3 * tile.size()));
+        for (std::size_t i = 0; i < tile.points.size(); ++i) kind_.push_back(tile.kind_of(i));
+        const GridOfKinds grid(places, kind_, tile.kinds());
+        const auto copies = copies_of_kinds(tile);
         std::vector<std::vector<Partner>> partners(newborn_);
         for (std::uint32_t j = 0; j < places.size(); ++j) {
-            for_copies(places[j], neighbours, std::sqrt(reach2), [&](glm::dvec2 copy, double probability) {
+            const auto visit = [&](glm::dvec2 copy, double probability, std::size_t of) {
                 const bool is_itself = copy == places[j];
-                grid.for_each_near(copy, std::sqrt(reach2), [&](std::uint32_t i, double squared) {
+                grid.for_each_near(of, copy, std::sqrt(reach2), [&](std::uint32_t i, double squared) {
                     if (i >= newborn_ || (i == j && is_itself)) return;
                     const auto bin = static_cast<std::uint16_t>(std::min(squared / reach2, 0.9999) * kBins);
                     partners[i].push_back(
                         {j, bin, static_cast<float>(i == j ? probability / 2 : probability)});
                 });
-            });
+            };
+            for_copies(places[j], kind_[j], copies[kind_[j]], std::sqrt(reach2), visit);
         }
         for (const auto& list : partners) {
             first_.push_back(static_cast<std::uint32_t>(partners_.size()));
@@ -78,7 +81,7 @@ class Stages {
     bool step(Random& random, double temperature) {
         const std::uint32_t a = random.below(newborn_);
         const std::uint32_t b = partners_[first_[a] + random.below(first_[a + 1] - first_[a])].point;
-        if (b >= newborn_ || stage_[a] == stage_[b]) return false;
+        if (b >= newborn_ || stage_[a] == stage_[b] || kind_[a] != kind_[b]) return false;
         const int of_a = stage_[a], of_b = stage_[b];
         double change = restage(a, of_b);
         change += restage(b, of_a);
@@ -121,6 +124,7 @@ class Stages {
 
     int stages_;
     std::size_t newborn_;
+    std::vector<std::size_t> kind_;
     std::vector<int> stage_;    // newborn points: 1..stages; the tile's own: 0
     std::vector<float> table_;  // energy of a pair by the stage of its later point, then by distance
     std::vector<Partner> partners_;
@@ -145,7 +149,9 @@ Ranking search_ranking(const Tile& tile, const RankingSearchSettings& settings) 
         stages.step(random, temperature);
     }
     std::vector<int> stage;
-    for (std::size_t i = 0; i < stages.newborns(); ++i) stage.push_back(stages.stage(i));
+    const int first = tile.kinds() > 1 ? 1 : 0;
+    for (std::size_t i = 0; i < stages.newborns(); ++i) stage.push_back(stages.stage(i) - first);
+    if (tile.kinds() > 1) return {start.tile, ranks_of_stages(tile.size(), stage)};
     return {start.tile, rank_newborns_in_stages(tile, stage)};
 }
 

@@ -17,7 +17,7 @@
 namespace dapple {
 
 struct RankingSearchSettings {
-    int stages = 12;                  // 2..100
+    int stages = 12;                  // 2..100; of several kinds there are kRankStages
     std::uint64_t exchanges = 0;      // tried; 0: a thousand a newborn point
     std::uint64_t seed = 1;           // same settings, same ranking
     double start_temperature = 0.05;  // in the unit of the energy of one pair

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -81,6 +82,46 @@ Key key_of(BinaryPoint p) {
     return {p.x >> (64 - kComparedBits), p.y >> (64 - kComparedBits)};
 }
 
+void check_size(std::size_t points) {
+    if (points == 0 || points % 4 != 0 || points > kMaxTilePoints) {
+        throw std::runtime_error(fmt::format(
+            "a tile of {} points cannot be made; use a multiple of 4 up to {}", points, kMaxTilePoints));
+    }
+}
+
+// The points of each kind by their letters and those of the points that follow.
+std::vector<std::uint32_t> order_of_letters(std::span<const char> letters,
+                                            std::span<const std::uint32_t> successor, std::size_t size) {
+    std::vector<std::array<std::uint64_t, 2>> keys;
+    for (std::uint32_t i = 0; i < letters.size(); ++i) {
+        std::array<std::uint64_t, 2> key{};
+        std::uint32_t point = i;
+        for (std::size_t k = 0; k < 64; ++k, point = successor[point])
+            key[k / 32] = key[k / 32] << 2 | static_cast<std::uint64_t>(letters[point] - '0');
+        keys.push_back(key);
+    }
+    std::vector<std::uint32_t> order(letters.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(i / size, keys[i]); });
+    return order;
+}
+
+// Finds the points of a tile that has everything else.
+void locate_all(Tile& tile, std::string_view letters) {
+    const std::size_t size = letters.size() / tile.kinds();
+    std::set<Key> seen;
+    for (std::uint32_t i = 0; i < letters.size(); ++i) {
+        if (i % size == 0) seen.clear();
+        tile.points.push_back(locate(tile, letters, i));
+        if (seen.insert(key_of(tile.points.back())).second) continue;
+        throw std::runtime_error(
+            fmt::format("two points of the tile coincide; {} ({} points)",
+                        tile.words.empty() ? "no two of a kind may be followed by the same letters on and on"
+                                           : "a word must not repeat itself or be given twice",
+                        size));
+    }
+}
+
 }  // namespace
 
 Tile make_tile(const Rule& rule, std::vector<std::string> words) {
@@ -94,10 +135,7 @@ Tile make_tile(const Rule& rule, std::vector<std::string> words) {
         tile.successor.push_back(parsed.end.value_or(first));
     }
     const std::size_t count = letters.size();
-    if (count == 0 || count % 4 != 0 || count > kMaxTilePoints) {
-        throw std::runtime_error(fmt::format(
-            "a tile of {} points cannot be made; use a multiple of 4 up to {}", count, kMaxTilePoints));
-    }
+    check_size(count);
     for (const std::uint32_t next : tile.successor) {
         if (next >= count) {
             throw std::runtime_error(fmt::format(
@@ -105,16 +143,45 @@ Tile make_tile(const Rule& rule, std::vector<std::string> words) {
         }
     }
 
-    std::set<Key> seen;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        tile.points.push_back(locate(tile, letters, i));
-        if (!seen.insert(key_of(tile.points.back())).second) {
-            throw std::runtime_error(
-                fmt::format("two points of the tile coincide; a word must not repeat itself or be given "
-                            "twice ({} points)",
-                            count));
+    locate_all(tile, letters);
+    return tile;
+}
+
+Tile make_tile(const Rule& rule, NextKinds next_kind, std::span<const char> letters,
+               std::vector<std::uint32_t> successor) {
+    const std::size_t kinds = next_kind.size(), count = letters.size();
+    if (kinds == 0 || kinds > kMaxKinds) {
+        throw std::runtime_error(
+            fmt::format("a tile of {} kinds cannot be made; use up to {}", kinds, kMaxKinds));
+    }
+    if (count % kinds != 0 || successor.size() != count)
+        throw std::runtime_error(fmt::format("{} points cannot be shared out to {} kinds", count, kinds));
+    check_size(count / kinds);
+    for (const auto& children : next_kind) {
+        for (const std::size_t child : children) {
+            if (child >= kinds)
+                throw std::runtime_error(
+                    fmt::format("a child is of kind {}, but the kinds end at {}", child, kinds - 1));
         }
     }
+    const std::size_t size = count / kinds;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t child = next_kind[i / size][static_cast<std::size_t>(letters[i] - '0')];
+        if (successor[i] / size != child)
+            throw std::runtime_error(fmt::format("the successor of point {} is not of kind {}", i, child));
+    }
+    if (kinds == 1) return make_tile(rule, words_along(letters, successor));
+
+    const std::vector<std::uint32_t> order = order_of_letters(letters, successor, size);
+    std::vector<std::uint32_t> number(count);
+    for (std::uint32_t i = 0; i < count; ++i) number[order[i]] = i;
+    Tile tile{rule, {}, {}, {}, std::move(next_kind)};
+    std::string sorted;
+    for (const std::uint32_t i : order) {
+        sorted += letters[i];
+        tile.successor.push_back(number[successor[i]]);
+    }
+    locate_all(tile, sorted);
     return tile;
 }
 
@@ -229,16 +296,22 @@ Tile parse_tile_integers(std::string_view text) {
 
 std::vector<Newborn> newborns_of(const Tile& tile) {
     // The child in quadrant q repeats those of its points that succeed a point in quadrant q.
-    std::vector<std::array<bool, 4>> inherited(tile.size(), std::array<bool, 4>{});
-    for (std::size_t i = 0; i < tile.size(); ++i)
-        inherited[tile.successor[i]][quadrant_of(tile.points[i])] = true;
-
+    const std::size_t size = tile.size();
     std::vector<Newborn> newborns;
-    newborns.reserve(3 * tile.size());
-    for (int q = 0; q < 4; ++q) {
-        for (std::uint32_t i = 0; i < tile.size(); ++i) {
-            if (inherited[i][q]) continue;
-            newborns.push_back({q, i, shrink_to_quadrant(q, apply(tile.rule.child[q], tile.points[i]))});
+    newborns.reserve(3 * tile.points.size());
+    for (std::size_t k = 0; k < tile.kinds(); ++k) {
+        std::array<std::vector<bool>, 4> inherited;
+        inherited.fill(std::vector<bool>(size));
+        for (std::size_t i = k * size; i < (k + 1) * size; ++i)
+            inherited[static_cast<std::size_t>(quadrant_of(tile.points[i]))][tile.successor[i] % size] = true;
+        for (int q = 0; q < 4; ++q) {
+            const Orientation turn = tile.rule.child[static_cast<std::size_t>(q)];
+            const std::size_t first = tile.next_kind[k][static_cast<std::size_t>(q)] * size;
+            for (std::size_t i = 0; i < size; ++i) {
+                if (inherited[static_cast<std::size_t>(q)][i]) continue;
+                const auto point = static_cast<std::uint32_t>(first + i);
+                newborns.push_back({q, point, shrink_to_quadrant(q, apply(turn, tile.points[point]))});
+            }
         }
     }
     return newborns;

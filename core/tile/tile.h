@@ -21,6 +21,12 @@
 // (a, b) / (2^N - 1), letter = bit of a + 2 * bit of b, most significant first. Tails are ours: they leave
 // the children free to share points or not, so that each quadrant chooses the best of the tile's points for
 // itself.
+//
+// A tile may be of several kinds, sets of N points each, none of which contains smaller copies of itself
+// alone: the child in quadrant q of kind k is of the kind s(k, q), and the successor of a point of kind k in
+// quadrant q is a point of that one. All kinds have one rule; the root of a subdivision is of kind 0. Several
+// compatible tiles are the paper's own way out of periodicity (section 7). They have no words: successors are
+// said point by point.
 
 #include <array>
 #include <cstdint>
@@ -40,20 +46,37 @@ struct Rule {
 };
 
 inline constexpr std::size_t kMaxTilePoints = 4096;
+inline constexpr std::size_t kMaxKinds = 64;
+
+/// For each kind the kinds of its children, by quadrant.
+using NextKinds = std::vector<std::array<std::uint16_t, 4>>;
 
 struct Tile {
     Rule rule;
-    std::vector<std::string> words;        // cycles and tails, together N letters
-    std::vector<BinaryPoint> points;       // N, word after word, in the order of the letters
-    std::vector<std::uint32_t> successor;  // N: the point that point i is the half-size image of
+    std::vector<std::string> words;        // of one kind: cycles and tails, together N letters
+    std::vector<BinaryPoint> points;       // N of each kind, kind after kind; word after word
+    std::vector<std::uint32_t> successor;  // the point that point i is the half-size image of
+    NextKinds next_kind = NextKinds(1);
 
-    std::size_t size() const { return points.size(); }
+    std::size_t kinds() const { return next_kind.size(); }
+    /// N, the points of one kind.
+    std::size_t size() const { return points.size() / kinds(); }
+    /// Of a point, or a newborn one: of both each kind has equally many, kind after kind.
+    std::size_t kind_of(std::size_t point) const { return point / size(); }
 };
 
 /// The tile of a rule and words. Throws std::runtime_error if a letter is not 0..3, a word is empty, a tail
 /// leads to no point, N is not a multiple of 4 or over kMaxTilePoints, or two points coincide (a cycle that
 /// is a repetition of a shorter one, say).
 Tile make_tile(const Rule& rule, std::vector<std::string> words);
+
+/// The tile of several kinds whose points, kind after kind, have these letters '0'..'3' and successors. Its
+/// points come sorted: those of a kind by their letters, then by their successors. One kind alone gets words,
+/// and its points come in their order. Throws std::runtime_error if there are not equally many points of each
+/// kind, N is not as above, there are over kMaxKinds kinds, a kind does not exist, a successor is not of the
+/// kind that it has to be, or two points of a kind coincide.
+Tile make_tile(const Rule& rule, NextKinds next_kind, std::span<const char> letters,
+               std::vector<std::uint32_t> successor);
 
 /// How many letters a word has, the number at the end of a tail not counted. Throws as make_tile() does if it
 /// is no word.
@@ -78,12 +101,12 @@ Tile parse_tile_integers(std::string_view text);
 /// A child's point that its parent does not have.
 struct Newborn {
     int quadrant = 0;         // the child's, in the parent's frame
-    std::uint32_t point = 0;  // the point's index in the child's own tile
+    std::uint32_t point = 0;  // the index of the child's point
     BinaryPoint position;     // in the parent's frame
 };
 
-/// The 3 N points that the four children of a tile add to it, by quadrant, then by point. The other N points
-/// of the children coincide with the tile's own.
+/// The 3 N points that the four children of a tile add to it, by quadrant, then by point; of several kinds
+/// kind after kind. The other N points of the children coincide with the tile's own.
 std::vector<Newborn> newborns_of(const Tile& tile);
 
 }  // namespace dapple

@@ -1,18 +1,20 @@
 #include "core/tile/tile_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
 
+#include "core/text/base64.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {
 
 constexpr std::string_view kFirstWords = "dapple tile ";
-constexpr std::string_view kVersion = "1";
+constexpr std::string_view kVersion = "1", kVersionOfKinds = "2";
 constexpr std::string_view kOwn = "own";
 constexpr std::size_t kLineWidth = 100;
 
@@ -31,14 +33,16 @@ void expect(const TextLines& lines, std::string_view line, std::string_view expe
     if (line != expected) lines.fail(fmt::format("'{}' is expected", expected));
 }
 
-void read_version(TextLines& lines) {
+std::string_view read_version(TextLines& lines) {
     const std::string_view line = lines.next();
     if (!line.starts_with(kFirstWords))
         lines.fail(fmt::format("it does not start with '{}{}'", kFirstWords, kVersion));
-    if (line.substr(kFirstWords.size()) != kVersion) {
-        lines.fail(fmt::format("the version '{}' is not known here, only {}", line.substr(kFirstWords.size()),
-                               kVersion));
+    const std::string_view version = line.substr(kFirstWords.size());
+    if (version != kVersion && version != kVersionOfKinds) {
+        lines.fail(fmt::format("the version '{}' is not known here, only {} and {}", version, kVersion,
+                               kVersionOfKinds));
     }
+    return version;
 }
 
 Rule read_rule(TextLines& lines) {
@@ -108,6 +112,114 @@ std::vector<float> read_ranks(TextLines& lines, std::size_t count, float first) 
     return ranks;
 }
 
+// Numbers of so many bits each, one after the other.
+std::string packed(std::span<const int> numbers, int bits) {
+    std::string bytes((numbers.size() * static_cast<std::size_t>(bits) + 7) / 8, '\0');
+    std::size_t at = 0;
+    for (const int number : numbers) {
+        for (int bit = bits - 1; bit >= 0; --bit, ++at) {
+            if (number >> bit & 1)
+                bytes[at / 8] = static_cast<char>(static_cast<unsigned char>(bytes[at / 8]) | 0x80 >> at % 8);
+        }
+    }
+    return base64_of(bytes);
+}
+
+std::vector<int> read_packed(TextLines& lines, std::size_t count, int bits) {
+    const std::string_view line = lines.next_content();
+    const std::string bytes = [&] {
+        try {
+            return bytes_of_base64(line);
+        } catch (const std::runtime_error&) {
+            lines.fail("base64 is expected, and this is none");
+        }
+    }();
+    const std::size_t expected = (count * static_cast<std::size_t>(bits) + 7) / 8;
+    if (bytes.size() != expected) {
+        lines.fail(fmt::format("there are {} bytes, but {} numbers of {} bits have {}", bytes.size(), count,
+                               bits, expected));
+    }
+    std::vector<int> numbers(count, 0);
+    for (std::size_t at = 0; at < count * static_cast<std::size_t>(bits); ++at) {
+        int& number = numbers[at / static_cast<std::size_t>(bits)];
+        number = number << 1 | (static_cast<unsigned char>(bytes[at / 8]) >> (7 - at % 8) & 1);
+    }
+    return numbers;
+}
+
+NextKinds read_children(TextLines& lines, int kinds) {
+    NextKinds next;
+    while (next.size() < static_cast<std::size_t>(kinds)) {
+        const auto words = split(lines.next_content());
+        if (words.size() != 4) lines.fail("four kinds are expected, one for each quadrant");
+        auto& children = next.emplace_back();
+        for (std::size_t q = 0; q < 4; ++q) {
+            const int kind = lines.whole_number(words[q], "a kind", 0, kinds - 1);
+            children[q] = static_cast<std::uint16_t>(kind);
+        }
+    }
+    return next;
+}
+
+// The tile of several kinds whose children are read.
+Tile read_successors(TextLines& lines, const Rule& rule, const NextKinds& next, std::size_t points) {
+    std::string letters;
+    std::vector<std::uint32_t> successor;
+    for (std::size_t k = 0; k < next.size(); ++k) {
+        for (std::size_t q = 0; q < 4; ++q) {
+            const std::vector<int> chosen = read_packed(lines, points, 1);
+            for (std::size_t i = 0; i < points; ++i) {
+                if (chosen[i] == 0) continue;
+                letters += static_cast<char>('0' + q);
+                successor.push_back(static_cast<std::uint32_t>(next[k][q] * points + i));
+            }
+        }
+        if (letters.size() != (k + 1) * points) {
+            lines.fail(fmt::format("kind {} has {} points, but there are {} of each", k,
+                                   letters.size() - std::min(letters.size(), k * points), points));
+        }
+    }
+    return on_line(lines, [&] { return make_tile(rule, next, letters, std::move(successor)); });
+}
+
+constexpr int kRankBits = 12, kStageBits = 4;
+static_assert(1 << kRankBits == kMaxTilePoints && 1 << kStageBits == kRankStages);
+
+std::vector<float> read_root_ranks(TextLines& lines, std::size_t points) {
+    std::vector<float> ranks;
+    std::vector<bool> taken(points);
+    for (const int number : read_packed(lines, points, kRankBits)) {
+        const auto rank = static_cast<std::size_t>(number);
+        if (rank >= points) lines.fail(fmt::format("the rank {} is not below {}", rank, points));
+        if (taken[rank]) lines.fail(fmt::format("the rank {} comes twice", rank));
+        taken[rank] = true;
+        ranks.push_back(static_cast<float>(rank) + 0.5f);
+    }
+    return ranks;
+}
+
+std::vector<float> read_stages(TextLines& lines, std::size_t points, std::size_t kinds) {
+    std::vector<int> stages;
+    for (std::size_t k = 0; k < kinds; ++k) {
+        const std::vector<int> of_kind = read_packed(lines, 3 * points, kStageBits);
+        std::size_t born = 0;
+        for (int stage = 0; stage < kRankStages; ++stage) {
+            born += static_cast<std::size_t>(std::ranges::count(of_kind, stage));
+            if (born == born_until(points, stage)) continue;
+            lines.fail(fmt::format("by the end of stage {} there are {} newborn points, not {}", stage, born,
+                                   born_until(points, stage)));
+        }
+        stages.insert(stages.end(), of_kind.begin(), of_kind.end());
+    }
+    return ranks_of_stages(points, stages);
+}
+
+std::string rule_line(const Rule& rule) {
+    std::string text = "rule";
+    for (const Orientation g : rule.child) text += fmt::format(" {}", g.index);
+    return text;
+}
+
 void append_ranks(std::string& text, std::span<const float> ranks, float first) {
     std::size_t width = 0;
     for (const float half : ranks) {
@@ -118,6 +230,56 @@ void append_ranks(std::string& text, std::span<const float> ranks, float first) 
         text += rank;
     }
     text += '\n';
+}
+
+std::string text_of_kinds(const StoredTile& stored) {
+    const Tile& tile = stored.tile;
+    std::string text = fmt::format("kinds {}\npoints {}\nchildren\n", tile.kinds(), tile.size());
+    for (const auto& children : tile.next_kind) text += fmt::format("{}\n", fmt::join(children, " "));
+    text += "successors\n";
+    std::vector<std::vector<int>> chosen(4 * tile.kinds(), std::vector<int>(tile.size(), 0));
+    for (std::size_t i = 0; i < tile.points.size(); ++i) {
+        const auto q = static_cast<std::size_t>(quadrant_of(tile.points[i]));
+        chosen[4 * tile.kind_of(i) + q][tile.successor[i] % tile.size()] = 1;
+    }
+    for (const std::vector<int>& bits : chosen) text += packed(bits, 1) + '\n';
+    text += fmt::format("ranking {}\nranks\n", name_of(stored.method));
+    const std::vector<int> ranks(stored.ranking.tile.begin(), stored.ranking.tile.end());
+    text += packed(ranks, kRankBits) + "\nnewborn stages\n";
+    const std::vector<int> stages = stages_of_ranks(tile.size(), stored.ranking.newborn);
+    for (std::size_t k = 0; k < tile.kinds(); ++k) {
+        const std::size_t newborns = 3 * tile.size();
+        text += packed(std::span(stages).subspan(k * newborns, newborns), kStageBits) + '\n';
+    }
+    return text + "end\n";
+}
+
+void read_end(TextLines& lines) {
+    expect(lines, lines.next_content(), "end");
+    if (lines.at_end()) return;
+    lines.next_content();
+    lines.fail("there is more after 'end'");
+}
+
+StoredTile read_kinds(TextLines& lines) {
+    const Rule rule = read_rule(lines);
+    const int kinds = lines.whole_number(lines.value_of(lines.next_content(), "kinds"), "'kinds'", 2,
+                                         static_cast<int>(kMaxKinds));
+    const auto points = static_cast<std::size_t>(lines.whole_number(
+        lines.value_of(lines.next_content(), "points"), "'points'", 4, static_cast<int>(kMaxTilePoints)));
+    expect(lines, lines.next_content(), "children");
+    const NextKinds next = read_children(lines, kinds);
+    expect(lines, lines.next_content(), "successors");
+
+    StoredTile stored;
+    stored.tile = read_successors(lines, rule, next, points);
+    stored.method = read_method(lines, lines.next_content());
+    expect(lines, lines.next_content(), "ranks");
+    stored.ranking.tile = read_root_ranks(lines, points);
+    expect(lines, lines.next_content(), "newborn stages");
+    stored.ranking.newborn = read_stages(lines, points, next.size());
+    read_end(lines);
+    return stored;
 }
 
 }  // namespace
@@ -133,11 +295,12 @@ StoredTile ranked(Tile tile, RankingMethod method) {
 
 std::string write_tile(const StoredTile& stored, std::span<const std::string> comments) {
     const Tile& tile = stored.tile;
-    std::string text = fmt::format("{}{}\n", kFirstWords, kVersion);
+    const bool one_kind = tile.kinds() == 1;
+    std::string text = fmt::format("{}{}\n", kFirstWords, one_kind ? kVersion : kVersionOfKinds);
     for (const std::string& comment : comments) text += fmt::format("# {}\n", comment);
-    text += "rule";
-    for (const Orientation g : tile.rule.child) text += fmt::format(" {}", g.index);
-    text += fmt::format("\npoints {}\nwords\n", tile.size());
+    text += rule_line(tile.rule) + '\n';
+    if (!one_kind) return text + text_of_kinds(stored);
+    text += fmt::format("points {}\nwords\n", tile.size());
     for (const std::string& word : tile.words) text += word + '\n';
     text += fmt::format("ranking {}\nranks\n", name_of(stored.method));
     append_ranks(text, stored.ranking.tile, 0);
@@ -150,7 +313,7 @@ std::string write_tile(const StoredTile& stored, std::span<const std::string> co
 
 StoredTile read_tile(std::string_view text) {
     TextLines lines(text);
-    read_version(lines);
+    if (read_version(lines) == kVersionOfKinds) return read_kinds(lines);
     const Rule rule = read_rule(lines);
     const int points = lines.whole_number(lines.value_of(lines.next_content(), "points"), "'points'", 4,
                                           static_cast<int>(kMaxTilePoints));
@@ -168,11 +331,7 @@ StoredTile read_tile(std::string_view text) {
         expect(lines, lines.next_content(), "newborn ranks");
         stored.ranking.newborn = read_ranks(lines, 3 * count, static_cast<float>(count));
     }
-    expect(lines, lines.next_content(), "end");
-    if (!lines.at_end()) {
-        lines.next_content();
-        lines.fail("there is more after 'end'");
-    }
+    read_end(lines);
     return stored;
 }
 

@@ -18,6 +18,26 @@
 // 0..N-1 and of 0..3N-1, over as many lines as it takes. With the ranking "paper"
 // a newborn point has the rank of its own tile, and the file has no "newborn ranks". Blank lines and lines
 // that start with # say nothing; everything else must be there, in this order.
+//
+// A tile of several kinds is of version 2, and packs its numbers as bits, the highest first, into base64:
+//
+//      dapple tile 2
+//      rule 0 0 0 0
+//      kinds 4
+//      points 1024                       of each kind
+//      children
+//      2 0 3 1                           for each kind those of its children, by quadrant
+//      ...
+//      successors
+//      gBAE...                           for each kind and quadrant, a line: a bit for each point of the
+//      ...                               child's kind, 1 if a point of the quadrant lies on it
+//      ranking energy
+//      ranks
+//      AAIx...                           of the points of kind 0, 12 bits each
+//      newborn stages
+//      o5eB...                           for each kind, a line: of its newborn points, 4 bits each; see
+//      ...                               ranks_of_stages()
+//      end
 
 #include <optional>
 #include <span>
@@ -45,7 +65,8 @@ StoredTile ranked(Tile tile, RankingMethod method);
 /// The text of a tile. `comments` are lines to stand below the first one, without their #.
 std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
 
-/// What write_tile() wrote: the same points and ranks to the bit. Throws std::runtime_error, "line 7: ...",
+/// What write_tile() wrote: the same points and ranks to the bit, if those of several kinds are ones of
+/// ranks_of_stages(). Throws std::runtime_error, "line 7: ...",
 /// if the text is anything else.
 StoredTile read_tile(std::string_view text);
 

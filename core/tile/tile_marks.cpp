@@ -30,7 +30,9 @@ TileMarks marks_of(const Tile& tile, const Ranking& ranking) {
     marks.coherent_share = coherent_share(tile);
     marks.low_frequency_power = low_frequency_power(tile);
     marks.lattice_share = lattice_share(tile);
-    marks.coincidences = orientation_coincidence(tile.rule, kLags);
+    marks.kinds = tile.kinds();
+    marks.coincidences =
+        tile.kinds() > 1 ? kind_coincidence(tile.next_kind) : orientation_coincidence(tile.rule, kLags);
     const auto highest = std::ranges::max_element(marks.coincidences);
     marks.orientation_coincidence = *highest;
     marks.coincidence_lag = static_cast<int>(highest - marks.coincidences.begin()) + 1;
@@ -38,6 +40,15 @@ TileMarks marks_of(const Tile& tile, const Ranking& ranking) {
 }
 
 std::vector<TileMark> in_words(const TileMarks& marks) {
+    const TileMark coincidence =
+        marks.kinds > 1
+            ? TileMark{"kind coincidence", fmt::format("{:.4f}", marks.orientation_coincidence),
+                       fmt::format("of tiles {} apart of one kind, the highest up to {}; chance is {:.4f}",
+                                   marks.coincidence_lag, marks.coincidences.size(),
+                                   1 / static_cast<double>(marks.kinds))}
+            : TileMark{"orientation coincidence", fmt::format("{:.4f}", marks.orientation_coincidence),
+                       fmt::format("of tiles {} apart turned alike, the highest up to {}; chance is 0.125",
+                                   marks.coincidence_lag, kLags)};
     return {
         {"balanced", marks.balanced ? "yes" : "no",
          fmt::format("points in the quadrants: {}", fmt::join(marks.letters, ", "))},
@@ -55,9 +66,7 @@ std::vector<TileMark> in_words(const TileMarks& marks) {
          fmt::format(
              "of points that one shift takes to others: {}",
              verdict(marks.lattice_share, 0.4, 0.7, {"irregular", "rows may show", "nearly a lattice"}))},
-        {"orientation coincidence", fmt::format("{:.4f}", marks.orientation_coincidence),
-         fmt::format("of tiles {} apart turned alike, the highest up to {}; chance is 0.125",
-                     marks.coincidence_lag, kLags)},
+        coincidence,
     };
 }
 
@@ -75,6 +84,9 @@ std::optional<std::string> paper_notation(const Tile& tile) {
 }
 
 std::string headline(const Tile& tile) {
+    if (tile.kinds() > 1) {
+        return fmt::format("{} kinds of {} points, rule {}", tile.kinds(), tile.size(), text_of(tile.rule));
+    }
     std::string text = fmt::format("{} points, rule {}, {} word{}", tile.size(), text_of(tile.rule),
                                    tile.words.size(), tile.words.size() == 1 ? "" : "s");
     if (const auto integers = paper_notation(tile))

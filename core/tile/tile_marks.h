@@ -21,8 +21,10 @@ struct TileMarks {
     double coherent_share = 0;
     double low_frequency_power = 0;
     double lattice_share = 0;
-    std::vector<double> coincidences;    // at the lags 1, 2, ... 64
-    double orientation_coincidence = 0;  // at the lag where it is highest
+    std::size_t kinds = 1;
+    std::vector<double> coincidences;  // of orientations at the lags 1, 2, ... 64; of several kinds those of
+                                       // kinds, up to 32
+    double orientation_coincidence = 0;  // at the lag where it is highest, or that of kinds
     int coincidence_lag = 1;
 };
 
@@ -40,7 +42,7 @@ std::string text_of(const Rule& rule);
 /// The paper's pair of integers, "14217,2895/16", if it can write the tile: identity rule, one cycle.
 std::optional<std::string> paper_notation(const Tile& tile);
 
-/// "16 points, rule 0 0 0 0, 1 word, 14217,2895/16 in the paper's notation".
+/// "16 points, rule 0000, 1 word, 14217,2895/16 in the paper's notation", "4 kinds of 64 points, rule 0000".
 std::string headline(const Tile& tile);
 
 }  // namespace dapple

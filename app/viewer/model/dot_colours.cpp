@@ -8,6 +8,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/image/colour.h"
 
@@ -42,27 +44,36 @@ void colour_each(std::span<glm::u8vec4> colours, const DotPieces& dots, const Co
     }
 }
 
-/// Finds the orientation of the tile of a level that a page point lies in, by walking down to it.
+struct Placed {
+    Orientation orientation;
+    std::size_t kind = 0;
+};
+
+/// Finds the orientation and kind of the tile of a level that a page point lies in, by walking down to it.
 class TileWalk {
  public:
-    explicit TileWalk(const Rule& rule) {
+    TileWalk(const Rule& rule, const NextKinds& next_kind) : next_kind_(next_kind) {
         for (const Orientation tile : all_orientations())
             for (int q = 0; q < 4; ++q)
-                next_[tile.index][apply_to_quadrant(tile, q)] = compose(tile, rule.child[q]);
+                next_[tile.index][apply_to_quadrant(tile, q)] = {compose(tile, rule.child[q]),
+                                                                 static_cast<std::size_t>(q)};
     }
 
-    Orientation at(std::int64_t x, std::int64_t y, int level) const {
-        Orientation tile;
+    Placed at(std::int64_t x, std::int64_t y, int level) const {
+        Placed tile;
         for (int depth = 1; depth <= std::min(level, kDeepest); ++depth) {
             const int quadrant = static_cast<int>((x >> (kDeepest - depth)) & 1) +
                                  2 * static_cast<int>((y >> (kDeepest - depth)) & 1);
-            tile = next_[tile.index][quadrant];
+            const auto& [orientation, own_quadrant] = next_[tile.orientation.index][quadrant];
+            tile = {orientation, next_kind_[tile.kind][own_quadrant]};
         }
         return tile;
     }
 
  private:
-    std::array<std::array<Orientation, 4>, 8> next_;
+    // Of a quadrant of the page: the child's orientation, and which of its parent's quadrants it is.
+    std::array<std::array<std::pair<Orientation, std::size_t>, 4>, 8> next_;
+    const NextKinds& next_kind_;
 };
 
 }  // namespace
@@ -102,16 +113,29 @@ glm::vec3 orientation_colour(Orientation orientation) {
     return orientation.index < 4 ? hue : glm::mix(hue, glm::vec3(1), 0.45f);
 }
 
+glm::vec3 kind_colour(std::size_t kind) {
+    constexpr float kTurn = 0.618034f;  // of the circle of hues
+    const float turns = kTurn * static_cast<float>(kind), hue = 6 * (turns - std::floor(turns));
+    const auto channel = [&](float at) {
+        const float away = std::abs(std::fmod(hue - at + 9, 6.0f) - 3);
+        return 0.12f + 0.6f * std::clamp(2 - away, 0.0f, 1.0f);
+    };
+    return {channel(0), channel(2), channel(4)};
+}
+
 std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
                                      DotColouring colouring) {
     std::vector<glm::u8vec4> colours;
     if (colouring == DotColouring::ink) return colours;
     colours.resize(dots.size());
-    const TileWalk walk(origins.rule);
+    const TileWalk walk(origins.rule, origins.next_kind);
+    const std::size_t kinds = origins.next_kind.size();
     std::array<glm::u8vec4, kMostLevels> of_level;
     for (int level = 0; level < kMostLevels; ++level) of_level[level] = opaque(level_colour(level));
     std::array<glm::u8vec4, 8> of_orientation;
     for (const Orientation g : all_orientations()) of_orientation[g.index] = opaque(orientation_colour(g));
+    std::vector<glm::u8vec4> of_kind;
+    for (std::size_t kind = 0; kind < kinds; ++kind) of_kind.push_back(opaque(kind_colour(kind)));
     const auto on_page = [](std::int64_t corner, float offset) {
         return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
     };
@@ -122,9 +146,9 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
         } else if (colouring == DotColouring::rank) {
             colour = opaque(rank_colour(rank_share(at, origins.tile_size)));
         } else {
-            const Orientation tile = walk.at(on_page(origins.window.x, piece.x[i]),
-                                             on_page(origins.window.y, piece.y[i]), at.level);
-            colour = of_orientation[tile.index];
+            const Placed tile = walk.at(on_page(origins.window.x, piece.x[i]),
+                                        on_page(origins.window.y, piece.y[i]), at.level);
+            colour = kinds > 1 ? of_kind[tile.kind] : of_orientation[tile.orientation.index];
         }
     });
     return colours;

@@ -38,11 +38,12 @@ struct DotOrigins {
     std::size_t tile_size = 16;  // points
     Rule rule;                   // of a Figure 8 drawing the identity: it turns no tile
     PageWindow window;
+    NextKinds next_kind = NextKinds(1);
 };
 
 /// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of
-/// the orientation of the tile it was born in. Empty for ink: all alike. A dot within a float's rounding of
-/// its tile's edge may get the neighbour's orientation.
+/// the orientation of the tile it was born in, or its kind if there are several. Empty for ink: all alike. A
+/// dot within a float's rounding of its tile's edge may get the neighbour's orientation.
 std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
                                      DotColouring colouring);
 
@@ -61,5 +62,8 @@ glm::vec3 rank_colour(double share);
 
 /// Eight hues; the four mirrored orientations are the paler ones.
 glm::vec3 orientation_colour(Orientation orientation);
+
+/// Of a tile of several kinds: hues as far apart as they can be.
+glm::vec3 kind_colour(std::size_t kind);
 
 }  // namespace dapple

@@ -50,7 +50,9 @@ TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
         return {std::move(name), tile.tile().rule, points_by_rank(tile.tile(), tile.own_ranks())};
     std::vector<glm::vec2> points = points_by_rank(tile.placer().table());
     const auto own = points.begin() + static_cast<std::ptrdiff_t>(tile.tile().size());
-    return {std::move(name), tile.tile().rule, {points.begin(), own}, {own, points.end()}};
+    TileView view{std::move(name), tile.tile().rule, {points.begin(), own}, {}, tile.tile().next_kind};
+    if (tile.tile().kinds() == 1) view.newborn.assign(own, points.end());
+    return view;
 }
 
 }  // namespace dapple

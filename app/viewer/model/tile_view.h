@@ -11,11 +11,13 @@ namespace dapple {
 
 struct TileView {
     std::string name;
-    Rule rule;                      // how the tile is turned in each of its quadrants
-    std::vector<glm::vec2> points;  // in the unit square, y down, in the order in which they appear
+    Rule rule;  // how the tile is turned in each of its quadrants
+    std::vector<glm::vec2>
+        points;  // in the unit square, y down, in the order in which they appear; of kind 0
     /// The same of those that its children add to it, after which all of their points are there; Figure 8 has
-    /// no such order.
+    /// no such order, and several kinds have several.
     std::vector<glm::vec2> newborn = {};
+    NextKinds next_kind = NextKinds(1);
 };
 
 /// The tile's own points in the order that the placer gives them; Figure 8 has one of its own.

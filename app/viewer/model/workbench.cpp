@@ -142,8 +142,9 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
         placed.radius_for_tone_mm =
             made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
-        placed.colours = chosen_colours(placed.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window},
-                                        request.colours);
+        placed.colours = chosen_colours(
+            placed.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind},
+            request.colours);
     };
     if (!(request.close ? place_close(pipeline_, made, request, drawing, stop)
                         : place_page(pipeline_, made, request, drawing, stop, finish, unsettled)))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
 
 #include "app/files/tile_library.h"
@@ -20,7 +21,7 @@ constexpr std::size_t kMostNumbered = 24;
 constexpr float kLargestSide = 300;  // at 96 dpi
 // It is paper in each theme, as its points have colours of ink.
 constexpr ImU32 kPaperColour = IM_COL32_WHITE, kLetters = IM_COL32(222, 217, 207, 255),
-                kLines = IM_COL32(190, 185, 175, 255);
+                kLines = IM_COL32(190, 185, 175, 255), kKindNumbers = IM_COL32(0, 0, 0, 45);
 
 ImU32 colour_of_rank(std::size_t rank, std::size_t count) {
     const double last = std::max(1.0, static_cast<double>(count) - 1);
@@ -36,31 +37,38 @@ struct Square {
     }
 };
 
-void draw_quadrants(const Square& square, const Rule& rule, float unit) {
+void draw_text(const std::string& text, ImVec2 centre, float size, ImU32 colour) {
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
+    ImGui::GetWindowDrawList()->AddText(
+        ImGui::GetFont(), size, {std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)},
+        colour, text.c_str());
+}
+
+// What lies on each quadrant: how it is turned, or of which kind it is.
+void draw_quadrants(const Square& square, const TileView& tile, float unit) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(square.at({0, 0}), square.at({1, 1}), kPaperColour);
     for (int q = 0; q < 4; ++q) {
         const glm::dvec2 centre(0.25 + 0.5 * (q & 1), 0.25 + 0.5 * (q >> 1));
-        for (const Stroke& stroke : letter_f(rule.child[q])) {
+        if (tile.next_kind.size() > 1) {
+            const std::uint16_t kind = tile.next_kind[0][static_cast<std::size_t>(q)];
+            const glm::vec3 c = glm::mix(kind_colour(kind), glm::vec3(1), 0.8f);
+            list->AddRectFilled(square.at(centre - 0.25), square.at(centre + 0.25),
+                                ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
+            draw_text(std::to_string(kind), square.at(centre), square.side * 0.2f, kKindNumbers);
+            continue;
+        }
+        for (const Stroke& stroke : letter_f(tile.rule.child[q])) {
             const ImVec2 from = square.at(centre + stroke[0] * 0.16),
                          to = square.at(centre + stroke[1] * 0.16);
             const float half = square.side * 0.014f;
             list->AddRectFilled({std::min(from.x, to.x) - half, std::min(from.y, to.y) - half},
-                                {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half},
-                                kLetters);
+                                {std::max(from.x, to.x) + half, std::max(from.y, to.y) + half}, kLetters);
         }
     }
     list->AddLine(square.at({0.5, 0}), square.at({0.5, 1}), kLines, unit);
     list->AddLine(square.at({0, 0.5}), square.at({1, 0.5}), kLines, unit);
     list->AddRect(square.at({0, 0}), square.at({1, 1}), colour_of(ThemeColour::quiet), 0, 0, unit);
-}
-
-void draw_number(std::size_t number, ImVec2 centre, float size) {
-    const std::string text = std::to_string(number);
-    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, text.c_str());
-    ImGui::GetWindowDrawList()->AddText(
-        ImGui::GetFont(), size, {std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)},
-        IM_COL32_WHITE, text.c_str());
 }
 
 void draw_points(const Square& square, const TileView& tile, std::size_t shown, float unit) {
@@ -78,7 +86,7 @@ void draw_points(const Square& square, const TileView& tile, std::size_t shown, 
             list->AddCircleFilled(centre, radius, colour_of_rank(i, count), 24);
         else
             list->AddNgonFilled(centre, radius, colour_of_rank(i, count), corners);
-        if (numbered) draw_number(i, centre, 12 * unit);
+        if (numbered) draw_text(std::to_string(i), centre, 12 * unit, IM_COL32_WHITE);
     }
 }
 
@@ -104,7 +112,7 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
     ImGui::SetCursorScreenPos(square.corner);
     ImGui::Dummy({side, side});
     note_place("Tile picture");
-    draw_quadrants(square, tile.rule, unit);
+    draw_quadrants(square, tile, unit);
     draw_points(square, tile, std::min(state.shown, count), unit);
 
     auto shown = static_cast<double>(std::min(state.shown, count));
@@ -117,6 +125,16 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
                     .grouped = true,
                     .tip = "Takes the tile's points away, those of the last ranks first."}))
         state.shown = shown >= all ? SIZE_MAX : static_cast<std::size_t>(std::llround(shown));
+    if (tile.next_kind.size() > 1) {
+        const auto& children = tile.next_kind[0];
+        hint(fmt::format(
+                 "{}: kind 0 of {}, each of {} points, dark ones come first. Half as large, the kinds {}, "
+                 "{}, {} and {} lie on its quarters.",
+                 short_tile_name(tile.name), tile.next_kind.size(), grouped(count), children[0], children[1],
+                 children[2], children[3])
+                 .c_str());
+        return;
+    }
     const bool turned =
         std::ranges::any_of(tile.rule.child, [](Orientation g) { return g != Orientation{}; });
     hint(fmt::format("{}: {} points, dark ones come first. Half as large, the tile lies on each quarter of "
