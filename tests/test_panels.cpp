@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -39,6 +40,36 @@ TEST_CASE("every panel fits its column without cutting a label") {
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
         CHECK(ui.place(label).max.x < 340);
     }
+}
+
+TEST_CASE("text that is too wide goes on in another line, and no line ends within a number") {
+    const std::string sentence =
+        "10 dots are nearer than 0.152 mm, 1,794 than 0.5 mm.\nFewer dots part them.";
+    HeadlessUi ui([&] {});
+    const float widest = ImGui::CalcTextSize("nearer").x;
+    std::size_t most_lines = 0;
+    for (float width = ImGui::CalcTextSize(sentence.c_str()).x; width >= widest; width -= 1) {
+        const std::string text = in_lines(sentence, width);
+        CAPTURE(text);
+        std::string words = text;
+        std::ranges::replace(words, '\n', ' ');
+        std::string all = sentence;
+        std::ranges::replace(all, '\n', ' ');
+        CHECK(words == all);
+        CHECK(text.find(".\nFewer") != text.npos);
+        CHECK(ImGui::CalcTextSize(text.c_str()).x <= width);
+        // A word that would have found room in the line before has no line of its own.
+        for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) {
+            if (text.compare(end - 1, 7, ".\nFewer") == 0) continue;
+            const std::size_t line = end == 0 ? 0 : text.rfind('\n', end - 1) + 1;
+            std::string longer = text.substr(line, text.find_first_of(" \n", end + 1) - line);
+            longer[end - line] = ' ';
+            CHECK(ImGui::CalcTextSize(longer.c_str()).x > width);
+        }
+        most_lines = std::max<std::size_t>(most_lines, std::ranges::count(text, '\n'));
+    }
+    CHECK(most_lines > 10);
+    CHECK(in_lines("", widest).empty());
 }
 
 }  // namespace dapple

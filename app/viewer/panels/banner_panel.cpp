@@ -40,7 +40,8 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     float cross = ImGui::GetFrameHeight();
     ImVec2 padding{16 * unit, 10 * unit};
     float widest = std::max(100.0f, std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross);
-    ImVec2 text = ImGui::CalcTextSize(message.c_str(), nullptr, false, widest);
+    const std::string lines = in_lines(message, widest);
+    ImVec2 text = ImGui::CalcTextSize(lines.c_str(), nullptr, false, widest);
     const float button = banner.offer.empty() ? 0 : ImGui::CalcTextSize(banner.offer.c_str()).x + 24 * unit;
     float width = text.x + 2 * padding.x + cross + 8 * unit + (button > 0 ? button + 12 * unit : 0);
     ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
@@ -56,7 +57,7 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
                  kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
     ImGui::PushTextWrapPos(padding.x + widest + unit);
-    ImGui::TextUnformatted(message.c_str());
+    ImGui::TextUnformatted(lines.c_str());
     note_place(message.c_str());
     ImGui::PopTextWrapPos();
     bool taken = false;

@@ -106,7 +106,7 @@ void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside) {
         ImGui::SetNextWindowPos({beside->x - 2 * air, beside->y}, ImGuiCond_Always, {1, 0});
     begin_tooltip();
     ImGui::PushTextWrapPos(width);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(in_lines(text, width - ImGui::GetCursorPosX()).c_str());
     note_place("Tip");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

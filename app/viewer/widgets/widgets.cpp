@@ -162,8 +162,25 @@ void tip(const char* text) {
 
 void hint(const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextWrapped("%s", text);
+    ImGui::TextWrapped("%s", in_lines(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
+}
+
+std::string in_lines(std::string text, float width) {
+    std::size_t line = 0, space = text.npos;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        const char end = text.c_str()[i];
+        if (end != ' ' && end != '\n' && end != '\0') continue;
+        if (space != text.npos && ImGui::CalcTextSize(text.data() + line, text.data() + i).x > width) {
+            text[space] = '\n';
+            line = space + 1;
+        }
+        space = i;
+        if (end != '\n') continue;
+        line = i + 1;
+        space = text.npos;
+    }
+    return text;
 }
 
 }  // namespace dapple

@@ -69,12 +69,8 @@ class RowListing {
     void* before_ = nullptr;
 };
 
-/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
-/// take a text field's old undo steps for those of another text, and insist that time passes.
-void new_frame();
-
-/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some releases
-/// take a text field's old undo steps for those of another text, and insist that time passes.
+/// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some
+/// releases take a text field's old undo steps for those of another text, and insist that time passes.
 void new_frame();
 
 /// Notes the item drawn last under a label, or a place.
@@ -199,5 +195,9 @@ void tip(const char* text);
 
 /// Small grey text under a control.
 void hint(const char* text);
+
+/// The text with line ends in place of spaces where it would be wider than `width`, in pixels. ImGui alone
+/// also ends lines within numbers, behind "0.".
+std::string in_lines(std::string text, float width);
 
 }  // namespace dapple
