@@ -5,8 +5,8 @@
 #include <exception>
 #include <stdexcept>
 
+#include "fuzz/fuzzing.h"
 #include "fuzz/picture_reader.h"
-#include "fuzz/report.h"
 
 using namespace dapple;
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fuzz/fuzzing.h"
 #include "fuzz/readers.h"
-#include "fuzz/report.h"
 #include "fuzz/settings_reader.h"
 
 using namespace dapple;

@@ -128,7 +128,6 @@ class RunningViewer {
             const bool in_dialog = widgets.contains("Dialog");
             if (!in_dialog && place[0] < 940) return place;
             const json around = in_dialog ? widgets["Dialog"] : json{0, 10, 0, height_ - 10};
-            // In its first frame, which is not seen, a dialog has neither its size nor its place.
             const double top = around[1], bottom = std::min(around[3].get<double>(), 1.0 * height_);
             const double y = (place[1].get<double>() + place[3].get<double>()) / 2;
             if (y > top && y < bottom) return place;

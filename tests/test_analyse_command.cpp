@@ -10,7 +10,7 @@
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/point_sets.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
 using namespace dapple;

@@ -13,7 +13,7 @@
 #include "app/commands/wrapped_help.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

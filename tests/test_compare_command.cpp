@@ -8,7 +8,7 @@
 
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
 using namespace dapple;

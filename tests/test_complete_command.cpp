@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/places.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

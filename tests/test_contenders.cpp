@@ -14,7 +14,7 @@
 #include "app/compare/tables.h"
 #include "core/related/covered.h"
 #include "core/related/white_noise.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

@@ -24,7 +24,7 @@
 #include "app/decoding/kept_input.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 

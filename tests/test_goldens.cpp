@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,7 @@ struct Section {
     std::string name, file;
 };
 // From the top, by what they begin with; what is above the first is "title".
-const std::vector<Section> kSections{{"Picture", "picture"}, {"tone", "dots"},    {"Page", "page"},
+const std::vector<Section> kSections{{"Picture", "picture"}, {"tone", "dots"},     {"Page", "page"},
                                      {"Pens", "pens"},       {"Export", "export"}, {"The method", "method"}};
 
 // Shares of the pixels that differ at all, and that do so plainly.
@@ -131,11 +132,13 @@ Rectangle<int> box_of(const json& place) {
 // Compares what is in the box once it rests. Rows that say something else each time, such as the name of a
 // folder, are made blank.
 void compare_rested(const RunningViewer& viewer, const Look& look, const std::string& file,
-                    const Rectangle<int>& box, const std::vector<std::string>& changing = {}) {
+                    const std::function<Rectangle<int>(const json& widgets)>& box_among,
+                    const std::vector<std::string>& changing = {}) {
     const std::string name = look.folder() + file;
     const auto now = [&] {
-        Pixels pixels = cut_out(screen(), box);
         const json widgets = viewer.status()["widgets"];
+        const Rectangle<int> box = box_among(widgets);
+        Pixels pixels = cut_out(screen(), box);
         for (const std::string& widget : changing) {
             const Rectangle<int> row = box_of(widgets.at(widget));
             const int air = 4 * look.scale;
@@ -216,12 +219,9 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         viewer.move(30 * scale, 300 * scale);
         const auto compare_dialog = [&](const std::string& file, const std::vector<std::string>& changing) {
             REQUIRE(viewer.shows([&] { return viewer.has("Dialog"); }));
-            json place;
-            do {  // once it has its size
-                place = viewer.status()["widgets"]["Dialog"];
-                viewer.xdotool("sleep 0.2");
-            } while (viewer.status()["widgets"]["Dialog"] != place);
-            compare_rested(viewer, look, file, box_of(place), changing);
+            compare_rested(
+                viewer, look, file, [](const json& widgets) { return box_of(widgets.at("Dialog")); },
+                changing);
             viewer.key("Escape");
             REQUIRE(viewer.shows([&] { return !viewer.has("Dialog"); }));
         };
@@ -246,10 +246,10 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         viewer.click("Preset");
         REQUIRE(viewer.shows([&] { return viewer.has("Picture of poster"); }));
         viewer.move(30 * scale, 300 * scale);
-        const json widgets = viewer.status()["widgets"];
-        const Rectangle<int> first = box_of(widgets.at("as set below")),
-                             last = box_of(widgets.at("Save these settings as..."));
-        compare_rested(viewer, look, "presets", {first.low - 4 * scale, last.high + 4 * scale});
+        compare_rested(viewer, look, "presets", [&](const json& widgets) {
+            return Rectangle<int>{box_of(widgets.at("as set below")).low - 4 * scale,
+                                  box_of(widgets.at("Save these settings as...")).high + 4 * scale};
+        });
         viewer.key("Escape");
         REQUIRE(viewer.shows([&] { return !viewer.has("as set below"); }));
 
@@ -257,9 +257,10 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         REQUIRE(viewer.shows([&] { return viewer.has("Moment"); }));
         viewer.click("Moment");
         viewer.move(30 * scale, 300 * scale);
-        const json bar = viewer.status()["widgets"];
-        compare_rested(viewer, look, "player",
-                       {box_of(bar.at("Film")).low - 8 * scale, box_of(bar.at("Close")).high + 8 * scale});
+        compare_rested(viewer, look, "player", [&](const json& widgets) {
+            return Rectangle<int>{box_of(widgets.at("Film")).low - 8 * scale,
+                                  box_of(widgets.at("Close")).high + 8 * scale};
+        });
     }
 }
 
@@ -270,7 +271,11 @@ TEST_CASE("the view of an environment map looks as it did") {
         const Home home(look);
         RunningViewer viewer({}, {"lights", "-n", "100"}, home.memory());
         viewer.move(30, 750);
-        compare_rested(viewer, look, "lights", {{0, 0}, {1280, 800}}, {"Placing", "Sharing out the light"});
+        compare_rested(viewer, look, "lights",
+                       [](const json&) {
+                           return Rectangle<int>{{0, 0}, {1280, 800}};
+                       },
+                       {"Placing", "Sharing out the light"});
     }
 }
 

@@ -18,7 +18,7 @@
 #include "core/lights/sampler_comparison.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
 using namespace dapple;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

@@ -18,7 +18,7 @@
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/render_scene.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

@@ -14,7 +14,7 @@
 #include "tests/picture_files.h"
 #include "tests/places.h"
 #include "tests/render_scene.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

@@ -16,7 +16,7 @@
 #include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

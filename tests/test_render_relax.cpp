@@ -17,7 +17,7 @@
 #include "core/image/tone.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 using namespace dapple;
 

@@ -17,7 +17,7 @@
 
 #include "app/commands/reproduce.h"
 #include "tests/file_text.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
 using namespace dapple;

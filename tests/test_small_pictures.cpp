@@ -14,7 +14,7 @@
 #include "app/viewer/model/thumbnail.h"
 #include "core/drawing/page_setup.h"
 #include "tests/file_text.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
 

@@ -25,7 +25,7 @@
 #include "tests/child_process.h"
 #include "tests/file_text.h"
 #include "tests/places.h"
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "assets/make/icon.h"
-#include "assets/make/render.h"
+#include "assets/make/render_stage.h"
 #include "assets/make/still_life.h"
 
 namespace {

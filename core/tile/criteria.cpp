@@ -114,31 +114,32 @@ double relative_radius(const Tile& tile) {
 }
 
 double worst_relative_radius(const Tile& tile, const Ranking& ranking) {
-    struct Born {
+    struct RankedPoint {
         float rank;
         std::size_t kind;
         glm::dvec2 place;
     };
-    std::vector<Born> born;
+    std::vector<RankedPoint> points;
     for (std::size_t i = 0; i < tile.points.size(); ++i)
-        born.push_back({0, tile.kind_of(i), to_unit_square(tile.points[i])});
+        points.push_back({0, tile.kind_of(i), to_unit_square(tile.points[i])});
     const auto newborns = newborns_of(tile);
     for (std::size_t i = 0; i < newborns.size(); ++i)
-        born.push_back({ranking.newborn[i], i / (3 * tile.size()), to_unit_square(newborns[i].position)});
-    std::stable_sort(born.begin(), born.end(), [](const Born& a, const Born& b) { return a.rank < b.rank; });
+        points.push_back({ranking.newborn[i], i / (3 * tile.size()), to_unit_square(newborns[i].position)});
+    std::stable_sort(points.begin(), points.end(),
+                     [](const RankedPoint& a, const RankedPoint& b) { return a.rank < b.rank; });
     std::vector<glm::dvec2> places;
     std::vector<std::size_t> kinds;
-    for (const Born& b : born) {
-        places.push_back(b.place);
-        kinds.push_back(b.kind);
+    for (const RankedPoint& point : points) {
+        places.push_back(point.place);
+        kinds.push_back(point.kind);
     }
 
     const double far = 1.01 * widest_spacing(static_cast<double>(tile.size()));
     const auto nearest = nearest_before(places, kinds, tile, far);
     double smallest = far * far, worst = 1;
-    for (std::size_t i = 0; i < born.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         smallest = std::min(smallest, nearest[i]);
-        if (i + 1 < born.size() && born[i + 1].rank == born[i].rank) continue;
+        if (i + 1 < points.size() && points[i + 1].rank == points[i].rank) continue;
         worst = std::min(worst, std::sqrt(smallest) / widest_spacing(static_cast<double>(i + 1) /
                                                                      static_cast<double>(tile.kinds())));
     }

@@ -21,7 +21,6 @@
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
-#include "app/viewer/canvas/pen_trail.h"
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/model/dot_limit.h"
 #include "app/viewer/model/pasted_picture.h"
@@ -88,8 +87,7 @@ DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std
       right_repetition_(Measure::repetition, &Window::wake),
       side_panel_(presets, palettes),
       previews_(&Window::wake),
-      mask_reading_(&Window::wake),
-      plot_(&Window::wake) {
+      mask_reading_(&Window::wake) {
     ViewerSettings begin = session_.settings;
     begin.zoom_mode = view.zoom_mode;
     begin.unit = view.unit;
@@ -245,20 +243,15 @@ void DrawingDocument::act(Action action, const Frame&) {
         case Action::explain_dots:
             return toggle(settings.origins);
         case Action::play:
-            if (!session_.film) return play(FilmKind::growth);
-            if (session_.film->running)
-                session_.film->running = false;
-            else
-                run_on(*session_.film);
-            return;
+            return film_player_.play_or_pause();
         case Action::film_growth:
-            return play(FilmKind::growth);
+            return film_player_.play(FilmKind::growth);
         case Action::film_levels:
-            return play(FilmKind::levels);
+            return film_player_.play(FilmKind::levels);
         case Action::film_zoom:
-            return play(FilmKind::zoom);
+            return film_player_.play(FilmKind::zoom);
         case Action::film_plot:
-            return play(FilmKind::plot);
+            return film_player_.play(FilmKind::plot);
         case Action::smaller_brush:
             return resize_brush(session_.brush, -1);
         case Action::larger_brush:
@@ -289,10 +282,10 @@ void DrawingDocument::draw(const Frame& frame) {
     if (!opening && placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard &&
         escape_pressed())
         session_.stop_placing();
-    if (session_.film && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_film();
+    if (session_.film && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) film_player_.stop();
     session_.take_events(std::chrono::milliseconds(0));
     take_mask();
-    show_film();
+    film_player_.show();
     show_changes(frame.window);
 
     const auto [place, player, captions, status_size] = layout(frame);
@@ -320,7 +313,7 @@ void DrawingDocument::draw(const Frame& frame) {
     session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
-    if (session_.film) draw_player({0, place.size.y}, player, frame);
+    film_player_.draw_bar({0, place.size.y}, player, frame.act);
     draw_over_canvas(place, frame.act);
     canvas_.handle_mouse(place, session_.brush.on || cropping);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
@@ -341,8 +334,7 @@ void DrawingDocument::draw(const Frame& frame) {
     if (const Pane* right = session_.right())
         draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y + player.y}, captions);
-    if (session_.film && session_.film->kind == FilmKind::plot)
-        draw_pen_trail(plot_.trail(plot_drawn_), canvas_.camera(), place);
+    film_player_.draw_trail(place);
     draw_loupe(place);
     explain_dot(place);
     measure_dots();
@@ -353,94 +345,6 @@ Zoom DrawingDocument::zoom() const {
     if (session_.film)
         mode = session_.film->kind == FilmKind::zoom ? ZoomMode::constant_density : ZoomMode::drawing;
     return {mode, canvas_.camera(), canvas_.enlargement()};
-}
-
-void DrawingDocument::play(FilmKind kind) {
-    look_as_before_film();
-    camera_before_film_ = canvas_.camera();
-    fitted_before_film_ = canvas_.is_fitted();
-    session_.play(kind);
-    film_shown_ = std::chrono::steady_clock::now();
-    seen_[0].version = 0;  // another drawing is shown
-    plot_drawn_ = 0;
-}
-
-void DrawingDocument::look_as_before_film() {
-    if (!session_.film || session_.film->kind != FilmKind::zoom) return;
-    canvas_.look(camera_before_film_);
-    if (fitted_before_film_) canvas_.fit();
-}
-
-void DrawingDocument::stop_film() {
-    look_as_before_film();
-    session_.film.reset();
-    plot_.forget();
-    seen_[0].version = 0;
-}
-
-void DrawingDocument::show_film() {
-    if (!session_.film) return;
-    PlayedFilm& film = *session_.film;
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - std::exchange(film_shown_, now);
-    const bool waits = film.kind == FilmKind::plot && !plot_.film();
-    if (!waits) pass(film, passed.count());
-    if (film.kind == FilmKind::zoom) {
-        const Camera before = resized(camera_before_film_, canvas_.camera().canvas);
-        canvas_.look(zoomed_at(before, before.canvas * 0.5, film_zoom(film.share, FilmChoice{}.depth)));
-    }
-    if (film.kind == FilmKind::plot) show_plot();
-}
-
-void DrawingDocument::show_plot() {
-    try {
-        plot_.prepare(session_.pane().placings(), session_.pane().page(), session_.settings.drawing,
-                      session_.settings.saving);
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
-    const PlotFilm* const film = plot_.film();
-    if (!film) return;
-    const std::size_t drawn = film->drawn_after(plotted_seconds(session_.film->share, film->total_seconds));
-    const bool other = std::exchange(plots_seen_, plot_.films()) != plot_.films();
-    if (std::exchange(plot_drawn_, drawn) == drawn && !other) return;
-    plotted_ = plot_.drawn(session_.pane().page(), drawn);
-    canvas_.set_drawing(Side::left, plotted_);
-}
-
-std::string DrawingDocument::film_words() const {
-    const PlayedFilm& film = *session_.film;
-    switch (film.kind) {
-        case FilmKind::growth:
-            return grouped(grown_dots(film.share, film.dots)) + " dots";
-        case FilmKind::levels:
-            return fmt::format("level {} of {}", level_shown(film.share, film.deepest) + 1, film.deepest + 1);
-        case FilmKind::zoom:
-            return fmt::format("{:.3g} times larger", film_zoom(film.share, FilmChoice{}.depth));
-        case FilmKind::plot:
-            break;
-    }
-    if (!plot_.film()) return "finding the way ...";
-    const double all = plot_.film()->total_seconds;
-    const auto clock = [](double seconds) {
-        const auto whole = static_cast<long>(seconds);
-        return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-    };
-    return clock(plotted_seconds(film.share, all)) + " of " + clock(all);
-}
-
-void DrawingDocument::draw_player(glm::vec2 corner, glm::vec2 size, const Frame& frame) {
-    FilmKind chosen = session_.film->kind;
-    switch (draw_player_bar(*session_.film, film_words(), chosen, corner, size)) {
-        case PlayerWish::none:
-            return;
-        case PlayerWish::close:
-            return stop_film();
-        case PlayerWish::save:
-            return frame.act(Action::save_film);
-        case PlayerWish::other_film:
-            return play(chosen);
-    }
 }
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act) {
@@ -555,10 +459,8 @@ void DrawingDocument::show_changes(Side side, const Pane* pane) {
     const std::uint64_t version = pane ? pane->version() : 0;
     if (pane && std::exchange(seen.pictures, session_.previews()) != session_.previews())
         canvas_.set_picture(side, session_.picture().preview);
-    const bool plotted =
-        side == Side::left && session_.film && session_.film->kind == FilmKind::plot && plot_.film();
-    if (plotted) {
-        seen.version = 0;  // to be shown whole after it
+    if (side == Side::left && film_player_.shows_plot()) {
+        seen.version = 0;  // the dots are to be shown after it
         return;
     }
     if (std::exchange(seen.version, version) != version)
@@ -677,7 +579,7 @@ std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
         line["film"] = {{"kind", name_of(session_.film->kind)},
                         {"share", session_.film->share},
                         {"running", session_.film->running},
-                        {"moment", film_words()}};
+                        {"moment", film_player_.moment()}};
     return line;
 }
 

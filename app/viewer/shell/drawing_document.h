@@ -2,7 +2,6 @@
 // The drawing of a photograph in the window: its canvas, its panels, and what is told about it.
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,13 +14,13 @@
 #include "app/viewer/model/background.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
-#include "app/viewer/model/shown_plot.h"
 #include "app/viewer/model/view_meter.h"
 #include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/shell/document.h"
+#include "app/viewer/shell/film_player.h"
 #include "app/viewer/shell/frame_rate.h"
 
 namespace dapple {
@@ -79,14 +78,6 @@ class DrawingDocument : public Document {
     };
     Layout layout(const Frame& frame) const;
     Zoom zoom() const;
-    void play(FilmKind kind);
-    void stop_film();
-    void look_as_before_film();
-    /// Lets the film go on.
-    void show_film();
-    void show_plot();
-    void draw_player(glm::vec2 corner, glm::vec2 size, const Frame& frame);
-    std::string film_words() const;
     void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
     void draw_split(const CanvasPlace& place);
     void draw_loupe(const CanvasPlace& place);
@@ -116,6 +107,7 @@ class DrawingDocument : public Document {
 
     Canvas canvas_;
     Session session_;
+    FilmPlayer film_player_{session_, canvas_};
     const PlacedDrawing nothing_{};
     ViewMeter spectrum_, left_repetition_, right_repetition_;
     GlTexture spectrum_picture_;
@@ -133,13 +125,6 @@ class DrawingDocument : public Document {
     double paper_zoom_ = 1;  // see StatusInfo
     PlottingClock plotting_clock_;
     std::string plotting_;  // what it says
-    ShownPlot plot_;
-    PlacedDrawing plotted_;       // what the canvas shows of it,
-    std::size_t plot_drawn_ = 0;  // so many dots, or points of strokes
-    int plots_seen_ = 0;
-    Camera camera_before_film_;
-    bool fitted_before_film_ = true;
-    std::chrono::steady_clock::time_point film_shown_;  // last
 
     struct SeenSide {
         int pictures = 0;

@@ -1,4 +1,4 @@
-#include "fuzz/report.h"
+#include "fuzz/fuzzing.h"
 
 #include <cstdio>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "tests/shell.h"
+#include "tests/run_in_shell.h"
 
 #include <sys/wait.h>
 

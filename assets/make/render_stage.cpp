@@ -1,4 +1,4 @@
-#include "assets/make/render.h"
+#include "assets/make/render_stage.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,0 +1,249 @@
+// What is told of a file before it is saved: its size, and a machine's time and way.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "app/files/file_size.h"
+#include "app/files/sample.h"
+#include "app/files/save_drawing.h"
+#include "app/files/tile_library.h"
+#include "app/viewer/model/export_estimate.h"
+#include "app/viewer/model/session.h"
+#include "core/drawing/pipeline.h"
+#include "core/output/stroke_figures.h"
+#include "tests/split_session.h"
+#include "tests/temporary_folder.h"
+#include "tests/wait_until.h"
+
+namespace dapple {
+
+namespace fs = std::filesystem;
+
+TEST_CASE("the time told before a drawing is saved is about the one that its dots or strokes take") {
+    Pipeline pipeline;
+    pipeline.set_light(sample_picture(PictureColours::left_out).light);
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const DotPieces dots{{sorted_dots(stream, DotOrder::shortest)}};
+    const PageSize page = plan.layout(stream.scale).page;
+    const double radius = plan.radius(stream.scale) * page.mm_per_page_unit;
+    for (const Machine machine : {Machine::axidraw_v3, Machine::grbl_laser}) {
+        const MachineSpeeds speeds = speeds_of(machine);
+        const DrawingToSave drawing{
+            .dots = stream_of(dots, stream.scale), .page = page, .dot_radius_mm = radius};
+        const auto told = [&] {
+            return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds)
+                .time.total_s();
+        };
+        settings.style = DrawingStyle::dots;
+        settings.mark.shape = DotShape::circle;
+        CHECK(told() ==
+              doctest::Approx(
+                  plotting_time_of_rings(dots.pieces[0], page.mm_per_page_unit, radius, speeds).total_s())
+                  .epsilon(0.1));
+        const auto taken = [&] {
+            const auto strokes =
+                strokes_of(settings, {.dots = stream_of(dots), .page = page, .dot_radius_mm = radius},
+                           DrawingFormat::svg);
+            return figures_of(*strokes, speeds).time.total_s();
+        };
+        settings.mark.shape = DotShape::spiral;
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.1));
+        settings.style = DrawingStyle::line;
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.15));
+        settings.style =
+            DrawingStyle::nearest;  // some of the dots are less even than all, and have other near ones
+        CHECK(told() == doctest::Approx(taken()).epsilon(0.2));
+    }
+}
+
+TEST_CASE("the time told before saving is that of the dot order chosen, and its way that of the pen") {
+    Pipeline pipeline;
+    pipeline.set_light(sample_picture(PictureColours::left_out).light);
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    settings.placing.thresholds = true;
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const PageSize page = plan.layout(stream.scale).page;
+    const DotPieces placed{{sorted_dots(stream, DotOrder::recursion)}};
+    const DrawingToSave drawing{.dots = stream_of(placed, stream.scale),
+                                .page = page,
+                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    for (const DotOrder order :
+         {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority}) {
+        CAPTURE(name_of(order));
+        const Dots dots = sorted_dots(stream, order);
+        const PlottingEstimate told =
+            estimated_plotting(settings, drawing, DrawingFormat::hpgl, order, speeds);
+        CHECK(told.time.moving_s ==
+              doctest::Approx(plotting_time(dots, page.mm_per_page_unit, speeds).moving_s).epsilon(0.15));
+        CHECK(told.way_m ==
+              doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.2));
+        CHECK(told.time.drawing_s == 0);
+        // Circles are followed round in an SVG.
+        const PlottingTime rings =
+            estimated_plotting(settings, drawing, DrawingFormat::svg, order, speeds).time;
+        CHECK(
+            rings.drawing_s ==
+            doctest::Approx(
+                plotting_time_of_rings(dots, page.mm_per_page_unit, drawing.dot_radius_mm, speeds).drawing_s)
+                .epsilon(0.02));
+        CHECK(rings.drawing_s > 100);
+    }
+}
+
+TEST_CASE("the time told for several pens is that of each one's own way") {
+    Pipeline pipeline;
+    Picture picture = sample_picture(PictureColours::kept);
+    pipeline.set_light(std::move(picture.light));
+    pipeline.set_colours(std::move(picture.colours));
+    pipeline.set_tile(tile_named(kDefaultTile, {}));
+    DrawingSettings settings;
+    settings.placing.count = 8000;
+    settings.pens = parse_pens("cmyk:0.4");
+    DrawingPlan plan = pipeline.plan(request_of(settings));
+    const DotStream stream = pipeline.stream(plan);
+    const DotPieces dots = sorted_by_pen(stream, DotOrder::shortest);
+    REQUIRE(dots.pieces.size() == 4);
+    const PageSize page = plan.layout(stream.scale).page;
+    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    const DrawingToSave drawing{.dots = stream_of(dots, stream.scale),
+                                .page = page,
+                                .pens = plan.pens,
+                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    const auto estimate = [&] {
+        return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds).time;
+    };
+    const PlottingTime told = estimate();
+    PlottingTime taken;
+    for (const Dots& own : dots.pieces)
+        taken.moving_s += plotting_time(own, page.mm_per_page_unit, speeds).moving_s;
+    CHECK(told.moving_s == doctest::Approx(taken.moving_s).epsilon(0.1));
+    settings.mark.shape = DotShape::hatch;
+    const auto strokes = strokes_of(settings, drawing, DrawingFormat::svg);
+    CHECK(estimate().total_s() == doctest::Approx(figures_of(*strokes, speeds).time.total_s()).epsilon(0.1));
+}
+
+TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as if it looked at all") {
+    PlacedDrawing drawing;
+    drawing.layout.page = {200, 150, 200};
+    Dots& dots = drawing.dots.pieces.emplace_back();
+    // Small squares one after another, as the recursion has them.
+    constexpr int kSquares = 80, kAlong = 10;
+    for (int square = 0; square < kSquares * kSquares; ++square) {
+        DotBlock block{.first = dots.size(), .count = kAlong * kAlong};
+        const glm::vec2 low(square % kSquares, 0.75f * static_cast<float>(square / kSquares));
+        for (int i = 0; i < kAlong * kAlong; ++i) {
+            dots.x.push_back((low.x + static_cast<float>(i % kAlong) / kAlong) / kSquares);
+            dots.y.push_back((low.y + static_cast<float>(i / kAlong) * 0.75f / kAlong) / kSquares);
+        }
+        block.low = low / static_cast<float>(kSquares);
+        block.high = (low + glm::vec2(1, 0.75f)) / static_cast<float>(kSquares);
+        drawing.blocks.push_back(block);
+    }
+    DrawingToSave all{.dots = stream_of(drawing.dots, 1000),
+                      .page = drawing.layout.page,
+                      .dot_radius_mm = 0.1,
+                      .saving = {.dpi = 300}};
+    const DotPieces some = dots_on_patches(drawing, all.saving.dpi);
+    CHECK(some.size() < dots.size() / 2);
+    CHECK(some.size() > 0);
+    DrawingToSave near = all;
+    near.dots = stream_of(some, 1000);
+    CHECK(estimated_bytes(DrawingFormat::png, DrawingSettings{}, near) ==
+          estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
+}
+
+TEST_CASE("several pens' files have about the size told before") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    DrawingSettings drawing;
+    drawing.placing.count = 4000;
+    drawing.pens = parse_pens("cmyk");
+    Session session(drawing, [] {});
+    session.open_sample();
+    session.settings.saving.dpi = 100;
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.placed_once() && session.pane().page().settled(); }));
+    for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode", "a.dxf"}) {
+        INFO(std::string(name));
+        ExportEstimate estimate;
+        const ExportInfo info = estimate.info(session.pane(), session.settings, drawing_format(name));
+        REQUIRE(info.bytes);
+        session.save(folder / name);
+        REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
+    }
+}
+
+TEST_CASE("saved files have the order and resolution chosen, and about the size told before") {
+    TemporaryFolder folder;
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    Session session(DrawingSettings{}, [] {});
+    session.open_sample();
+    session.settings.drawing.show_tiles = true;
+    session.settings.saving = {DotOrder::priority, 80};
+    DotsRequest request = dots_request(session.settings);
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.pane().page_request() == request; }));
+    for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode"}) {
+        CAPTURE(name);
+        const DrawingFormat format = drawing_format(name);
+        ExportEstimate estimate;
+        const ExportInfo info = estimate.info(session.pane(), session.settings, format);
+        CHECK(info.dots == 40'000);
+        REQUIRE(info.bytes);
+        const auto before = session.saved_path();
+        session.save(folder / name);
+        CHECK(session.saved_path() == before);
+        REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
+    }
+    // x_mm,y_mm,radius_mm,level,rank,critical_scale,...: by priority the sixth column ascends.
+    std::ifstream table(folder / "a.csv"), svg(folder / "a.svg");
+    std::string line, circle;
+    std::getline(table, line);
+    while (std::getline(svg, circle) && !circle.starts_with("<circle")) continue;
+    double last = 0;
+    bool ascends = true, same_order = true;
+    int lines = 0;
+    for (; std::getline(table, line); ++lines) {
+        std::size_t comma = line.find(',');
+        for (int column = 2; column < 6; ++column) comma = line.find(',', comma + 1);
+        const double critical = std::stod(line.substr(comma + 1));
+        ascends = ascends && critical >= last;
+        last = critical;
+        // The SVG has the same dots in the same order, in px.
+        const double x = std::stod(circle.substr(circle.find("cx=") + 4)) * 25.4 / 96;
+        same_order = same_order && std::abs(x - std::stod(line)) < 0.01;
+        std::getline(svg, circle);
+    }
+    CHECK(same_order);
+    CHECK(lines == 40'000);
+    CHECK(ascends);
+}
+
+}  // namespace dapple
