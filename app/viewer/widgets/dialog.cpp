@@ -1,7 +1,6 @@
 #include "app/viewer/widgets/dialog.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/widgets.h"
@@ -23,8 +22,6 @@ bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags, DialogP
         ImGui::BeginPopupModal(title, &open, flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
     ImGui::PopStyleVar(2);
     if (!drawn) return false;
-    // In its first frame, which is not seen, it has neither its size nor its place.
-    if (ImGui::GetCurrentWindowRead()->Hidden) return true;
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     note_place("Dialog", {{low.x, low.y}, {low.x + size.x, low.y + size.y}});
     return true;

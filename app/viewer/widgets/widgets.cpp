@@ -66,6 +66,9 @@ RowListing::~RowListing() {
 }
 
 void note_place(const char* label, const WidgetPlace& place) {
+    // In its first frame, which is not seen, a dialog has neither its size nor its place.
+    const ImGuiWindow* const window = ImGui::GetCurrentWindowRead();
+    if (window->Hidden && window->RootWindow->Flags & ImGuiWindowFlags_Modal) return;
     if (WidgetNotes* const noted = widget_notes()) noted->places[label] = place;
 }
 

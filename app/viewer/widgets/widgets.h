@@ -73,7 +73,7 @@ class RowListing {
 /// releases take a text field's old undo steps for those of another text, and insist that time passes.
 void new_frame();
 
-/// Notes the item drawn last under a label, or a place.
+/// Notes the item drawn last under a label, or a place, unless it is in a dialog that is not seen yet.
 void note_place(const char* label);
 void note_place(const char* label, const WidgetPlace& place);
 
