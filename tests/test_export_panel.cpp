@@ -76,7 +76,7 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
     ExportInfo info{.dots = 400, .bytes = 1e4, .trouble = {}};
     info.findings = {{FindingKind::hours, "plotting takes long", "8,400 dots take an hour", 8400},
                      {FindingKind::overlap, "dots overlap", "fewer part them"},
-                     {FindingKind::joined, "dots are joined", "fewer part them"},
+                     {FindingKind::joined, "dots are joined", "2,100 dots part them", 2100},
                      {FindingKind::over_edge, "dots reach over", "a margin helps", 0.4},
                      {FindingKind::fine_pixels, "dots are fine", "more pixels show them", 720},
                      {FindingKind::tile_layer, "the layer is drawn", "leave it out"},
@@ -84,6 +84,8 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
     HeadlessUi ui([&] { draw_export_panel(settings, DrawingFormat::svg, info); });
     ui.click("8,400 dots");
     CHECK(settings.drawing.placing.count == 8400);
+    ui.click("2,100 dots");
+    CHECK(settings.drawing.placing.count == 2100);
     ui.click("Black 0.7");
     CHECK(settings.drawing.tone.black == 0.7);
     ui.frame();

@@ -99,6 +99,22 @@ TEST_CASE("hours of plotting come with how many dots take one") {
     CHECK(kinds_of(facts).empty());
 }
 
+TEST_CASE(
+    "dots that programs join come with how many are far enough from each other, or how wide a page parts "
+    "them") {
+    DrawingFacts facts = good_facts();
+    facts.is_svg = true;
+    facts.measured->nearer_than_saxi = 9000;
+    facts.measured->first_percentile_mm = 0.25;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::joined});
+    // Half the distance: a quarter of the dots, and some to spare.
+    CHECK(findings_of(facts)[0].amount == 2400);
+    CHECK(sentences_of(facts).find("2,400 dots or a page 2.1 times as wide part them") != std::string::npos);
+    facts.whole_page = false;  // it would be the sheet's count
+    CHECK(findings_of(facts)[0].amount == 0);
+    CHECK(sentences_of(facts).find("fewer dots or a wider page part them") != std::string::npos);
+}
+
 TEST_CASE("more dots than programs read, and more than are looked at, are told with what can be done") {
     DrawingFacts facts = good_facts();
     facts.is_svg = true;
@@ -106,6 +122,7 @@ TEST_CASE("more dots than programs read, and more than are looked at, are told w
     CHECK(kinds_of(facts).empty());
     facts.dots = kMostSvgElements + 1;
     CHECK(kinds_of(facts) == Kinds{FindingKind::too_many});
+    CHECK(findings_of(facts)[0].amount == kMostSvgElements);
     facts.is_svg = false;
     CHECK(kinds_of(facts).empty());
     facts.measured.reset();

@@ -40,6 +40,18 @@ TEST_CASE("dots that a plotter's program joins are counted by its own distance")
     CHECK(found.nearer_than_saxi == 4);
 }
 
+TEST_CASE("one dot in a hundred is nearer to another than the first percentile") {
+    Dots dots;  // in pairs, each further apart than the one before
+    for (int pair = 0; pair < 500; ++pair)
+        for (const float x : {0.0f, 0.001f + 1e-5f * static_cast<float>(pair)}) {
+            dots.x.push_back(0.02f * static_cast<float>(pair % 50) + x);
+            dots.y.push_back(0.04f * static_cast<float>(pair / 50));
+        }
+    // Five pairs are nearer than the sixth, which is 0.1 mm and five hundredths of one apart.
+    CHECK(preflight(dots, kPage, 0.1).first_percentile_mm == doctest::Approx(0.105).epsilon(1e-4));
+    CHECK(std::isinf(preflight(dots_at_mm({{10, 10}}), kPage, 0.1).first_percentile_mm));
+}
+
 TEST_CASE("dots that reach over any edge of the page are counted") {
     CHECK(preflight(dots_at_mm({{0.3f, 20}, {50, 0.3f}, {99.7f, 20}, {50, 49.7f}, {50, 25}}), kPage, 0.4)
               .over_edge == 4);

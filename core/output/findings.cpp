@@ -92,13 +92,19 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
     if (!facts.is_svg || facts.ink.as == DotsAs::lines) return;
     if (share_of(measured.nearer_than_saxi, facts) <= kTold) return;
+    // Distances go with the square root of the room that a dot has; the last of them, a little less.
+    const double wider = 1.03 * kSaxiJoins / measured.first_percentile_mm;
+    const double apart =
+        facts.whole_page ? in_two_digits(static_cast<double>(facts.dots) / (wider * wider)) : 0;
     found.push_back(
         {FindingKind::joined,
          fmt::format("{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
                      "than {:g} mm, which AxiDraw's program does",
                      grouped(measured.nearer_than_saxi), kSaxiJoins, grouped(measured.nearer_than_axidraw),
                      kAxiDrawJoins),
-         "fewer dots or a wider page part them"});
+         apart >= 1 ? fmt::format("{} dots or a page {:.1f} times as wide part them", about(apart), wider)
+                    : std::string("fewer dots or a wider page part them"),
+         apart});
 }
 
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -151,7 +157,8 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
                  fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse {}",
                              lines ? fmt::format("a line through more than about {} dots", grouped(most))
                                    : fmt::format("more than {} dots", grouped(most))),
-                 "fewer dots, a region or sheets are read, and so is a PDF"});
+                 "fewer dots, a region or sheets are read, and so is a PDF",
+                 facts.whole_page ? static_cast<double>(most) : 0});
     }
     if (!facts.measured && facts.ink.as != DotsAs::listed)
         found.push_back({FindingKind::not_looked,

@@ -45,7 +45,8 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
         low = glm::min(low, places[i]);
         high = glm::max(high, places[i]);
     }
-    Preflight result{.nearest_mm = std::numeric_limits<double>::infinity()};
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    Preflight result{.nearest_mm = kNone, .first_percentile_mm = kNone};
     for (std::size_t i = 1; i < places.size(); ++i)
         result.pen_up_m += glm::distance(places[i - 1], places[i]) / 1000;
     const Rectangle<double> whole =
@@ -61,11 +62,17 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
     // Dots reach in from beyond a part, and one can lie a hair beyond a page.
     for (glm::dvec2& place : places) place -= low;
     const Domain domain{high.x - low.x, high.y - low.y, Topology::window};
-    for (const double distance : nearest_distances(places, domain)) {
+    std::vector<double> nearest = nearest_distances(places, domain);
+    for (const double distance : nearest) {
         result.nearest_mm = std::min(result.nearest_mm, distance);
         if (dots.radius.empty()) result.overlapping += distance < 2 * dot_radius_mm;
         result.nearer_than_saxi += distance < kSaxiJoins;
         result.nearer_than_axidraw += distance < kAxiDrawJoins;
+    }
+    if (nearest.size() > 1) {
+        const auto first_percentile = nearest.begin() + static_cast<long>(nearest.size() / 100);
+        std::nth_element(nearest.begin(), first_percentile, nearest.end());
+        result.first_percentile_mm = *first_percentile;
     }
     if (!dots.radius.empty()) result.overlapping = overlapping_unequal(dots);
     result.rings_m = 2 * std::numbers::pi * radii_mm / 1000;

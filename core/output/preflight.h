@@ -21,6 +21,7 @@ inline constexpr double kAxiDrawJoins = 0.152;
 struct Preflight {
     double pen_up_m = 0;                 // the pen's way from dot to dot, in the order given, in metres
     double nearest_mm = 0;               // smallest distance between two dots; infinite if there are not two
+    double first_percentile_mm = 0;      // one dot in a hundred has another one nearer than this; or infinite
     std::uint64_t nearer_than_saxi = 0;  // dots with another one nearer than kSaxiJoins
     std::uint64_t nearer_than_axidraw = 0;
     std::uint64_t overlapping = 0;      // dots that reach into others; of unequal radii into near ones

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "core/routing/greedy_way.h"
 #include "core/routing/near_dots.h"
 
 namespace dapple {
@@ -30,8 +31,9 @@ constexpr std::size_t kLooksPerDot = 200;
 // nothing, so that an open way's moves are a closed one's.
 class Window {
  public:
-    // An end that is held stays the end: there the rest of the way goes on.
-    Window(std::vector<float> x, std::vector<float> y, bool holds_first, bool holds_last)
+    // An end that is held stays the end: there the rest of the way goes on. The way begins as the dots come,
+    // or anew.
+    Window(std::vector<float> x, std::vector<float> y, bool holds_first, bool holds_last, bool anew)
         : x_(std::move(x)),
           y_(std::move(y)),
           near_(near_dots(x_, y_)),
@@ -41,9 +43,16 @@ class Window {
           last_(holds_last ? joint_ - 1 : joint_),
           tour_(stops_),
           place_(stops_),
-          waits_(stops_, 1) {
-        std::iota(tour_.begin(), tour_.end(), 0u);
-        place_ = tour_;
+          waits_(stops_) {
+        if (anew)
+            std::ranges::copy(greedy_way(x_, y_, near_, holds_first, holds_last), tour_.begin());
+        else
+            std::iota(tour_.begin(), tour_.end(), 0u);
+        tour_[joint_] = joint_;
+        for (std::uint32_t place = 0; place < stops_; ++place) place_[tour_[place]] = place;
+        near_length_.resize(near_.size());
+        for (std::size_t i = 0; i < near_.size(); ++i)
+            near_length_[i] = distance(static_cast<std::uint32_t>(i / kNearDots), near_[i]);
         // Gains below this are rounding.
         double length = 0;
         for (std::uint32_t i = 1; i < joint_; ++i) length += distance(i - 1, i);
@@ -51,14 +60,14 @@ class Window {
         held_ = 10 * length + 1;
     }
 
-    void improve(const std::stop_token& stop) {
-        queue_.assign(tour_.begin(), tour_.end());
+    // Looks at those dots, and at whatever is around each move.
+    void improve(const std::vector<std::uint32_t>& dots, const std::stop_token& stop) {
+        for (const std::uint32_t dot : dots) look_again(dot);
         std::size_t looks = 0;
         for (std::size_t next = 0; next < queue_.size() && looks < kLooksPerDot * stops_; ++next, ++looks) {
             if (looks % 1024 == 0 && stop.stop_requested()) return;
             const std::uint32_t dot = queue_[next];
             waits_[dot] = 0;
-            if (dot == joint_) continue;
             while (carry_row_from(dot) || turn_part_at(dot) || chain_from(dot)) {
                 if (++looks > kLooksPerDot * stops_) return;
             }
@@ -67,6 +76,18 @@ class Window {
                 next = static_cast<std::size_t>(-1);
             }
         }
+    }
+
+    std::vector<std::uint32_t> all() const { return {tour_.begin(), tour_.end() - 1}; }
+    // The dots before that one which have a near one from it on, and the other way round.
+    std::vector<std::uint32_t> along_seam(std::uint32_t seam) const {
+        std::vector<std::uint32_t> dots;
+        for (std::uint32_t dot = 0; dot < joint_; ++dot) {
+            const auto near = std::span(near_).subspan(dot * kNearDots, kNearDots);
+            if (std::ranges::any_of(near, [&](std::uint32_t k) { return (k < seam) != (dot < seam); }))
+                dots.push_back(dot);
+        }
+        return dots;
     }
 
     // The dots from the first to the last.
@@ -102,7 +123,7 @@ class Window {
     }
 
     void look_again(std::uint32_t dot) {
-        if (waits_[dot]) return;
+        if (waits_[dot] || dot == joint_) return;
         waits_[dot] = 1;
         queue_.push_back(dot);
     }
@@ -140,7 +161,7 @@ class Window {
             const double a_b = distance(a, b);
             for (std::size_t k = 0; k < kNearDots; ++k) {
                 const std::uint32_t c = near_[a * kNearDots + k];
-                const double a_c = distance(a, c);
+                const double a_c = near_length_[a * kNearDots + k];
                 if (a_c >= a_b) break;
                 const std::uint32_t d = beside(c, forward);
                 if (c == b || d == a) continue;
@@ -183,7 +204,7 @@ class Window {
                bool forward, double saved) {
         for (std::size_t k = 0; k < kNearDots; ++k) {
             const std::uint32_t c = near_[a * kNearDots + k];
-            const double a_c = distance(a, c);
+            const double a_c = near_length_[a * kNearDots + k];
             if (a_c >= saved) return false;
             if (c == a || is_in_row(c, a, length, forward)) continue;
             for (const bool on : {true, false}) {
@@ -234,7 +255,7 @@ class Window {
         const bool follows = thought_beside(a, true) == b;
         for (std::size_t k = 0; k < kNearDots; ++k) {
             const std::uint32_t d = near_[b * kNearDots + k];
-            const double left = freed - distance(b, d);
+            const double left = freed - near_length_[b * kNearDots + k];
             if (left <= least_gain_) break;
             // exchange() asks that b follows a as d follows c, and turns change which way that is.
             const std::uint32_t c = thought_beside(d, !follows);
@@ -294,7 +315,8 @@ class Window {
 
     std::vector<float> x_, y_;
     std::vector<std::uint32_t> near_;
-    std::vector<Turn> turns_;  // of the chain being tried
+    std::vector<double> near_length_;  // to each of them
+    std::vector<Turn> turns_;          // of the chain being tried
     std::size_t stops_;
     std::uint32_t joint_, first_, last_;  // the ends that are held, or the joint
     std::vector<std::uint32_t> tour_, place_;
@@ -336,7 +358,8 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
         };
         tbb::parallel_for(std::size_t{0}, count + shifted, [&](std::size_t index) {
             if (watch.stop.stop_requested()) return;
-            const std::size_t first = border(index), last = border(index + 1);
+            const std::size_t first = border(index), last = border(index + 1),
+                              seam = index * order.size() / count - first;
             if (last - first < 3) return;
             const std::vector<std::uint32_t> dots(order.begin() + static_cast<long>(first),
                                                   order.begin() + static_cast<long>(last));
@@ -345,10 +368,13 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
                 across[i] = x[dots[i]];
                 down[i] = y[dots[i]];
             }
-            Window window(std::move(across), std::move(down), first > 0, last < order.size());
-            window.improve(watch.stop);
+            const double given = way_length(across, down);
+            Window window(across, down, first > 0, last < order.size(), round == 0);
+            window.improve(round == 0 ? window.all() : window.along_seam(static_cast<std::uint32_t>(seam)),
+                           watch.stop);
             const std::vector<std::uint32_t> way = window.way();
-            for (std::size_t i = 0; i < way.size(); ++i) order[first + i] = dots[way[i]];
+            if (way_length(across, down, way) <= given)
+                for (std::size_t i = 0; i < way.size(); ++i) order[first + i] = dots[way[i]];
             const std::scoped_lock lock(telling);
             done += dots.size();
             if (watch.progress) watch.progress(double(done) / (double(rounds) * double(order.size())));

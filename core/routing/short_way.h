@@ -17,19 +17,20 @@ struct RoutingWatch {
     std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
 };
 
-/// The dots' indices in an order whose way is never longer than the one given. The start should be a good
-/// one: dots sorted along a Hilbert curve (core/placing/dot_order.h).
+/// The dots' indices in an order whose way is never longer than the one given. The dots should be sorted
+/// along a Hilbert curve (core/placing/dot_order.h), so that consecutive ones are near each other.
 ///
-/// The way is improved by moves until none helps: 2-opt (Croes 1958), which turns a part of the way round,
-/// and Or-opt (Or 1976), which carries one to three dots in a row elsewhere. Both look only at each dot's
-/// nearest others and at dots whose surroundings changed (neighbour lists and don't-look bits: Bentley,
-/// "Fast algorithms for geometric traveling salesman problems", ORSA J. Computing 4, 1992; Johnson and
-/// McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
+/// A greedy way (greedy_way.h) is improved by moves until none helps: 2-opt (Croes 1958), which turns a part
+/// of the way round, and Or-opt (Or 1976), which carries one to three dots in a row elsewhere. Both look only
+/// at each dot's nearest others and at dots whose surroundings changed (neighbour lists and don't-look bits:
+/// Bentley, "Fast algorithms for geometric traveling salesman problems", ORSA J. Computing 4, 1992; Johnson
+/// and McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
 ///
-/// Many dots are improved in windows of consecutive ones, side by side in threads, and then again in windows
-/// half a step on. The result depends on the dots alone: not on time, nor on the number of threads, so that
-/// window and command, and every machine, write the same file. That is why there is no limit in seconds:
-/// whoever cannot wait stops it. Throws nothing of its own; when stopped, what was reached is returned.
+/// Many dots are improved in windows of consecutive ones, side by side in threads, and then those along the
+/// windows' borders again, in windows half a step on. The result depends on the dots alone: not on time, nor
+/// on the number of threads, so that window and command, and every machine, write the same file. That is why
+/// there is no limit in seconds: whoever cannot wait stops it. Throws nothing of its own; when stopped, what
+/// was reached is returned.
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
                                      const RoutingWatch& watch = {});
 

@@ -162,6 +162,8 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
     switch (finding.kind) {
         case FindingKind::hours:
         case FindingKind::tone:
+        case FindingKind::joined:
+        case FindingKind::too_many:
             if (amount >= 1 && amount <= double(kMostDots) && !own_count) return with_dots(amount);
             break;
         case FindingKind::rings:
