@@ -60,7 +60,8 @@ TEST_CASE("dots coincide as often as the tiles that were laid twice") {
             dots.push_back((p + glm::dvec2(places % 4, places / 4)) / 4.0);
     };
     for (int place = 0; place < 16; ++place) lay(place, std::ranges::count(kAlike, place) > 0 ? 99 : place);
-    CHECK(coincidence(dots, 0.25) == doctest::Approx(1.0 / 16).epsilon(0.2));
+    CHECK(coincidence(dots, 0.25) > 0.9 / 16);
+    CHECK(coincidence(dots, 0.25) < 1.3 / 16);  // the worst of some hundred moves, with chance
     CHECK(coincidence(repeated(white_noise(500, 1), 4), 0.25) == doctest::Approx(1));
     CHECK(coincidence(white_noise(8000, 2), 0.25) < 0.02);
 }
