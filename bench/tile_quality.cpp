@@ -5,6 +5,9 @@
 //      tile_quality TILE[:RANKING] ...     TILE as in dapple render --tile
 //      tile_quality --level DOTS [TILE] .. only the full level of so many dots or the next one
 //      tile_quality --relax STEPS ...      after so many steps of relaxation, before all of these
+//      tile_quality --counts N,N,.. [TILE] just so many dots, placed and after the steps that a drawing has,
+//      and
+//                                          how many meet others when tiles are moved; "wang" is a TILE too
 //
 // The paper's ranks on the exact placer give Figure 8's dots without its duplicates. docs/make_quality makes
 // docs/quality.md with it.
@@ -15,9 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <glm/common.hpp>
 #include <glm/vec2.hpp>
-#include <glm/vector_relational.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,10 +26,10 @@
 
 #include "app/analysis/black_seams.h"
 #include "app/files/tile_library.h"
-#include "core/analysis/distances.h"
-#include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
-#include "core/relaxing/relax.h"
+#include "bench/dot_marks.h"
+#include "core/drawing/request.h"
+#include "core/related/methods.h"
+#include "core/related/wang_tiles.h"
 #include "core/text/numbers.h"
 
 namespace {
@@ -37,15 +38,11 @@ using namespace dapple;
 
 constexpr std::size_t kFewestDots = 40'000;
 constexpr int kDensities = 12;
-
-struct Marks {
-    double highest_bin = 0, top_share = 0, power_03 = 0, power_05 = 0;
-    NearestSummary nearest;
-    double seam = 0;
-};
+constexpr double kPageMm2 = 210 * 297;
+constexpr const char* kWang = "wang";
 
 // A number of each column, the worse of two.
-Marks worse(const Marks& a, const Marks& b) {
+DotMarks worse(const DotMarks& a, const DotMarks& b) {
     return {std::max(a.highest_bin, b.highest_bin),
             std::max(a.top_share, b.top_share),
             std::max(a.power_03, b.power_03),
@@ -55,56 +52,10 @@ Marks worse(const Marks& a, const Marks& b) {
             std::max(a.seam, b.seam)};
 }
 
-std::string in_columns(const Marks& m) {
+std::string in_columns(const DotMarks& m) {
     return fmt::format("{:.0f} | {:.1f} % | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.2f} |",
                        m.highest_bin, 100 * m.top_share, m.power_03, m.power_05, m.nearest.minimum,
                        m.nearest.p1, m.nearest.mean, m.seam);
-}
-
-// Relaxed on the torus: with copies of the dots around them, as wide as what moves them from outside.
-std::vector<glm::dvec2> relaxed(const std::vector<glm::dvec2>& points, double scale, int steps) {
-    if (steps == 0) return points;
-    const double rim = relaxing_rim(scale, steps), side = 1 + 2 * rim;
-    Dots dots;
-    const auto add = [&](glm::dvec2 p) {
-        dots.x.push_back(static_cast<float>((p.x + rim) / side));
-        dots.y.push_back(static_cast<float>((p.y + rim) / side));
-    };
-    for (const glm::dvec2 p : points) add(p);
-    for (int i = -1; i <= 1; ++i) {
-        for (int j = -1; j <= 1; ++j) {
-            if (i == 0 && j == 0) continue;
-            for (const glm::dvec2 p : points) {
-                const glm::dvec2 copy = p + glm::dvec2(i, j);
-                if (glm::all(glm::greaterThan(copy, glm::dvec2(-rim))) &&
-                    glm::all(glm::lessThan(copy, glm::dvec2(1 + rim))))
-                    add(copy);
-            }
-        }
-    }
-    const Density grey(Grid<float>(1, 1, 1.0f));
-    DotPieces pieces;
-    pieces.pieces.push_back(std::move(dots));
-    Relaxation relaxation(std::move(pieces), grey, {.scale = scale * side * side, .threads = 0});
-    for (int step = 0; step < steps; ++step) relaxation.step();
-    const Dots moved = relaxation.dots_as_taken();
-    std::vector<glm::dvec2> result;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        result.push_back(glm::fract(glm::dvec2(moved.x[i], moved.y[i]) * side - rim));
-    return result;
-}
-
-Marks marks_of(const std::vector<glm::dvec2>& points) {
-    const Domain torus{};
-    const std::vector<glm::dvec2> inside = points_inside(points, torus);
-    const Periodogram spectrum = periodogram(inside, torus);
-    const Peaks peaks = spectral_peaks(spectrum);
-    return {peaks.highest_bin,
-            peaks.top_share,
-            low_frequency_power(spectrum, 0.3),
-            low_frequency_power(spectrum, 0.5),
-            nearest_summary(inside, torus),
-            seams(points, kSeamLoad).worst()};
 }
 
 std::optional<RankingMethod> ranking_named(const std::string& name) {
@@ -113,15 +64,21 @@ std::optional<RankingMethod> ranking_named(const std::string& name) {
     throw std::runtime_error(name + ": no such ranking; there are paper, farthest, energy");
 }
 
-Marks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey, int steps) {
+std::vector<glm::dvec2> placed_dots(RankedTile& tile, double count, const Density& grey) {
     PlacingRequest request;
-    request.scale = std::round(count) / 16;
+    request.scale = std::round(count) / kDotsPerScale;
     Stippling placed;
     stipple(tile, grey, PlacerKind::exact, request, placed);
     std::vector<glm::dvec2> points;
     for_each_position(placed.dots, [&](float x, float y) { points.emplace_back(x, y); });
-    const Marks marks = marks_of(relaxed(points, placed.scale, steps));
-    fmt::print("| {} | {} | {}\n", name, placed.dots.size(), in_columns(marks));
+    return points;
+}
+
+DotMarks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey, int steps) {
+    const auto points = placed_dots(tile, count, grey);
+    const double scale = std::round(count) / kDotsPerScale;
+    const DotMarks marks = dot_marks(relaxed_on_torus(points, scale, steps), kSeamLoad);
+    fmt::print("| {} | {} | {}\n", name, points.size(), in_columns(marks));
     std::fflush(stdout);
     return marks;
 }
@@ -137,10 +94,10 @@ void measure(const std::string& argument, const Density& grey, int steps) {
     RankedTile tile = tile_of(argument);
     const auto level = static_cast<double>(full_level(tile, kFewestDots));
     print_row(tile, argument, level, grey, steps);
-    std::optional<Marks> between;
+    std::optional<DotMarks> between;
     for (int k = 1; k < kDensities; ++k) {
         const double count = level * std::pow(4.0, static_cast<double>(k) / kDensities);
-        const Marks marks = print_row(tile, "", count, grey, steps);
+        const DotMarks marks = print_row(tile, "", count, grey, steps);
         between = between ? worse(*between, marks) : marks;
     }
     fmt::print("| {}, worst between levels | | {}\n", argument, in_columns(*between));
@@ -151,26 +108,92 @@ void measure_level(const std::string& argument, std::size_t fewest_dots, const D
     print_row(tile, argument, static_cast<double>(full_level(tile, fewest_dots)), grey, steps);
 }
 
+// Placed, and after the steps that a drawing of so many dots has.
+void print_both(const std::string& name, const std::vector<glm::dvec2>& points, double tile_side) {
+    const auto count = static_cast<double>(points.size());
+    for (const int steps : {0, usual_steps(count, kPageMm2)}) {
+        const auto dots = relaxed_on_torus(points, count / kDotsPerScale, steps);
+        const DotMarks m = dot_marks(dots, kSeamLoad);
+        fmt::print("| {} | {} | {} | {:.0f} | {:.4f} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n", name,
+                   points.size(), steps, m.highest_bin, m.power_03, m.nearest.p1, m.nearest.mean, m.seam,
+                   100 * coincidence(dots, tile_side));
+        std::fflush(stdout);
+    }
+}
+
+// The side of the tiles that are full at a count, or were last.
+double side_at(double count, double tile_points, double level_factor) {
+    const double level = std::floor(std::log(count / tile_points) / std::log(level_factor) + 1e-9);
+    return std::pow(level_factor, -std::max(level, 0.0) / 2);
+}
+
+void measure_counts(const std::string& argument, const std::vector<std::size_t>& counts,
+                    const Density& grey) {
+    if (argument == kWang) {
+        const double factor = related_method(kWang)->level_factor;
+        for (const std::size_t count : counts) {
+            const double side = side_at(static_cast<double>(count), kWangPoints, factor);
+            print_both(argument, recursive_wang_tiles({.count = count}), side);
+        }
+        return;
+    }
+    RankedTile tile = tile_of(argument);
+    const std::string name = short_tile_name(argument);
+    for (const std::size_t count : counts) {
+        const auto dots = static_cast<double>(count);
+        print_both(name, placed_dots(tile, dots, grey),
+                   side_at(dots, static_cast<double>(tile.tile().size()), 4));
+    }
+}
+
+std::vector<std::size_t> counts_of(const std::string& list) {
+    std::vector<std::size_t> counts;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t end = std::min(list.find(',', at), list.size());
+        const auto count = number_of<std::size_t>(list.substr(at, end - at));
+        if (!count) throw std::runtime_error(list + ": not numbers with commas between them");
+        counts.push_back(*count);
+        at = end + 1;
+    }
+    return counts;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
         std::vector<std::string> tiles(argv + 1, argv + argc);
         const auto option = [&](const char* name) {
-            std::optional<std::size_t> value;
+            std::optional<std::string> value;
             if (tiles.size() < 2 || tiles[0] != name) return value;
-            value = number_of<std::size_t>(tiles[1]);
-            if (!value) throw std::runtime_error(tiles[1] + ": not a number");
+            value = tiles[1];
             tiles.erase(tiles.begin(), tiles.begin() + 2);
             return value;
         };
-        const auto steps = static_cast<int>(option("--relax").value_or(0));
-        const std::optional<std::size_t> level = option("--level");
+        const auto number = [&](const char* name) {
+            std::optional<std::size_t> value;
+            const auto text = option(name);
+            if (!text) return value;
+            value = number_of<std::size_t>(*text);
+            if (!value) throw std::runtime_error(*text + ": not a number");
+            return value;
+        };
+        const Density grey(Grid<float>(1, 1, 1.0f));
+        if (const auto list = option("--counts")) {
+            const std::vector<std::size_t> counts = counts_of(*list);
+            if (tiles.empty()) tiles = {"aperiodic4096", kWang};
+            fmt::print(
+                "| tile | dots | steps | highest bin | power below 0.3 | nearest: 1st percentile | mean | "
+                "seam | coincidence |\n|---|---|---|---|---|---|---|---|---|\n");
+            for (const std::string& tile : tiles) measure_counts(tile, counts, grey);
+            return 0;
+        }
+        const auto steps = static_cast<int>(number("--relax").value_or(0));
+        const std::optional<std::size_t> level = number("--level");
         if (tiles.empty()) {
             tiles = {"paper16:paper", "paper16",       "aperiodic16",  "aperiodic64",
                      "aperiodic256",  "aperiodic1024", "aperiodic4096"};
         }
-        const Density grey(Grid<float>(1, 1, 1.0f));
         fmt::print(
             "| tile | dots | highest bin | top 0.1 % | power below 0.3 | below 0.5 | nearest: minimum | "
             "1st percentile | mean | seam |\n|---|---|---|---|---|---|---|---|---|---|\n");

@@ -1,0 +1,30 @@
+#pragma once
+// How even and how periodic constant grey is, on the unit square whose opposite edges meet.
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "core/analysis/distances.h"
+
+namespace dapple {
+
+struct DotMarks {
+    double highest_bin = 0, top_share = 0;  // see Peaks
+    double power_03 = 0, power_05 = 0;      // mean below 0.3 and 0.5, over sqrt(n)
+    NearestSummary nearest;
+    double seam = 0;  // the worst of seams()
+};
+
+/// Of dots of which black has an area of `load` pages.
+DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load);
+
+/// The dots after so many steps of relaxation, in the same order: with copies of them around, as far as these
+/// have an influence. `scale` is a sixteenth of their number.
+std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps);
+
+/// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off;
+/// of the worst of all moves up to eight tiles. At least 2 tiles lie side by side.
+double coincidence(const std::vector<glm::dvec2>& points, double tile_side);
+
+}  // namespace dapple
