@@ -6,8 +6,8 @@
 //      tile_quality --level DOTS [TILE] .. only the full level of so many dots or the next one
 //      tile_quality --relax STEPS ...      after so many steps of relaxation, before all of these
 //      tile_quality --counts N,N,.. [TILE] just so many dots, placed and after the steps that a drawing has,
-//      and
-//                                          how many meet others when tiles are moved; "wang" is a TILE too
+//                                          with how many meet others once the page moves by whole tiles;
+//                                          "wang" is a TILE too
 //
 // The paper's ranks on the exact placer give Figure 8's dots without its duplicates. docs/make_quality makes
 // docs/quality.md with it.
