@@ -165,7 +165,7 @@ PenDensities shares_of_grey(const std::vector<double>& shares) {
     return densities;
 }
 
-PenDensities shares_of_photograph(const char* file) {
+PenDensities shares_of_photograph(const char* file, std::uint64_t count) {
     Picture picture = read_picture(file, PictureLimit::usual, PictureColours::kept);
     Pipeline pipeline;
     pipeline.set_tile(tile_named(kDefaultTile, {}));
@@ -173,6 +173,7 @@ PenDensities shares_of_photograph(const char* file) {
     pipeline.set_colours(std::move(picture.colours));
     DrawingSettings settings;
     settings.pens = parse_pens("cmyk");
+    settings.placing.count = count;
     return pipeline.plan(request_of(settings)).by_pen;
 }
 
@@ -182,7 +183,7 @@ int main(int argc, char** argv) {
     try {
         const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 20'000;
         if (argc > 2) {
-            print_tables(Kind::photograph, "The photograph", shares_of_photograph(argv[2]), count);
+            print_tables(Kind::photograph, "The photograph", shares_of_photograph(argv[2], count), count);
         } else {
             print_tables(Kind::grey, "4 x .25", shares_of_grey({0.25, 0.25, 0.25, 0.25}), count);
             print_tables(Kind::grey, ".6 .3 .1", shares_of_grey({0.6, 0.3, 0.1}), count);

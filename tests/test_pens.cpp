@@ -166,6 +166,32 @@ TEST_CASE("of a grey that black and the paper make, other pens draw nothing, and
         }
 }
 
+TEST_CASE("a pen draws no few dots among many of others, who make up for it") {
+    std::mt19937 random(5);
+    for (const char* set : {"cmyk", "Red:#c1121f,Blue black:#101828",
+                            "Yellow:#ffed00,Blue:#004e9f,Red:#e2001a,Green:#008d36,Black:#1d1d1b"}) {
+        CAPTURE(std::string(set));
+        const PenChoice choice = parse_pens(set);
+        const Palette pens = palette_of(choice);
+        const Separation separation(pens, kWhite);
+        const auto light = [&random] {
+            const float root = float(random() % 33) / 32;  // as the lattice's colours have it
+            return root * root;
+        };
+        for (int k = 0; k < 500; ++k) {
+            const glm::vec3 colour =
+                k < 33 ? glm::vec3(float(k * k) / 1024) : glm::vec3(light(), light(), light());
+            const Shares shares = separation.shares(colour);
+            const float all = std::accumulate(shares.begin(), shares.end(), 0.0f);
+            for (const float share : shares) CHECK((share < 1e-5f || share > 0.0249f * all));
+            const PenMixer& mixer = separation.mixer();
+            const glm::vec3 nearest = mixer.seen(mixer.solve(separation.aim(colour)));
+            CHECK(std::abs(oklab_of(mixer.seen(shares)).x - oklab_of(nearest).x) < 0.03f);
+            CHECK(glm::distance(oklab_of(mixer.seen(shares)), oklab_of(nearest)) < 0.05f);
+        }
+    }
+}
+
 TEST_CASE("black draws as little of greys or as much as it is told to, and every colour stays as it was") {
     Palette pens = palette_of(parse_pens("cmyk"));
     sort_pens(pens, PenOrder::lightest);
@@ -234,6 +260,19 @@ TEST_CASE(
     CHECK(chosen(choice) == "Navy 0.3 Rose 0.5 ");
     choice.own.resize(2);  // leaves nothing to choose
     CHECK(chosen(choice) == "Blue 1 Red 1 ");
+}
+
+TEST_CASE("automatic pens of a grey picture are greys, if there are any") {
+    ColourGrid ramp(100, 10);
+    for (int y = 0; y < ramp.height; ++y)
+        for (int x = 0; x < ramp.width; ++x) ramp.at(x, y) = packed(glm::vec3(float(x * x) / 9801));
+    const auto chosen = [&](const char* pens) { return pens_for(parse_pens(pens), ramp, 0, kWhite); };
+    for (const char* pens : {"auto:1", "auto:2", "auto:4", "auto:2:Red:#e2001a,Ink:#1d1d1b,Sky:#009ee3"})
+        CHECK(!has_colour(chosen(pens)));
+    CHECK(chosen("auto:4").size() == 4);
+    CHECK(chosen("auto:1:Red:#e2001a,Sky:#009ee3").size() == 1);
+    std::fill_n(ramp.values.begin(), 100, packed(linear_of(parse_colour("#e2001a"))));
+    CHECK(has_colour(chosen("auto:2")));
 }
 
 TEST_CASE("pens that the paper would swallow are opaque, and others as they are asked to be") {

@@ -13,6 +13,12 @@ namespace {
 
 constexpr int kLookedAt = 500;  // pixels, for automatic pens
 
+// Nobody is to find a blue dot in a grey picture, which it would bring a hair nearer.
+bool is_grey(glm::vec3 light) {
+    const glm::vec3 lab = oklab_of(light);
+    return glm::length(glm::vec2(lab.y, lab.z)) < 0.01f;
+}
+
 // Dots of some of the pens are neither as even as all dots together, which overlap least, nor as uneven as if
 // they were drawn by lot: so far on the way from the first to the second. Measured on flat colours.
 constexpr float kUnevenness = 0.5f;
@@ -144,6 +150,9 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
         const bool from_own = chooses_from_own(choice);
         Palette candidates = choice.own;
         if (!from_own) candidates.assign(common_pens().begin(), common_pens().end());
+        const auto coloured = [](const Pen& pen) { return has_colour({pen}); };
+        if (std::ranges::all_of(some, is_grey) && !std::ranges::all_of(candidates, coloured))
+            std::erase_if(candidates, coloured);
         for (Pen& pen : candidates) pen.ink = has_to_cover(pen, paper) ? PenInk::opaque : choice.ink;
         pens = best_pens(some, candidates, choice.automatic, paper);
         for (Pen& pen : pens) {

@@ -12,8 +12,9 @@
 namespace dapple {
 
 /// The pens that the choice comes to on a picture, in its order; none for one pen. Automatic ones are
-/// chosen by about 500 of its pixels, in light that is `exposure` stops lighter. The ink of all of them is the
-/// choice's; opaque where one of them, as white on brown paper, would hardly be seen in transparent ink.
+/// chosen by about 500 of its pixels, in light that is `exposure` stops lighter; for a grey picture only
+/// greys, if there are any. The ink of all of them is the choice's; opaque where one of them, as white on
+/// brown paper, would hardly be seen in transparent ink.
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper);
 
 /// Of a picture whose tone is to be seen as `seen`, linear light 0..1: each colour is made lighter or darker

@@ -23,6 +23,7 @@ constexpr double kSumWeight = 30;  // of the shares' sum being 1 with the bare p
 constexpr double kSmallness = 0.0001;  // of the sum of squares
 constexpr int kRounds = 4;             // of making them small
 constexpr double kLeastShare = 0.001;  // below it none: a pen's few dots on a page would be specks
+constexpr double kLeastPart = 0.025;   // of all pens' shares: one dot among more than 40 would be one, too
 constexpr std::size_t kMostUnknowns = kMostPens + 1;
 
 using Vector = std::array<double, kMostUnknowns>;
@@ -80,9 +81,12 @@ void solve_chosen(const Matrix& a, const Vector& b, std::span<const std::size_t>
     }
 }
 
-// Non-negative least squares from the normal equations (Lawson & Hanson 1974, chapter 23), from `x` on.
-Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n, Vector x) {
-    std::array<bool, kMostUnknowns> free{};
+using Chosen = std::array<bool, kMostUnknowns>;
+
+// Non-negative least squares from the normal equations (Lawson & Hanson 1974, chapter 23), from `x` on, of
+// the unknowns that may be other than 0.
+Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n, const Chosen& may, Vector x) {
+    Chosen free{};
     for (std::size_t i = 0; i < n; ++i) free[i] = x[i] > 0;
     for (std::size_t round = 0; round < 4 * n; ++round) {
         for (std::size_t inner = 0; inner <= n; ++inner) {
@@ -105,7 +109,7 @@ Vector non_negative_solution(const Matrix& a, const Vector& b, std::size_t n, Ve
         std::size_t best = n;
         double steepest = 1e-10;
         for (std::size_t i = 0; i < n; ++i) {
-            if (free[i]) continue;
+            if (free[i] || !may[i]) continue;
             double slope = b[i];
             for (std::size_t j = 0; j < n; ++j) slope -= a[i][j] * x[j];
             if (slope > steepest) steepest = slope, best = i;
@@ -127,7 +131,7 @@ PenMixer::PenMixer(std::span<const Pen> pens, glm::vec3 paper) : paper_(linear_o
         pens_.push_back(linear_of(pen.colour) * (pen.ink == PenInk::transparent ? paper_ : glm::vec3(1)));
 }
 
-Shares PenMixer::solve(glm::vec3 aim) const {
+Shares PenMixer::solve(glm::vec3 aim, double least_part) const {
     const std::size_t n = pens_.size() + 1;  // the bare paper last
     std::array<glm::dvec3, kMostUnknowns> columns{};
     const ColourErrors errors{glm::dvec3(aim)};
@@ -143,14 +147,25 @@ Shares PenMixer::solve(glm::vec3 aim) const {
     }
     // Iterated Tikhonov regularisation (Engl, Hanke & Neubauer 1996, chapter 5): each round makes small how
     // far the shares are from those of the round before. So a pen that would be seen in place of others, as
-    // red in a grey, has hardly a share in the end, while pens that look alike go on sharing evenly.
-    Vector x{};
-    for (int round = 0; round < kRounds; ++round) {
-        Vector towards = b;
-        for (std::size_t i = 0; i + 1 < n; ++i) towards[i] += kSmallness * x[i];
-        x = non_negative_solution(a, towards, n, x);
+    // red in a grey, has hardly a share in the end, while pens that look alike go on sharing evenly. While a
+    // pen has too small a part, the one with the smallest goes, and the others make up for it.
+    Chosen may{};
+    may.fill(true);
+    Vector x;
+    const auto bare = x.begin() + static_cast<std::ptrdiff_t>(pens_.size());
+    while (true) {
+        x = {};
+        for (int round = 0; round < kRounds; ++round) {
+            Vector towards = b;
+            for (std::size_t i = 0; i + 1 < n; ++i) towards[i] += kSmallness * x[i];
+            x = non_negative_solution(a, towards, n, may, x);
+        }
+        const auto least = std::min_element(
+            x.begin(), bare, [](double one, double other) { return one > 0 && (other <= 0 || one < other); });
+        if (*least <= 0 || *least >= least_part * std::accumulate(x.begin(), bare, 0.0)) break;
+        may[static_cast<std::size_t>(least - x.begin())] = false;
     }
-    const double sum = std::accumulate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n), 0.0);
+    const double sum = std::accumulate(x.begin(), std::next(bare), 0.0);
     Shares shares{};
     for (std::size_t i = 0; i < pens_.size(); ++i) {
         const double share = x[i] / std::max(sum, 1e-9);
@@ -231,7 +246,8 @@ Separation::Separation(std::span<const Pen> pens, glm::vec3 paper, double black)
     tbb::parallel_for(0, kLattice, [&](int r) {
         for (int g = 0; g < kLattice; ++g)
             for (int b = 0; b < kLattice; ++b)
-                lattice_[lattice_index(r, g, b)] = mixer_.solve(aim({light(r), light(g), light(b)}));
+                lattice_[lattice_index(r, g, b)] =
+                    mixer_.solve(aim({light(r), light(g), light(b)}), kLeastPart);
     });
     if (black == kUsualBlack || pens.size() != SameLooks::kPens) return;
     const SameLooks line(mixer_);

@@ -5,9 +5,10 @@
 // each pen's as far as it covers, in linear light. (Neugebauer's equations of 1937 without overprints; what
 // overlaps is made up for later, see core/drawing/pen_plan.h.) The shares are those whose colour errs least,
 // none below 0 and all together at most 1; of the many that do so the smallest in the sum of squares, so that
-// they change smoothly where the colour does; a share below 0.001 is none. Colours that no mixture reaches
-// get paler rather than darker, lighter or of another hue: an error in luminance or hue weighs more than one
-// in how strong the colour is.
+// they change smoothly where the colour does. A share below 0.001 is none, and in a separation neither is one
+// that is less than a fortieth of all: its few dots among those of others would be specks. Colours that no
+// mixture reaches get paler rather than darker, lighter or of another hue: an error in luminance or hue
+// weighs more than one in how strong the colour is.
 //
 // The picture's black to white is mapped onto the darkest to the lightest of the pens and the paper, so that
 // every set of pens gives all the contrast it can.
@@ -33,8 +34,9 @@ class PenMixer {
 
     /// What those shares look like; linear.
     glm::vec3 seen(const Shares& shares) const;
-    /// The shares that come nearest to that linear colour.
-    Shares solve(glm::vec3 aim) const;
+    /// The shares that come nearest to that linear colour, with those pens that then have so much of all
+    /// shares or more.
+    Shares solve(glm::vec3 aim, double least_part = 0) const;
 
     std::span<const glm::vec3> pens() const { return pens_; }  // linear, on the paper
     glm::vec3 paper() const { return paper_; }

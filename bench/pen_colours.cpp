@@ -1,0 +1,107 @@
+// What flat colours drawn with several pens look like from afar: a table of docs/pens.md.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_precision.hpp>
+
+#include "app/files/drawing_file.h"
+#include "app/files/page_pixels.h"
+#include "app/files/tile_library.h"
+#include "core/drawing/pipeline.h"
+#include "core/image/linear_colour.h"
+#include "core/pens/separation.h"
+
+namespace {
+
+using namespace dapple;
+
+constexpr int kSide = 40;  // pixels of the flat picture
+constexpr std::uint64_t kDots = 4000;
+constexpr int kDrawnSide = 1500;
+
+// As photographs have them, from light to dark.
+constexpr std::array<glm::u8vec3, 12> kColours{{{230, 215, 195},
+                                                {204, 204, 204},
+                                                {213, 149, 94},
+                                                {190, 190, 90},
+                                                {120, 160, 200},
+                                                {128, 128, 128},
+                                                {170, 110, 160},
+                                                {80, 120, 60},
+                                                {150, 60, 50},
+                                                {94, 70, 58},
+                                                {40, 60, 120},
+                                                {60, 60, 60}}};
+
+struct Seen {
+    glm::vec3 asked, drawn;  // OKLab
+};
+
+Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens) {
+    pipeline.set_light(Grid<float>(kSide, kSide, luminance(colour)));
+    ColourGrid colours(kSide, kSide);
+    std::ranges::fill(colours.values, packed(colour));
+    pipeline.set_colours(std::move(colours));
+    DrawingSettings settings;
+    settings.automatic_tone = false;
+    settings.tone = {};
+    settings.pens = pens;
+    settings.placing.count = kDots;
+    const DrawingFile file{
+        .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
+    const auto placed = dots_for(file, pipeline, pipeline.plan(request_of(settings)));
+    DrawingToSave drawing = drawing_on(drawn_page(placed->plan.layout(placed->dots.scale)), *placed);
+    drawing.saving.dpi = dpi_for(drawing.page, kDrawnSide);
+    const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
+    glm::dvec3 sum(0);
+    for (const glm::u8vec3 pixel : pixels.values) sum += glm::dvec3(linear_of(glm::vec3(pixel) / 255.0f));
+    const Separation separation(placed->plan.pens, kWhite, pens.black);
+    return {oklab_of(separation.mixer().seen(separation.shares(colour))),
+            oklab_of(glm::vec3(sum / static_cast<double>(pixels.values.size())))};
+}
+
+// Of differences, mean and largest.
+struct Differences {
+    float sum = 0, largest = 0;
+    void add(float difference) {
+        sum += difference;
+        largest = std::max(largest, difference);
+    }
+    std::string text() const { return fmt::format("{:.3f} / {:.3f}", sum / kColours.size(), largest); }
+};
+
+void print_row(Pipeline& pipeline, const char* name, const char* text, PenInk ink) {
+    PenChoice pens = parse_pens(text);
+    pens.ink = ink;
+    Differences lightness, colour;
+    for (const glm::u8vec3 flat : kColours) {
+        const auto [asked, drawn] = seen(pipeline, linear_of(glm::vec3(flat) / 255.0f), pens);
+        lightness.add(std::abs(drawn.x - asked.x));
+        colour.add(std::hypot(drawn.y - asked.y, drawn.z - asked.z));
+    }
+    fmt::print("| {} | {} | {} | {} |\n", name_of(ink), name, lightness.text(), colour.text());
+}
+
+}  // namespace
+
+int main() {
+    try {
+        Pipeline pipeline;
+        pipeline.set_tile(tile_named(kDefaultTile, {}));
+        fmt::print("| ink | pens | lightness | a and b |\n|---|---|---|---|\n");
+        print_row(pipeline, "CMYK", "cmyk", PenInk::transparent);
+        print_row(pipeline, "CMYK, black=0", "cmyk:black=0", PenInk::transparent);
+        print_row(pipeline, "CMYK, black=1", "cmyk:black=1", PenInk::transparent);
+        print_row(pipeline, "CMYK", "cmyk", PenInk::opaque);
+        print_row(pipeline, "three greys", "greys", PenInk::transparent);
+        print_row(pipeline, "black and red", "Black:#000000,Red:#c1121f", PenInk::transparent);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "pen_colours: {}\n", error.what());
+        return 1;
+    }
+}
