@@ -176,11 +176,23 @@ TEST_CASE("near dots are told where programs join them, and a pen's where its ga
     CHECK(sentences_of(facts).find(
               "300 dots are nearer to others than 0.5 mm, which saxi joins by a line, and 20 "
               "nearer than 0.152 mm") != std::string::npos);
-    facts.gaps = {{"Gel", 1.2, 45}, {"Fine", 0.3, 0}};
+    facts.pens = {{"Gel", 5000, 1.2, 45}, {"Fine", 5000, 0.3, 0}};
     CHECK(kinds_of(facts) == Kinds{FindingKind::gap, FindingKind::joined});
     CHECK(sentences_of(facts).find(
               "45 of Gel's dots are nearer to each other than its smallest gap of 1.2 mm") !=
           std::string::npos);
+}
+
+TEST_CASE("a pen that draws hardly any of the dots is told, where a pen draws them") {
+    DrawingFacts facts = good_facts();
+    facts.pens = {{"Cyan", 49}, {"Magenta", 50}, {"Yellow", 0}, {"Black", 9901}};
+    CHECK(kinds_of(facts) == Kinds{FindingKind::few});
+    CHECK(sentences_of(facts).find("Cyan draws only 49 of the dots; without that pen") == 0);
+    facts.ink.as = DotsAs::printed;
+    CHECK(kinds_of(facts).empty());
+    facts.ink.as = DotsAs::touches;
+    facts.whole_page = false;  // another sheet may have more of them
+    CHECK(kinds_of(facts).empty());
 }
 
 TEST_CASE("a drawing far from the picture's tone is told with the dots, or the radius, that would reach it") {

@@ -62,7 +62,7 @@ void add_pens(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& saved
         own.time = strokes ? figures_of(only(*strokes, own.pen), speeds).time
                            : time_of(saved.by_pen->pieces[i], facts.ink, page, speeds);
         const Pen& pen = saved.from.plan.pens[static_cast<std::size_t>(own.pen)];
-        facts.gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
+        facts.pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
     if (!draws_whole_page(options)) return;
     const PagePart& part = saved.page.part.part;

@@ -16,7 +16,7 @@ DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, Draw
 InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing);
 
 /// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time, the
-/// gaps, and the tone of dots of a size of their own.
+/// pens, and the tone of dots of a size of their own.
 DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
                       const DrawingToSave& drawing);
 

@@ -77,14 +77,22 @@ void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
     }
 }
 
-void add_gaps(std::vector<Finding>& found, const DrawingFacts& facts) {
-    for (const DrawingFacts::Gap& gap : facts.gaps) {
-        if (gap.nearer == 0) continue;
-        found.push_back({FindingKind::gap,
-                         fmt::format("{} are nearer to each other than its smallest gap of {:g} mm, and run "
-                                     "together",
-                                     fmt::format("{} of {}'s dots", grouped(gap.nearer), gap.pen), gap.mm),
-                         "fewer dots or a wider page part them"});
+void add_pens(std::vector<Finding>& found, const DrawingFacts& facts) {
+    constexpr double kFew = 0.005;  // of all dots
+    for (const DrawingFacts::OfPen& pen : facts.pens) {
+        if (pen.nearer > 0)
+            found.push_back(
+                {FindingKind::gap,
+                 fmt::format("{} of {}'s dots are nearer to each other than its smallest gap of {:g} mm, and "
+                             "run together",
+                             grouped(pen.nearer), pen.name, pen.gap_mm),
+                 "fewer dots or a wider page part them"});
+        const bool draws_few = pen.dots > 0 && share_of(pen.dots, facts) < kFew;
+        if (draws_few && facts.whole_page && is_drawn_by_pen(facts))
+            found.push_back({FindingKind::few,
+                             fmt::format("{} draws only {} of the dots", pen.name, grouped(pen.dots)),
+                             "without that pen the drawing looks nearly the same, and one change of pens is "
+                             "saved"});
     }
 }
 
@@ -202,7 +210,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
     add_tone(found, facts);
     if (facts.measured) {
         add_ink(found, facts);
-        add_gaps(found, facts);
+        add_pens(found, facts);
         add_joined(found, facts);
         add_edges(found, facts);
     }

@@ -29,12 +29,13 @@ struct DrawingFacts {
     double reach_mm = 0;                  // of the places that the file can name; 0: far enough
     std::optional<Machine> machine = {};  // none: it is not plotted
     PlottingTime plotting = {};
-    struct Gap {  // of a pen, and how many of its dots are nearer to each other
-        std::string pen;
-        double mm = 0;
-        std::uint64_t nearer = 0;
+    struct OfPen {
+        std::string name;
+        std::uint64_t dots = 0;
+        double gap_mm = 0;         // its smallest,
+        std::uint64_t nearer = 0;  // and how many of its dots are nearer to each other
     };
-    std::vector<Gap> gaps = {};
+    std::vector<OfPen> pens = {};  // those that draw, of several
     struct Tone {
         double dots = 0;       // that would give the picture's tone with their radius,
         double radius_mm = 0;  // and the radius that would with these dots
@@ -48,6 +49,7 @@ enum class FindingKind {
     rings,        // a plotter follows outlines
     overlap,      // dots run into others
     gap,          // a pen's dots are nearer than its smallest gap
+    few,          // a pen has hardly any dots
     joined,       // programs draw a line between near dots
     over_edge,    // dots reach over the page's edge
     in_margins,   // or into the margins
@@ -58,8 +60,8 @@ enum class FindingKind {
     tile_layer,   // its lines would be plotted
 };
 constexpr auto names_of(FindingKind) {
-    return names("hours", "tone", "rings", "overlap", "gap", "joined", "over_edge", "in_margins", "too_large",
-                 "too_many", "not_looked", "fine_pixels", "tile_layer");
+    return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "over_edge", "in_margins",
+                 "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer");
 }
 
 struct Finding {

@@ -112,15 +112,14 @@ Dots scaled_radii(Dots dots, double times) {
     return dots;
 }
 
-// Of each pen that has a smallest gap: how many of its dots are nearer to each other.
-std::vector<DrawingFacts::Gap> gaps_of(const PlacedDrawing& drawing, const PageSize& page) {
-    std::vector<DrawingFacts::Gap> gaps;
+std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {
+    std::vector<DrawingFacts::OfPen> pens;
     const DotPieces by_pen = sorted_by_pen(stream_of(drawing.dots), DotOrder::recursion);
     for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens, speeds_of({}))) {
         const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
-        gaps.push_back({pen.name, pen.gap_mm, own.nearer_than_gap});
+        pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
-    return gaps;
+    return pens;
 }
 
 void add_time(PlottingTime& sum, const PlottingTime& time, double times, double times_lifting) {
@@ -216,7 +215,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm};
     if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
-    if (drawn.measured && !drawing.pens.empty()) drawn.gaps = gaps_of(drawing, page);
+    if (drawn.measured && !drawing.pens.empty()) drawn.pens = pens_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
         DotPieces some;
