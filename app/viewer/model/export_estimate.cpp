@@ -18,7 +18,8 @@
 namespace dapple {
 namespace {
 
-constexpr std::size_t kSample = 2000;             // dots whose way is found
+constexpr std::size_t kSample = 8000;             // dots of a pen whose way is found,
+constexpr std::size_t kMostSorted = 1'000'000;    // of at most so many that are sorted for it
 constexpr std::size_t kMostInOrder = 20'000;      // which are not put in order, but taken as they follow
 constexpr std::uint64_t kMostMeasured = 500'000;  // which take no longer than a fifth of a second
 
@@ -70,46 +71,29 @@ void shuffle(Dots& dots) {
     }
 }
 
-// What a part of a pen's dots comes to, and of how many dots each of its dots is an example.
-struct Part {
-    Dots dots;
-    double share = 1;
-    double closer = 1;  // dots are so many times as near to each other as these
-};
-
-// Of one pen's dots, in the order in which they are plotted.
-std::vector<Part> parts_of(const DotStream& dots, const PenCount& own, DotOrder order) {
-    constexpr std::size_t kRuns = 8;
-    const auto all = static_cast<double>(own.dots);
-    std::vector<Part> parts;
-    if (order == DotOrder::recursion) {
-        // Neighbours in the file, from all over it.
-        const std::size_t step = std::max<std::size_t>(own.dots / kRuns, 1);
-        const std::size_t length = std::min(step, kMostInOrder / kRuns);
-        double taken = 0;
-        for (std::size_t first = 0; first < own.dots; first += step) {
-            parts.push_back({some_of(dots, own.pen, {first, 1, length})});
-            taken += static_cast<double>(parts.back().dots.size());
-        }
-        for (Part& part : parts) part.share = all / taken;
-        return parts;
-    }
-    Part part{some_of(dots, own.pen, {0, 1 + own.dots / kSample, own.dots})};
-    part.share = all / std::max(static_cast<double>(part.dots.size()), 1.0);
+// Of one pen's dots those that are looked at, in the order in which they are plotted: runs that follow each
+// other in it, as dots from here and there are less even than all, and so leave more to shorten.
+std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder order) {
+    const auto each = [&](std::size_t most) { return Choice{0, 1 + own.dots / most, own.dots}; };
     if (order == DotOrder::priority) {
-        shuffle(part.dots);  // dots that follow each other lie anywhere
-    } else {
-        part.closer = std::sqrt(part.share);
-        sort_dots(part.dots, DotOrder::space);
+        Dots some = some_of(dots, own.pen, each(kSample));
+        shuffle(some);  // dots that follow each other lie anywhere
+        return {std::move(some)};
     }
-    parts.push_back(std::move(part));
-    return parts;
-}
-
-// As large on paper as they are, though the page unit is not.
-Dots scaled_radii(Dots dots, double times) {
-    for (float& radius : dots.radius) radius = static_cast<float>(radius * times);
-    return dots;
+    const auto runs_of = [&](const DotStream& stream, std::size_t count, std::size_t most) {
+        const std::size_t runs = count > most ? 16 : 1, step = std::max<std::size_t>(count / runs, 1);
+        std::vector<Dots> parts;
+        for (std::size_t run = 0; run < runs; ++run)
+            parts.push_back(some_of(stream, own.pen, {run * step, 1, std::min(step, most / runs)}));
+        return parts;
+    };
+    if (order == DotOrder::recursion) return runs_of(dots, own.dots, kMostInOrder);
+    Dots sorted = some_of(dots, own.pen, each(kMostSorted));
+    sort_dots(sorted, DotOrder::space);
+    const float closer = std::sqrt(static_cast<float>(sorted.size()) / static_cast<float>(own.dots));
+    for (FloatBuffer* column : {&sorted.x, &sorted.y})
+        for (float& place : *column) place *= closer;
+    return runs_of(stream_of(sorted), sorted.size(), kSample);
 }
 
 std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {
@@ -156,28 +140,30 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
     PlottingEstimate estimate;
     const InkedDot ink = inked_dot(settings, format, drawing);
     for (const PenCount& own : counts_of(drawing.dots)) {
-        for (Part& part : parts_of(drawing.dots, own, order)) {
-            if (part.dots.size() == 0) continue;
-            DrawingToSave some = drawing;
-            some.page.mm_per_page_unit /= part.closer;
-            const double unit = some.page.mm_per_page_unit;
-            const auto way_m = [&] {
-                return part.share * way_length(part.dots.x, part.dots.y) * unit / 1000;
-            };
+        std::vector<Dots> parts = parts_of(drawing.dots, own, order);
+        std::size_t taken = 0;
+        for (const Dots& part : parts) taken += part.size();
+        const double unit = drawing.page.mm_per_page_unit;
+        const double share = static_cast<double>(own.dots) / std::max(static_cast<double>(taken), 1.0);
+        // All dots of a pen are on one line.
+        const double lifts =
+            settings.style == DrawingStyle::line ? 1 / static_cast<double>(parts.size()) : share;
+        for (Dots& part : parts) {
+            if (part.size() == 0) continue;
+            const auto way_m = [&] { return share * way_length(part.x, part.y) * unit / 1000; };
             estimate.way_before_m += way_m();
-            if (order == DotOrder::shortest) shorten_way(part.dots);
+            if (order == DotOrder::shortest) shorten_way(part);
             estimate.way_m += way_m();
-            const Dots scaled = scaled_radii(part.dots, part.closer);
-            some.dots = stream_of(scaled, drawing.dots.scale);
+            DrawingToSave some = drawing;
+            some.dots = stream_of(part, drawing.dots.scale);
             PlottingTime time;
             if (const auto strokes = strokes_of(settings, some, format))
                 time = figures_of(*strokes, speeds).time;
             else if (ink.as == DotsAs::rings)
-                time = plotting_time_of_rings(scaled, unit, ink.radius_mm, speeds);
+                time = plotting_time_of_rings(part, unit, ink.radius_mm, speeds);
             else
-                time = plotting_time(part.dots, unit, speeds);
-            // All dots of a pen are on one line.
-            add_time(estimate.time, time, part.share, settings.style == DrawingStyle::line ? 1 : part.share);
+                time = plotting_time(part, unit, speeds);
+            add_time(estimate.time, time, share, lifts);
         }
     }
     return estimate;

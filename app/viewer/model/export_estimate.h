@@ -24,9 +24,9 @@ struct PlottingEstimate {
 /// Of a placed drawing, the blocks of dots that an estimate of its pixels looks at: few of many.
 DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
 
-/// How long a machine would plot such a file in that order, about. Some of the dots, drawn nearer together,
-/// are put in order, and the rest is taken to be like them; as placed, it is some that follow each other, and
-/// by priority some that lie anywhere.
+/// How long a machine would plot such a file in that order, about. Some of the dots are put in order, and the
+/// rest is taken to be like them: some that are near each other, as they follow in the stream; by priority
+/// some that lie anywhere.
 PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
                                     DrawingFormat format, DotOrder order, const MachineSpeeds& speeds);
 
