@@ -1,7 +1,6 @@
 #include "app/drawing_settings.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/pens/separation.h"
 
@@ -62,31 +61,23 @@ double widest_stroke(const DrawingSettings& settings) {
 }
 
 DrawingRequest request_of(const DrawingSettings& settings) {
-    PenChoice pens = settings.pens;
-    DotSize size = settings.dot_size;
+    DrawingRequest request = settings;
     const bool touches = draws_touches(settings);
-    if (touches && !have_widths(pens) && size.sizing != DotSizing::by_tone) {
-        size.sizing = DotSizing::fixed;
-        size.radius_mm = settings.pen_width_mm / 2;
+    if (touches && !have_widths(request.pens) && request.dot_size.sizing != DotSizing::by_tone) {
+        request.dot_size.sizing = DotSizing::fixed;
+        request.dot_size.radius_mm = settings.pen_width_mm / 2;
     }
     if (draws_strokes(settings) && !touches) {
-        pens.width_mm = 0;
-        for (Pen& pen : pens.own) pen.width_mm = 0;
+        request.pens.width_mm = 0;
+        for (Pen& pen : request.pens.own) pen.width_mm = 0;
     }
-    return {.automatic_tone = settings.automatic_tone,
-            .automatic_exposure = settings.automatic_exposure,
-            .tone = settings.tone,
-            .mask = settings.mask,
-            .placer = settings.placer,
-            .placing = settings.placing,
-            .relax = settings.relax,
-            .size = size,
-            .joined = settings.style != DrawingStyle::dots,
+    return request;
+}
+
+DrawingTerms terms_of(const DrawingSettings& settings) {
+    return {.joined = settings.style != DrawingStyle::dots,
             // It has no say elsewhere.
-            .stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(settings) : 0,
-            .page = settings.page,
-            .pens = std::move(pens),
-            .paper = settings.paper};
+            .stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(settings) : 0};
 }
 
 }  // namespace dapple

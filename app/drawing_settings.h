@@ -37,27 +37,27 @@ inline constexpr double kShortestSideMm = 0.01;
 /// Of a dot.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
 
-struct DrawingSettings {
-    bool automatic_tone = true, automatic_exposure = true;  // see DrawingRequest
-    Tone tone{.detail = kAutoDetail};
+/// With which tile dots are placed, and what is drawn of them.
+struct DrawnWith {
     std::string tile = kDefaultTile;       // a name for tile_named()
     std::optional<RankingMethod> ranking;  // none: the tile's own
-    PlacerKind placer = PlacerKind::exact;
-    PlacingRequest placing{.count = kDefaultDots, .threads = 0};
-    std::optional<int> relax;  // steps; none: the usual ones
-    DotSize dot_size;
-    PageSetup page;
     Sheet sheets;               // all of these are saved, each in a file of its own, rather than the page
-    PenChoice pens;             // several have colours of their own
     bool registration = false;  // several pens draw crosses too: see registration_marks()
-    glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1
-    glm::vec3 paper = kWhite;
-    bool background = false;  // paint the paper under an SVG's dots
-    bool show_tiles = false;  // the boundaries of the tiles, coloured by level
+    glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1; several pens have colours of their own
+    bool background = false;    // paint the paper under an SVG's dots
+    bool show_tiles = false;    // the boundaries of the tiles, coloured by level
     DrawingStyle style = DrawingStyle::dots;
     DotMark mark = {};          // each dot's shape, where the style is dots
     double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
-    Mask mask = {};             // more dots, fewer or none here and there
+
+    bool operator==(const DrawnWith&) const = default;
+};
+
+struct DrawingSettings : DrawingRequest, DrawnWith {
+    DrawingSettings() {
+        tone.detail = kAutoDetail;
+        placing = {.count = kDefaultDots, .threads = 0};
+    }
 
     bool operator==(const DrawingSettings&) const = default;
 };
@@ -119,5 +119,6 @@ double widest_stroke(const DrawingSettings& settings);
 /// What is asked of the pipeline. Touches are as large as the pen's line is wide. Where several pens draw
 /// lines or shapes, dots are as large as one pen's would be; a pen's width is then its lines'.
 DrawingRequest request_of(const DrawingSettings& settings);
+DrawingTerms terms_of(const DrawingSettings& settings);
 
 }  // namespace dapple

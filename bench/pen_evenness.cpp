@@ -174,7 +174,7 @@ PenDensities shares_of_photograph(const char* file, std::uint64_t count) {
     DrawingSettings settings;
     settings.pens = parse_pens("cmyk");
     settings.placing.count = count;
-    return pipeline.plan(request_of(settings)).by_pen;
+    return pipeline.plan(request_of(settings), terms_of(settings)).by_pen;
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ Measured measured(float light, std::uint64_t count, int steps, bool by_tone, dou
     if (by_tone) {
         // About so many on black.
         const double largest = kWidthMm * std::sqrt(1.5 / (std::numbers::pi * static_cast<double>(count)));
-        request.size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.4 * largest, .largest_mm = largest};
+        request.dot_size = {
+            .sizing = DotSizing::by_tone, .smallest_mm = 0.4 * largest, .largest_mm = largest};
     }
     const DrawingPlan plan = pipeline.plan(request);
     Stippling drawn;
@@ -155,9 +156,10 @@ TEST_CASE("with sizes by tone, light greys have the more dots the smaller the sm
     for (const double smallest : {0.2, 0.5, 1.0}) {
         Stippling drawn;
         REQUIRE(pipeline.draw(
-            pipeline.plan({.automatic_tone = false,
-                           .relax = 1,
-                           .size = {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = 1}}),
+            pipeline.plan(
+                {.automatic_tone = false,
+                 .relax = 1,
+                 .dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = 1}}),
             drawn));
         counts.push_back(drawn.dots.size());
     }

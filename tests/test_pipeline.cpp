@@ -95,8 +95,8 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
 TEST_CASE(
     "black is as solid as was asked, or as the number of dots allows; sizes by tone and lines decide it") {
     Pipeline pipeline = pipeline_of(ramp());
-    const auto black = [&](const DrawingRequest& request) {
-        const DrawingPlan plan = pipeline.plan(request);
+    const auto black = [&](const DrawingRequest& request, const DrawingTerms& terms = {}) {
+        const DrawingPlan plan = pipeline.plan(request, terms);
         return *plan.tone.black;
     };
     for (const std::uint64_t few : {500, 5'000}) CHECK(black({.placing = {.count = few}}) == 0.9);
@@ -107,8 +107,8 @@ TEST_CASE(
     for (const bool automatic : {true, false})
         CHECK(black({.automatic_tone = automatic, .tone = {.black = 0.7}, .placing = {.count = 5'000}}) ==
               0.7);
-    CHECK(black({.tone = {.black = 0.7}, .size = kByTone}) == 1);
-    CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}, .joined = true}) == 1);
+    CHECK(black({.tone = {.black = 0.7}, .dot_size = kByTone}) == 1);
+    CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}}, {.joined = true}) == 1);
 }
 
 TEST_CASE("a crop in pixels is one of the file's, of which several became one") {
@@ -225,10 +225,10 @@ TEST_CASE(
     for (const int relax : {0, 2}) {
         requests.push_back({.placing = {.count = 4000, .thresholds = true}, .relax = relax});
         requests.push_back({.placing = {.scale = 500, .count = {}, .threads = 2}, .relax = relax});
-        requests.push_back({.relax = relax, .size = kByTone});
+        requests.push_back({.relax = relax, .dot_size = kByTone});
     }
     requests.push_back({.placer = PlacerKind::figure8, .placing = {.scale = 300, .count = {}}});
-    requests.push_back({.placer = PlacerKind::figure8, .placing = {.count = {}}, .size = kByTone});
+    requests.push_back({.placer = PlacerKind::figure8, .placing = {.count = {}}, .dot_size = kByTone});
     for (const DrawingRequest& request : requests) {
         const DrawingPlan plan = pipeline.plan(request);
         Stippling drawn;
@@ -290,7 +290,7 @@ TEST_CASE("what a change has no say in is not made again") {
     CHECK(stays());
     request.page.width_mm = 90;
     CHECK(stays());
-    request.size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
+    request.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.5};
     CHECK(stays());
     pipeline.set_tile(paper_tile());
     CHECK(stays());
@@ -307,9 +307,9 @@ TEST_CASE("what a change has no say in is not made again") {
     CHECK(changes());
     request.relax = 10;  // evener dots cover more
     CHECK(changes());
-    request.size = kByTone;
+    request.dot_size = kByTone;
     CHECK(changes());
-    request.size = {};
+    request.dot_size = {};
     request.relax = 1;
     CHECK(changes());
     request.placing.count = 41'000;  // hardly relaxed dots cover by their count
@@ -344,7 +344,8 @@ TEST_CASE("a density of one's own is drawn as it is, whatever the tone") {
 TEST_CASE("sizes by tone lie between the smallest and the largest, and grow with the density") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const int steps : {0, 4}) {
-        const DrawingPlan plan = pipeline.plan({.automatic_tone = false, .relax = steps, .size = kByTone});
+        const DrawingPlan plan =
+            pipeline.plan({.automatic_tone = false, .relax = steps, .dot_size = kByTone});
         const Dots dots = drawn_by(pipeline, plan);
         REQUIRE(dots.radius.size() == dots.size());
         const double mm = plan.page.mm_per_page_unit;
@@ -370,10 +371,11 @@ TEST_CASE("how many dots there are follows from their sizes") {
     Pipeline pipeline = pipeline_of(ramp());
     const auto count = [&](double smallest, double largest, double width, std::uint64_t asked) {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
-        return static_cast<double>(
-            all_of(pipeline.stream(pipeline.plan(
-                       {.placing = {.count = asked}, .relax = 3, .size = size, .page = {.width_mm = width}})))
-                .size());
+        return static_cast<double>(all_of(pipeline.stream(pipeline.plan({.placing = {.count = asked},
+                                                                         .relax = 3,
+                                                                         .dot_size = size,
+                                                                         .page = {.width_mm = width}})))
+                                       .size());
     };
     const double usual = count(0.5, 1, 200, 7);
     CHECK(count(0.5, 1, 200, 5000) == usual);  // what was asked for has no say
@@ -386,8 +388,8 @@ TEST_CASE("a plan says how large its dots are") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingRequest request{.placing = {.count = 5000}, .relax = 4, .page = {.width_mm = 160}};
     DrawingRequest fixed = request, by_tone = request;
-    fixed.size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
-    by_tone.size = kByTone;
+    fixed.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
+    by_tone.dot_size = kByTone;
     CHECK(pipeline.plan(fixed).radius(123) == doctest::Approx(0.8 / 160));
     CHECK(pipeline.plan(by_tone).radius(123) == doctest::Approx(1.0 / 160));
     // On black, dots of that radius have full_load of the page's area.
@@ -400,7 +402,7 @@ TEST_CASE("a stream outlives the pipeline") {
     for (const DrawingRequest& request :
          {DrawingRequest{.placing = {.count = 2000}, .relax = 0},
           {.placing = {.count = 2000}, .relax = 2},
-          {.relax = 1, .size = kByTone},
+          {.relax = 1, .dot_size = kByTone},
           {.placer = PlacerKind::figure8, .placing = {.scale = 200, .count = {}}}}) {
         auto pipeline = std::make_unique<Pipeline>(pipeline_of(ramp()));
         const Dots dots = drawn_by(*pipeline, pipeline->plan(request));
@@ -414,23 +416,24 @@ TEST_CASE("a stream outlives the pipeline") {
 
 TEST_CASE("more dots than there may be are lowered to the most") {
     Pipeline pipeline = pipeline_of(ramp());
-    DrawingRequest request{.placing = {.count = 3000}, .relax = 3, .most_dots = 5000};
-    CHECK_FALSE(pipeline.plan(request).lowered);
+    const DrawingTerms few{.most_dots = 5000};
+    DrawingRequest request{.placing = {.count = 3000}, .relax = 3};
+    CHECK_FALSE(pipeline.plan(request, few).lowered);
     request.placing.count = 5001;
-    DrawingPlan plan = pipeline.plan(request);
+    DrawingPlan plan = pipeline.plan(request, few);
     CHECK(plan.lowered);
     CHECK(plan.placing.count == 5000);
     request.placing = {.scale = 1e6, .count = {}};
-    plan = pipeline.plan(request);
+    plan = pipeline.plan(request, few);
     CHECK(plan.lowered);
     CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
-    request.size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.05, .largest_mm = 0.1};
-    plan = pipeline.plan(request);
+    request.dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.05, .largest_mm = 0.1};
+    plan = pipeline.plan(request, few);
     CHECK(plan.lowered);
     CHECK(double(drawn_by(pipeline, plan).size()) == doctest::Approx(5000).epsilon(0.02));
     // Figure 8 emits some dots twice.
-    request = {.placer = PlacerKind::figure8, .placing = {.scale = 1e6, .count = {}}, .most_dots = 5000};
-    plan = pipeline.plan(request);
+    request = {.placer = PlacerKind::figure8, .placing = {.scale = 1e6, .count = {}}};
+    plan = pipeline.plan(request, few);
     CHECK(plan.lowered);
     const std::size_t emitted = drawn_by(pipeline, plan).size();
     CHECK(emitted <= 5000);
@@ -440,7 +443,8 @@ TEST_CASE("more dots than there may be are lowered to the most") {
 TEST_CASE("whoever watches sees every step but the last, with its dots") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
-        DrawingRequest request{.placing = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}};
+        DrawingRequest request{
+            .placing = {.count = 1500}, .relax = 4, .dot_size = sized ? kByTone : DotSize{}};
         const DrawingPlan plan = pipeline.plan(request);
         std::vector<int> seen;
         std::vector<Dots> dots;
@@ -465,7 +469,7 @@ TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
         const DrawingPlan plan =
-            pipeline.plan({.placing = {.count = 1500}, .relax = 4, .size = sized ? kByTone : DotSize{}});
+            pipeline.plan({.placing = {.count = 1500}, .relax = 4, .dot_size = sized ? kByTone : DotSize{}});
         for (const int last : {0, 1, 3}) {
             Stippling drawn;
             REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto&) {

@@ -223,7 +223,7 @@ TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
     pipeline.set_light(std::move(light));
     const DrawingPlan plan =
         pipeline.plan({.relax = 2,
-                       .size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
+                       .dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
                        .page = {.width_mm = 20}});
     Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));

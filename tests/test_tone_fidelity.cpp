@@ -37,7 +37,7 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     DrawingRequest request = request_of(settings);
     request.automatic_tone = false;
     request.tone.detail = 0;
-    const DrawingPlan plan = pipeline.plan(request);
+    const DrawingPlan plan = pipeline.plan(request, terms_of(settings));
     Stippling dots;
     REQUIRE(pipeline.draw(plan, dots));
     const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;

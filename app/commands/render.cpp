@@ -115,14 +115,14 @@ Picture picture_of(const RenderOptions& options) {
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options, bool thresholds) {
     DrawingRequest request = request_of(options.drawing);
     request.placing.thresholds = thresholds;
-    DrawingPlan plan = pipeline.plan(request);
+    DrawingPlan plan = pipeline.plan(request, terms_of(options.drawing));
     if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(fmt::format("{}: nothing to draw, all of it is as light as the paper{}",
                                              name_of_image(options),
                                              options.drawing.mask.empty() ? "" : " or masked"));
     }
     if (plan.lowered) {
-        const bool by_size = request.size.sizing == DotSizing::by_tone;
+        const bool by_size = request.dot_size.sizing == DotSizing::by_tone;
         throw std::runtime_error(fmt::format(
             "{} would make more than {} dots of {}; choose {}",
             by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.placing.scale),

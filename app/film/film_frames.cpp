@@ -18,6 +18,7 @@ namespace {
 struct Stage {
     DrawingSettings settings;
     DrawingRequest request;
+    DrawingTerms terms;
     DrawingPlan plan;  // of the whole drawing
     double scale = 0;
     Excerpt page;
@@ -37,8 +38,9 @@ Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmCh
     stage.request = request_of(stage.settings);
     stage.request.placing.thresholds = choice.kind == FilmKind::levels ||
                                        (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
-    stage.request.most_dots = kMostFilmDots;
-    stage.plan = pipeline.plan(stage.request);
+    stage.terms = terms_of(stage.settings);
+    stage.terms.most_dots = kMostFilmDots;
+    stage.plan = pipeline.plan(stage.request, stage.terms);
     if (stage.plan.density->mean() == 0)
         throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);
@@ -51,7 +53,7 @@ Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmCh
 Grid<glm::u8vec3> grown(Pipeline& pipeline, const Stage& stage, std::uint64_t dots) {
     DrawingRequest request = stage.request;
     request.placing.count = dots;
-    const DrawingPlan plan = pipeline.plan(request);
+    const DrawingPlan plan = pipeline.plan(request, stage.terms);
     const DotStream stream = pipeline.stream(plan, stage.page.part);
     return page_pixels(stage.settings, stage.drawing(stream, plan.radius(stream.scale)));
 }

@@ -69,9 +69,10 @@ static void describe(Fields& fields, PageSetup& page) {
 }
 
 void describe(Fields& fields, DrawingSettings& drawing) {
-    auto& [automatic_tone, automatic_exposure, tone, tile, ranking, placer, placing, relax, dot_size, page,
-           sheets, pens, registration, ink, paper, background, show_tiles, style, mark, pen_width_mm, mask] =
-        drawing;
+    auto& [automatic_tone, automatic_exposure, tone, mask, placer, placing, relax, dot_size, page, pens,
+           paper] = static_cast<DrawingRequest&>(drawing);
+    auto& [tile, ranking, sheets, registration, ink, background, show_tiles, style, mark, pen_width_mm] =
+        static_cast<DrawnWith&>(drawing);
     fields.flag(setting::automatic_tone, automatic_tone);
     fields.flag(setting::automatic_exposure, automatic_exposure);
     fields.group("tone", tone);

@@ -229,7 +229,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 
     Toned toned{plan.tone,
-                {.smallest_area = smallest_area(request.size), .joined = request.joined},
+                {.smallest_area = smallest_area(request.dot_size), .joined = plan.joined},
                 0,
                 plan.pens,
                 plan.pens.empty() ? kWhite : request.paper};
@@ -238,9 +238,10 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     plan.placing = request.placing;
     std::optional<std::uint64_t>& count = plan.placing.count;
     const bool moves = plan.placer == PlacerKind::exact;
-    const bool by_tone = request.size.sizing == DotSizing::by_tone;  // their number follows; black is solid
+    const bool by_tone =
+        request.dot_size.sizing == DotSizing::by_tone;  // their number follows; black is solid
     if (by_tone) count.reset();
-    const bool has_black = !plain_ && !request.joined && !by_tone;
+    const bool has_black = !plain_ && !plan.joined && !by_tone;
     // What follows from how many dots there are.
     const auto take_dots = [&](double dots) {
         plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
@@ -294,14 +295,14 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     by_scale_ = std::move(by_scale);
 }
 
-DrawingPlan Pipeline::plan(const DrawingRequest& request) {
+DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& terms) {
     tone_ms_ = 0;
     DrawingPlan plan;
     frame(request.page);
     plan.tone = request.tone;
-    plan.size = request.size;
-    plan.joined = request.joined;
-    plan.stroke_width_mm = request.stroke_width_mm;
+    plan.size = request.dot_size;
+    plan.joined = terms.joined;
+    plan.stroke_width_mm = terms.stroke_width_mm;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
     if (!plain_) plan.pens = pens_for(request.pens, framed_colours(), plan.tone.exposure, request.paper);
     const std::optional<double> pens_width = width_of_pens(plan.pens);
@@ -323,7 +324,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request) {
     const double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
                                            : expected_dots(*plan.density, plan.placing.scale);
     const double most =
-        static_cast<double>(request.most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
+        static_cast<double>(terms.most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);

@@ -38,7 +38,7 @@ struct DrawingPlan {
     int usual_steps = 0;     // see usual_steps(); 0 of Figure 8
     DotSize size;
     bool joined = false;         // by lines
-    double stroke_width_mm = 0;  // see DrawingRequest
+    double stroke_width_mm = 0;  // see DrawingTerms
     PageSize page;               // of the picture
     double full_load = 0;        // see InkCurve
     Palette pens;                // several, in the order in which they draw; none: one
@@ -97,7 +97,7 @@ class Pipeline {
     RankedTile& tile() { return *tile_; }
 
     /// Needs a picture and a tile. Throws what density_of(), Density, framing_of() and layout_of() throw.
-    DrawingPlan plan(const DrawingRequest& request);
+    DrawingPlan plan(const DrawingRequest& request, const DrawingTerms& terms = {});
 
     /// The scale that stream() comes to; a count's end is found now and kept in the plan.
     double find_scale(DrawingPlan& plan);

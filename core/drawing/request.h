@@ -37,6 +37,7 @@ struct DotSize {
 /// How far the largest dots reach, in millimetres; 0 where it follows from how many there are.
 double reach_mm(const DotSize& size);
 
+/// What someone asks for.
 struct DrawingRequest {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
@@ -50,15 +51,21 @@ struct DrawingRequest {
     PlacingRequest placing = {};
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
-    DotSize size = {};
-    bool joined = false;         // by lines: see InkedDots
-    double stroke_width_mm = 0;  // of a pen's lines, which reach half as far beyond; 0: dots are filled
+    DotSize dot_size = {};
     PageSetup page = {};
-    PenChoice pens = {};                  // what several draw follows from the picture's colours
-    glm::vec3 paper = kWhite;             // sRGB-encoded; has a say in that alone
-    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
+    PenChoice pens = {};       // what several draw follows from the picture's colours
+    glm::vec3 paper = kWhite;  // sRGB-encoded; has a say in that alone
 
     bool operator==(const DrawingRequest&) const = default;
+};
+
+/// What else has a say: how dots are drawn, and how many of them there may be.
+struct DrawingTerms {
+    bool joined = false;         // by lines: see InkedDots
+    double stroke_width_mm = 0;  // of a pen's lines, which reach half as far beyond; 0: dots are filled
+    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
+
+    bool operator==(const DrawingTerms&) const = default;
 };
 
 inline constexpr int kFewestUsualSteps = 5;

@@ -4,6 +4,7 @@ namespace dapple {
 
 DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
     return {.drawing = request_of(settings),
+            .terms = terms_of(settings),
             .tile = tile_in_use(settings),
             .ranking = settings.ranking,
             .outlines = settings.show_tiles,

@@ -28,7 +28,7 @@ DotsRequest film_request(const ViewerSettings& settings, const PlayedFilm& film)
         filmed.deepest_level = kDeepestStep;
     }
     DotsRequest request = dots_request(filmed);
-    request.drawing.most_dots = kMostFilmDots;
+    request.terms.most_dots = kMostFilmDots;
     return request;
 }
 

@@ -90,7 +90,7 @@ bool Session::would_lose_changes(const fs::path& file) const {
 
 DotsRequest Session::page_request() const {
     DotsRequest request = film ? film_request(settings, *film) : dots_request(settings);
-    request.drawing.most_dots = std::min(request.drawing.most_dots, most_dots_);
+    request.terms.most_dots = std::min(request.terms.most_dots, most_dots_);
     if (cropping) {
         // All of the picture: filling the paper would cut its edges off, and the frame's with them.
         request.drawing.page.crop.reset();
@@ -289,7 +289,7 @@ void Session::save(const fs::path& path) {
                                .saving = saving,
                                .embedded = embedded_settings(path, drawing, saving)};
         DotsRequest request = dots_request(file.settings, choice);
-        request.drawing.most_dots = most;
+        request.terms.most_dots = most;
         request.drawing.placing.thresholds = needs_thresholds(file);
         auto dots = dots_for(file, bench.pipeline(), bench.plan(request), stop);
         if (!dots) return {};
