@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <glm/gtc/type_precision.hpp>
 #include <string>
 
@@ -22,11 +24,10 @@ inline Grid<glm::u8vec3> screen() {
     int width = 0, height = 0, begin = 0;
     REQUIRE(std::sscanf(text.c_str(), "P6 %d %d 255%n", &width, &height, &begin) == 2);
     Grid<glm::u8vec3> pixels(width, height);
-    const std::size_t from = static_cast<std::size_t>(begin) + 1;
-    REQUIRE(text.size() == from + 3 * pixels.values.size());
-    for (std::size_t i = 0; i < pixels.values.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            pixels.values[i][c] = static_cast<glm::u8>(text[from + 3 * i + static_cast<std::size_t>(c)]);
+    static_assert(sizeof(glm::u8vec3) == 3);
+    const std::size_t from = static_cast<std::size_t>(begin) + 1, bytes = 3 * pixels.values.size();
+    REQUIRE(text.size() == from + bytes);
+    std::memcpy(pixels.values.data(), text.data() + from, bytes);
     return pixels;
 }
 
@@ -35,8 +36,7 @@ inline Grid<glm::u8vec3> cut_out(const Grid<glm::u8vec3>& pixels, const Rectangl
     const glm::ivec2 size = box.size();
     REQUIRE(contains({{0, 0}, {pixels.width, pixels.height}}, box));
     Grid<glm::u8vec3> part(size.x, size.y);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) part.at(x, y) = pixels.at(box.low.x + x, box.low.y + y);
+    for (int y = 0; y < size.y; ++y) std::copy_n(pixels.row(box.low.y + y) + box.low.x, size.x, part.row(y));
     return part;
 }
 
