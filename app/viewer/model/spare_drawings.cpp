@@ -30,27 +30,24 @@ void give_memory_back() {
 #endif
 }
 
-PlacedDrawing SpareDrawings::take() {
-    if (spare_.empty()) return {};
-    PlacedDrawing last = std::move(spare_.back());
-    spare_.pop_back();
+PlacedDrawing take_spare(std::vector<PlacedDrawing>& spare) {
+    if (spare.empty()) return {};
+    PlacedDrawing last = std::move(spare.back());
+    spare.pop_back();
     return last;
 }
 
-void SpareDrawings::sort(std::size_t dots) {
+void keep_few(std::vector<PlacedDrawing>& spare, std::size_t dots) {
     std::vector<PlacedDrawing> kept;
     std::size_t freed = 0;
-    for (std::vector<PlacedDrawing>* drawings : {&spare_, &given_back_}) {
-        for (PlacedDrawing& drawing : *drawings) {
-            const std::size_t room = room_of(drawing);
-            if (kept.size() < kMostSpare && !far_too_large(room, dots))
-                kept.push_back(std::move(drawing));
-            else
-                freed += room;
-        }
-        drawings->clear();
+    for (PlacedDrawing& drawing : spare) {
+        const std::size_t room = room_of(drawing);
+        if (kept.size() < kMostSpare && !far_too_large(room, dots))
+            kept.push_back(std::move(drawing));
+        else
+            freed += room;
     }
-    spare_ = std::move(kept);
+    spare = std::move(kept);
     if (freed > kManyDots) give_memory_back();
 }
 

@@ -8,20 +8,11 @@
 
 namespace dapple {
 
-class SpareDrawings {
- public:
-    /// Takes no time, however large it is.
-    void give_back(PlacedDrawing drawing) { given_back_.push_back(std::move(drawing)); }
+/// One of them, or an empty one.
+PlacedDrawing take_spare(std::vector<PlacedDrawing>& spare);
 
-    /// One of them, or an empty one.
-    PlacedDrawing take();
-
-    /// Keeps few, and none with far more room than drawings of so many dots need.
-    void sort(std::size_t dots);
-
- private:
-    std::vector<PlacedDrawing> spare_, given_back_;
-};
+/// Keeps few, and none with far more room than drawings of so many dots need.
+void keep_few(std::vector<PlacedDrawing>& spare, std::size_t dots);
 
 /// Frees what a drawing has far more room for than it has dots.
 void shrink_if_far_too_large(PlacedDrawing& drawing);

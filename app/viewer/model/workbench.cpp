@@ -216,10 +216,10 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
         shown = Clock::now();
         return true;
     };
-    PlacedDrawing drawing = spare_.take();
+    PlacedDrawing drawing = take_spare(spare_);
     try {
         if (!place(request, drawing, stop, unsettled) || stop.stop_requested()) {
-            spare_.give_back(std::move(drawing));
+            give_back(std::move(drawing));
             return std::nullopt;
         }
         last_size_ = drawing.dots.size();
@@ -229,7 +229,7 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
             task.publish(ready_for_screen(request, drawing, LineWay::soon, stop));
         DotsPlaced placed = ready_for_screen(request, std::move(drawing), LineWay::final, stop);
         if (stop.stop_requested()) {
-            spare_.give_back(std::move(placed.drawing));
+            give_back(std::move(placed.drawing));
             return std::nullopt;
         }
         sort_spare();

@@ -89,9 +89,10 @@ class Workbench {
     DrawingPlan plan(const DotsRequest& request);
     Pipeline& pipeline() { return pipeline_; }
 
-    /// Drawings to be used again; `sort_spare` frees those that no longer will be.
-    SpareDrawings& spare() { return spare_; }
-    void sort_spare() { spare_.sort(last_size_); }
+    /// A drawing whose memory may be used again. Takes no time, however large it is.
+    void give_back(PlacedDrawing drawing) { spare_.push_back(std::move(drawing)); }
+    /// Frees those that no longer will be.
+    void sort_spare() { keep_few(spare_, last_size_); }
 
     /// Forgets picture and dots and gives their memory back.
     void clear();
@@ -112,7 +113,7 @@ class Workbench {
     std::atomic<float>* share_ = nullptr;  // of the dots placed: see Placer::report_share()
 
     std::optional<OpenedPicture> arrived_;  // waits for its dots
-    SpareDrawings spare_;
+    std::vector<PlacedDrawing> spare_;
     std::size_t last_size_ = 0;                  // dots of the last drawing
     std::optional<DotsRequest> settled_;         // the request placed last, to its end
     std::optional<DotsRequest> tile_published_;  // the request whose tile was told last

@@ -213,7 +213,7 @@ void Worker::begin_next() {
 }
 
 void Worker::begin(Task task) {
-    for (PlacedDrawing& drawing : given_back_) bench_.spare().give_back(std::move(drawing));
+    for (PlacedDrawing& drawing : given_back_) bench_.give_back(std::move(drawing));
     given_back_.clear();
     under_way_ = std::move(task);
     placing_.begin([this](const Workbench::Task& todo) -> std::optional<Workbench::Result> {
