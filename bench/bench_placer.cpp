@@ -15,6 +15,7 @@
 #include "app/files/tile_library.h"
 #include "core/image/density.h"
 #include "core/image/tone.h"
+#include "core/placing/page_density.h"
 #include "core/placing/stipple.h"
 
 using namespace dapple;
@@ -24,10 +25,10 @@ namespace {
 // The sample with its middle tones lifted until its density has a mean of 0.16, as a light drawing has.
 Density light_picture() {
     Tone tone;
-    Density density(density_of(sample_picture().light, tone));
+    Density density = page_density(density_of(sample_picture().light, tone));
     while (density.mean() > 0.16) {
         tone.gamma *= 1.05f;
-        density = Density(density_of(sample_picture().light, tone));
+        density = page_density(density_of(sample_picture().light, tone));
     }
     return density;
 }
@@ -117,7 +118,7 @@ void write_floats(benchmark::State& state) {
 
 void build_pyramid(benchmark::State& state, const Grid<float>& light) {
     for (auto _ : state) {
-        const Density density(density_of(light, Tone{}));
+        const Density density = page_density(density_of(light, Tone{}));
         benchmark::DoNotOptimize(density.mean());
     }
     state.counters["megapixels/s"] = benchmark::Counter(static_cast<double>(light.values.size()) / 1e6,
@@ -151,12 +152,12 @@ void add_picture(const std::string& name, const Density& density) {
 
 int main(int argc, char** argv) {
     const Grid<float> light = sample_picture().light;
-    const Density sample(density_of(light, Tone{}));
+    const Density sample = page_density(density_of(light, Tone{}));
     const Density pale = light_picture();
     const Density grey(Grid<float>(512, 512, 0.5f));
     std::optional<Density> given;
     if (const char* path = std::getenv("DAPPLE_BENCH_PICTURE"))
-        given.emplace(density_of(read_picture(path).light, Tone{}));
+        given.emplace(page_density(density_of(read_picture(path).light, Tone{})));
 
     add_picture("sample", sample);
     add_picture("light", pale);

@@ -41,6 +41,7 @@
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/seams.h"
+#include "core/placing/page_density.h"
 #include "core/related/plain_lloyd.h"
 #include "core/reports/picture_marks.h"
 
@@ -317,7 +318,7 @@ void measure_edges(const Wanted& wanted, Pipeline& pipeline) {
         pipeline.set_light(read_picture(photo).light);
         print_rows(photo.stem().string());
     }
-    pipeline.set_plain(Density(Grid<float>(1000, 1000, 0.5f)));
+    pipeline.set_plain(page_density(Grid<float>(1000, 1000, 0.5f)));
     print_rows("grey");
 }
 

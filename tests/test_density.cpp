@@ -36,18 +36,21 @@ TEST_CASE("the density is each pixel's value at its centre and halfway between t
 TEST_CASE("no value in a square lies outside its bounds, at any depth") {
     std::mt19937 random(7);
     for (const auto& [width, height] : {std::pair{64, 64}, {100, 37}, {37, 100}, {1, 1}, {1, 300}, {5, 3}}) {
-        for (const Sides sides : {Sides::paper, Sides::wrap}) {
-            const Density density(noise(width, height, width), sides);
+        const Grid<float> values = noise(width, height, width);
+        for (const Density& density :
+             {Density(values), Density(values, Sides::wrap), Density(values, Sides::paper, {0x1p-20, 0.625}),
+              Density(values, Sides::paper, {349525 * 0x1p-20, 0.25})}) {
             for (int trial = 0; trial < 3000; ++trial) {
                 const int depth = static_cast<int>(random() % 14);
                 const std::int64_t side = std::int64_t{1} << depth;
-                const QuadSquare square{depth, static_cast<std::int64_t>(random() % side),
-                                        static_cast<std::int64_t>(random() % side)};
+                // Of all root squares.
+                const QuadSquare square{depth, static_cast<std::int64_t>(random() % (2 * side)) - side,
+                                        static_cast<std::int64_t>(random() % (2 * side)) - side};
                 const Bounds bounds = density.bounds(square);
                 for (int i = 0; i < 8; ++i) {
-                    const glm::dvec2 p(
-                        (static_cast<double>(square.x) + double(random()) / 0x1p32) / double(side),
-                        (static_cast<double>(square.y) + double(random()) / 0x1p32) / double(side));
+                    const glm::dvec2 in_square(double(random()) / 0x1p32, double(random()) / 0x1p32);
+                    const glm::dvec2 p =
+                        density.tile_corner() + (glm::dvec2(square.x, square.y) + in_square) / double(side);
                     const double value = density.at(p);
                     if (value < bounds.min || value > bounds.max) {
                         FAIL("at ", p.x, ",", p.y, " depth ", depth, ": ", value, " not in ", bounds.min,

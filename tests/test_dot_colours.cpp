@@ -11,6 +11,7 @@
 #include "app/viewer/model/dot_colours.h"
 #include "app/viewer/model/workbench.h"
 #include "core/image/colour.h"
+#include "core/placing/page_density.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
 
@@ -23,7 +24,7 @@ struct Turned {
         Rule rule;
         for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
         RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingMethod::farthest);
-        const Density grey(Grid<float>(1, 1, 0.5f));
+        const Density grey = page_density(Grid<float>(3, 2, 0.5f));
         const PlacingRequest request{.scale = 300, .thresholds = true};
         DotPieces placed;
         tile.placer().place(grey, request, placed);
@@ -31,6 +32,7 @@ struct Turned {
         // A tile is listed once it has children: the dots' own tiles are those of a scale one level finer.
         tiles = placed_tiles(tile.placer().table(), grey, {.scale = 4 * request.scale});
         origins = {.tile_size = tile.tile().size(), .rule = rule, .window = {}};
+        origins.tile_corner = grey.tile_corner();
     }
     DotPieces pieces() const { return split(dots); }
 

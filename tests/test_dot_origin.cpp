@@ -1,5 +1,5 @@
 // What the card beside the pointer says of a dot, against all points of all tiles of some levels, each put
-// where the tile's definition says.
+// where the tile's definition says, and so are the root tiles before the one at the given corner.
 
 #include <doctest/doctest.h>
 
@@ -18,6 +18,7 @@
 #include "app/viewer/model/tile_view.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/model/workbench.h"
+#include "core/placing/page_density.h"
 #include "tests/dot_pieces.h"
 #include "tests/headless_ui.h"
 
@@ -37,16 +38,22 @@ struct TurnedTile {
     std::vector<Newborn> newborns;
     std::vector<DefinedPoint> points;
 
-    explicit TurnedTile(int levels) {
+    TurnedTile(int levels, glm::dvec2 root) {
         Rule rule;
         for (std::size_t q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
         tile = make_tile(rule, {"0301", "2213"});
         ranking = rank(tile, RankingMethod::farthest);
         newborns = newborns_of(tile);
-        for (std::size_t i = 0; i < tile.size(); ++i)
-            points.push_back(
-                {to_unit_square(tile.points[i]), 0, static_cast<int>(ranking.tile[i]), {0, 0}, {}});
-        divide({0, 0}, 0, {}, levels);
+        for (const glm::dvec2 whole : {glm::dvec2(-1, -1), {0, -1}, {-1, 0}, {0, 0}}) {
+            const glm::dvec2 corner = root + whole;
+            for (std::size_t i = 0; i < tile.size(); ++i)
+                points.push_back({corner + to_unit_square(tile.points[i]),
+                                  0,
+                                  static_cast<int>(ranking.tile[i]),
+                                  corner,
+                                  {}});
+            divide(corner, 0, {}, levels);
+        }
     }
 
     void divide(glm::dvec2 corner, int level, Orientation turned, int levels) {
@@ -75,54 +82,60 @@ TEST_CASE(
     "the card tells of each dot the level, rank, tile, density and critical scale that the tile's "
     "definition gives it") {
     constexpr int kLevels = 4;
-    const TurnedTile made(kLevels);
     Grid<float> corners(2, 2);
     corners.values = {0.2f, 0.4f, 0.6f, 0.9f};
-    const Density ramp(corners);
-    RankedTile tile(made.tile, made.ranking);
-    PlacedDrawing drawing;
-    tile.placer().place(ramp, {.scale = 100, .thresholds = true}, drawing.dots);
-    drawing.blocks = dot_blocks(drawing.dots);
-    const PlacedWith with{made.tile.size(), made.tile.rule};
-    const Dots dots = joined(drawing.dots);
-    REQUIRE(dots.size() > 500);
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const glm::dvec2 at(dots.x[i], dots.y[i]);
-        const DefinedPoint* expected = nullptr;
-        for (const DefinedPoint& each : made.points)
-            if (glm::distance(each.at, at) < 1e-6) expected = &each;
-        REQUIRE(expected);
-        // The pointer is a little beside it.
-        const auto dot = dot_under(drawing, with, page_point(at + glm::dvec2(1e-5, -1e-5)), 1e-3);
-        REQUIRE(dot);
-        REQUIRE(dot->tile);
-        found += dot->position == at && dot->level == expected->level && dot->rank == expected->rank &&
-                 dot->born == (dot->level == 0 ? 8 : 24) &&
-                 glm::distance(glm::dvec2(dot->tile->x, dot->tile->y), expected->corner) < 1e-12 &&
-                 dot->tile->orientation == expected->orientation;
-        const double density = ramp.at(at);
-        CHECK(dot->density == doctest::Approx(density).epsilon(1e-4));
-        const double ranks =
-            dot->level == 0 ? dot->rank + 0.5 : (8 + dot->rank + 0.5) * std::pow(4, dot->level - 1);
-        CHECK(dot->critical == doctest::Approx(ranks / 16 / density).epsilon(1e-4));
+    for (const Density& ramp : {Density(corners), page_density(corners)}) {
+        const TurnedTile made(kLevels, ramp.tile_corner());
+        RankedTile tile(made.tile, made.ranking);
+        PlacedDrawing drawing;
+        drawing.tile_corner = ramp.tile_corner();
+        tile.placer().place(ramp, {.scale = 100, .thresholds = true}, drawing.dots);
+        drawing.blocks = dot_blocks(drawing.dots);
+        const PlacedWith with{made.tile.size(), made.tile.rule};
+        const Dots dots = joined(drawing.dots);
+        REQUIRE(dots.size() > 500);
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            const glm::dvec2 at(dots.x[i], dots.y[i]);
+            const DefinedPoint* expected = nullptr;
+            for (const DefinedPoint& each : made.points)
+                if (glm::distance(each.at, at) < 1e-6) expected = &each;
+            REQUIRE(expected);
+            // The pointer is a little beside it.
+            const auto dot = dot_under(drawing, with, page_point(at + glm::dvec2(1e-5, -1e-5)), 1e-3);
+            REQUIRE(dot);
+            REQUIRE(dot->tile);
+            found += dot->position == at && dot->level == expected->level && dot->rank == expected->rank &&
+                     dot->born == (dot->level == 0 ? 8 : 24) &&
+                     glm::distance(glm::dvec2(dot->tile->x, dot->tile->y), expected->corner) < 1e-12 &&
+                     dot->tile->orientation == expected->orientation;
+            const double density = ramp.at(at);
+            CHECK(dot->density == doctest::Approx(density).epsilon(1e-4));
+            const double ranks =
+                dot->level == 0 ? dot->rank + 0.5 : (8 + dot->rank + 0.5) * std::pow(4, dot->level - 1);
+            CHECK(dot->critical == doctest::Approx(ranks / 16 / density).epsilon(1e-4));
+        }
+        CHECK(found == dots.size());
+        CHECK_FALSE(dot_under(drawing, with, page_point({1.5, 0.5}), 0.1));
     }
-    CHECK(found == dots.size());
-    CHECK_FALSE(dot_under(drawing, with, page_point({1.5, 0.5}), 0.1));
 }
 
 TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whatever tile it lies in now") {
     Workbench bench;
-    bench.set_picture({.light = Grid<float>(30, 20, 0.5f)});
-    for (const auto& [name, placer] :
-         {std::pair{"aperiodic64", PlacerKind::exact}, std::pair{"aperiodic4096", PlacerKind::exact}}) {
+    // Of the same density placed and relaxed; few of its dots appear at the same scale.
+    Grid<float> light(30, 20);
+    for (std::size_t i = 0; i < light.values.size(); ++i) light.values[i] = 0.1f + 0.001f * float(i);
+    bench.set_picture({.light = light});
+    for (const auto& [name, source] : {std::pair{"aperiodic64", DensitySource::ramp},
+                                       {"aperiodic4096", DensitySource::ramp},
+                                       {"aperiodic4096", DensitySource::photograph}}) {
         CAPTURE(name);
+        const PlacerKind placer = PlacerKind::exact;
         ViewerSettings settings;
         settings.drawing.tile = name;
         settings.drawing.placer = placer;
         settings.drawing.placing.count = 6000;
-        // Of the same density placed and relaxed; few of its dots appear at the same scale.
-        settings.density.source = DensitySource::ramp;
+        settings.density.source = source;
         settings.origins = true;
         RankedTile tile = tile_named(name);
         const TileView view = view_of(name, tile, placer);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <random>
 #include <set>
 #include <utility>
 
+#include "core/placing/page_density.h"
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
 #include "tests/densities.h"
@@ -19,7 +21,8 @@ struct Expected {
     double x, y, margin;  // margin: scale * density / threshold - 1
 };
 
-// Every newborn point of every tile of every level, tested one by one: no pyramid, no early end.
+// Every newborn point of every tile of every level, tested one by one: no pyramid, no early end. Wherever
+// tiles begin, four root tiles have all of the page.
 void test_every_point(const Density& density, double scale, const Tile& tile, const Ranking& ranking,
                       int levels, std::vector<Expected>& found) {
     struct Placed {
@@ -31,10 +34,14 @@ void test_every_point(const Density& density, double scale, const Tile& tile, co
         const double margin = scale * density.at(p) / threshold - 1;
         if (margin > -1e-4) found.push_back({p.x, p.y, margin});
     };
-    for (std::size_t i = 0; i < tile.size(); ++i)
-        consider(to_unit_square(tile.points[i]), ranking.tile[i] / 16);
     const auto newborns = newborns_of(tile);
-    std::vector<Placed> tiles{{{0, 0}, {}, 0}};
+    std::vector<Placed> tiles;
+    for (const glm::dvec2 whole : {glm::dvec2(-1, -1), {0, -1}, {-1, 0}, {0, 0}}) {
+        const glm::dvec2 corner = density.tile_corner() + whole;
+        for (std::size_t i = 0; i < tile.size(); ++i)
+            consider(corner + to_unit_square(tile.points[i]), ranking.tile[i] / 16);
+        tiles.push_back({corner, {}, 0});
+    }
     for (int level = 0; level < levels; ++level) {
         const double side = std::ldexp(1.0, -level);
         std::vector<Placed> next;
@@ -89,13 +96,15 @@ TEST_CASE("the placer's dots are those that testing every point of every level f
         const Ranking ranking = rank(tile, size > 100 ? RankingMethod::paper : RankingMethod::energy);
         const PlacingTable table = make_placing_table(tile, ranking);
         for (const auto& [width, height] : {std::pair{24, 24}, {31, 7}, {1, 1}, {3, 40}}) {
-            const Density density(blotches(width, height, size + width));
-            const double scale = 350;
-            std::vector<Expected> expected;
-            test_every_point(density, scale, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
-            const Dots dots = placed(table, density, {scale});
-            CHECK(dots.size() > 20);
-            check_same(dots, expected);
+            const Grid<float> values = blotches(width, height, size + width);
+            for (const Density& density : {Density(values), page_density(values)}) {
+                const double scale = 350;
+                std::vector<Expected> expected;
+                test_every_point(density, scale, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
+                const Dots dots = placed(table, density, {scale});
+                CHECK(dots.size() > 20);
+                check_same(dots, expected);
+            }
         }
     }
 }
@@ -105,7 +114,7 @@ TEST_CASE("so they are of tiles of several kinds, turned or not") {
         const Tile tile = random_kinds(rule, kThreeKinds, size, size);
         const Ranking ranking = rank(tile, RankingMethod::energy);
         const PlacingTable table = make_placing_table(tile, ranking);
-        const Density density(blotches(31, 17, size));
+        const Density density = page_density(blotches(31, 17, size));
         std::vector<Expected> expected;
         test_every_point(density, 350, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
         const Dots dots = placed(table, density, {350});
@@ -136,7 +145,7 @@ TEST_CASE(
     "dots are the same, in the same order, on any number of threads, with their thresholds or without") {
     const Tile tile = random_tile(kTurning, 64, 11);
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
-    const Density density(blotches(90, 60, 3));
+    const Density density = page_density(blotches(90, 60, 3));
     const Dots one = placed(table, density, {.scale = 20000, .thresholds = true});
     CHECK(one.size() > 30000);
     CHECK(one.threshold.size() == one.size());
@@ -156,7 +165,7 @@ TEST_CASE(
 TEST_CASE("a dot exists at scales above its critical scale and not below") {
     const Tile tile = random_tile(kTurning, 16, 2);
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
-    const Density density(blotches(16, 16, 9));
+    const Density density = page_density(blotches(16, 16, 9));
     const Dots dense = placed(table, density, {.scale = 3000, .thresholds = true});
     for (const double scale : {17.0, 400.0, 1234.5}) {
         std::multiset<std::pair<float, float>> expected;
@@ -185,8 +194,10 @@ TEST_CASE(
                 thresholds.emplace_back(std::ldexp(rank / 16, 2 * level), std::size_t{1} << 2 * level);
         std::sort(thresholds.begin(), thresholds.end());
         // A map that wraps round has a way of its own about its seam.
+        // Wherever tiles begin, a square page has as many of each.
         for (const Density& black :
-             {Density(Grid<float>(8, 8, 1.0f)), Density(Grid<float>(8, 8, 1.0f), Sides::wrap)}) {
+             {Density(Grid<float>(8, 8, 1.0f)), Density(Grid<float>(8, 8, 1.0f), Sides::wrap),
+              page_density(Grid<float>(8, 8, 1.0f))}) {
             std::size_t below = 0;
             for (std::size_t i = 0; i < thresholds.size();) {
                 const float threshold = thresholds[i].first;
@@ -213,20 +224,25 @@ TEST_CASE("a dot on the edge that two windows share is in the right or lower one
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
     const CellPoints& points = table.cells[0].all;  // on the page from -1 to 1, when only they are drawn
     for (const Density& black :
-         {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Sides::wrap)}) {
+         {Density(Grid<float>(16, 16, 1.0f)), Density(Grid<float>(16, 16, 1.0f), Sides::wrap),
+          page_density(Grid<float>(16, 16, 1.0f))}) {
         const auto count = [&](const PageWindow& window) {
             return placed(table, black, {.scale = 1, .window = window}).size();
         };
         REQUIRE(count({}) == 16);  // the tile's own
+        // Beyond the page's edge the next root tile goes on.
+        const auto on_page = [&](std::size_t i) {
+            const glm::dvec2 p = (1.0 + glm::dvec2(points[i].x, points[i].y)) / 2.0 + black.tile_corner();
+            return p - glm::floor(p);
+        };
         for (std::size_t i = 0; i < 16; ++i) {
             CAPTURE(i);
-            const double x = (1 + static_cast<double>(points[i].x)) / 2,
-                         y = (1 + static_cast<double>(points[i].y)) / 2;
+            const auto [x, y] = std::pair(on_page(i).x, on_page(i).y);
             const auto units = [](double at) { return static_cast<std::int64_t>(std::ldexp(at, 62)); };
             std::size_t left = 0, above = 0;
             for (std::size_t k = 0; k < 16; ++k) {
-                left += points[k].x < points[i].x;
-                above += points[k].y < points[i].y;
+                left += on_page(k).x < x;
+                above += on_page(k).y < y;
             }
             CHECK(count({.width = x}) == left);
             CHECK(count({.x = units(x), .width = 1 - x}) == 16 - left);
@@ -245,7 +261,7 @@ TEST_CASE("a dot on the edge that two windows share is in the right or lower one
 TEST_CASE("windows that tile the page share its dots out without a lost or doubled one") {
     const Tile tile = random_tile(kTurning, 64, 4);
     const PlacingTable table = make_placing_table(tile, rank(tile, RankingMethod::energy));
-    const Density density(blotches(50, 40, 1));
+    const Density density = page_density(blotches(50, 40, 1));
     const double scale = 2000;
     const Dots whole = placed(table, density, {scale});
     std::multiset<std::pair<long, long>> expected, found;

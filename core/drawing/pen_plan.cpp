@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/placing/page_density.h"
+
 namespace dapple {
 namespace {
 
@@ -215,7 +217,7 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
             all.at(x, y) = sum;
         }
     });
-    PenDensities densities{std::make_shared<const Density>(std::move(all)), {}};
+    PenDensities densities{std::make_shared<const Density>(page_density(std::move(all))), {}};
     for (Grid<float>& grid : each) densities.each.push_back(std::make_shared<const Density>(std::move(grid)));
     return densities;
 }

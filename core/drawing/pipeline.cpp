@@ -11,6 +11,7 @@
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
 #include "core/image/ink_use.h"
+#include "core/placing/page_density.h"
 
 namespace dapple {
 
@@ -156,8 +157,8 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
     by_pen_ = {};
     if (toned.pens.empty()) {
-        density_ =
-            std::make_shared<const Density>(density_of(std::move(light), toned.tone, InkCurve(toned.ink)));
+        density_ = std::make_shared<const Density>(
+            page_density(density_of(std::move(light), toned.tone, InkCurve(toned.ink))));
     } else {
         by_pen_ = toned_by_pen(toned, std::move(light));
         density_ = by_pen_.all;
@@ -181,7 +182,7 @@ std::shared_ptr<const Density> Pipeline::density_for(const Toned& toned, const M
     if (masked_ && unmasked_ == density && mask_ == mask) return masked_;
     const auto start = Clock::now();
     masked_ = std::make_shared<const Density>(
-        masked(density->values(), mask, framing_of_light(), {light_.width, light_.height}));
+        page_density(masked(density->values(), mask, framing_of_light(), {light_.width, light_.height})));
     unmasked_ = density;
     mask_ = mask;
     tone_ms_ += milliseconds_since(start);

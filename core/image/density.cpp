@@ -19,9 +19,10 @@ constexpr double kPixelSlack = 1e-6;  // a placer's rounding never reaches a pix
 constexpr double kRelativePixelSlack = 3e-7;
 constexpr float kRelativeSlack = 1e-6f;  // nor a value further than this
 
-// Rounded down, for positions above -1: a conversion, where std::floor may be a call.
+// A conversion, where std::floor may be a call.
 std::int64_t floor_of_pixel(double position) {
-    return static_cast<std::int64_t>(position + 1) - 1;
+    const auto cut = static_cast<std::int64_t>(position);
+    return cut - (position < static_cast<double>(cut));
 }
 
 // The pixels, first and last, that interpolation can touch between two positions in pixels from the picture's
@@ -48,7 +49,8 @@ int across(std::int64_t i, int count, Sides sides) {
 
 }  // namespace
 
-Density::Density(Grid<float> values, Sides sides) : values_(std::move(values)), sides_(sides) {
+Density::Density(Grid<float> values, Sides sides, glm::dvec2 tile_corner)
+    : values_(std::move(values)), sides_(sides), tile_corner_(tile_corner) {
     if (values_.empty()) throw std::runtime_error("a density needs at least one pixel");
     if (values_.values.size() > std::numeric_limits<std::int32_t>::max()) {
         throw std::runtime_error("a density has at most 2,147 megapixels; make the picture smaller");
@@ -92,19 +94,25 @@ void Density::build_pyramid() {
     const double pixels_per_square = kPixelsPerBaseSquare * (values_.values.size() > kLargePicture ? 2 : 1);
     const int base_depth = std::max(0, static_cast<int>(std::floor(std::log2(longer_ / pixels_per_square))));
     pyramid_.resize(base_depth + 1);
+    const glm::dvec2 corner = corner_pixel();
     for (int depth = 0; depth <= base_depth; ++depth) {
         const double squares = std::ldexp(1.0, depth);
         Level& level = pyramid_[depth];
-        level.width = static_cast<std::int64_t>(std::ceil(values_.width * squares / longer_));
-        level.height = static_cast<std::int64_t>(std::ceil(values_.height * squares / longer_));
-        level.squares.resize(level.at(0, level.height));
+        level.left = static_cast<std::int64_t>(std::floor(-tile_corner_.x * squares));
+        level.top = static_cast<std::int64_t>(std::floor(-tile_corner_.y * squares));
+        const auto end = [&](int pixels, double begin) {
+            return static_cast<std::int64_t>(std::ceil((pixels - begin) * squares / longer_));
+        };
+        level.width = end(values_.width, corner.x) - level.left;
+        level.height = end(values_.height, corner.y) - level.top;
+        level.squares.resize(static_cast<std::size_t>(level.width * level.height));
     }
 
     // The base: minimum and maximum down the columns of a row of squares, then along them.
     Level& base = pyramid_.back();
     const double side = std::ldexp(static_cast<double>(longer_), -base_depth);  // pixels
     tbb::parallel_for(std::int64_t{0}, base.height, [&](std::int64_t y) {
-        const double top = static_cast<double>(y) * side;
+        const double top = corner.y + static_cast<double>(base.top + y) * side;
         const auto [first_row, last_row] = support(top, top + side);
         const float* first = values_.row(clamped(first_row, values_.height));
         std::vector<float> low(first, first + values_.width), high = low;
@@ -115,36 +123,35 @@ void Density::build_pyramid() {
                 high[x] = std::max(high[x], row[x]);
             }
         }
-        const bool below_picture = top + side > values_.height;
+        const bool beyond_rows = top < 0 || top + side > values_.height;
         for (std::int64_t x = 0; x < base.width; ++x) {
             Bounds bounds = kNothing;
-            const double left = static_cast<double>(x) * side;
+            const double left = corner.x + static_cast<double>(base.left + x) * side;
             const auto [first_column, last_column] = support(left, left + side);
             for (std::int64_t i = first_column; i <= last_column; ++i) {
                 const int column = across(i, values_.width, sides_);
                 bounds.min = std::min(bounds.min, low[column]);
                 bounds.max = std::max(bounds.max, high[column]);
             }
-            if (below_picture || left + side > values_.width) bounds.min = 0;
-            base.squares[base.at(x, y)] = {bounds.min * (1 - kRelativeSlack),
-                                           bounds.max * (1 + kRelativeSlack)};
+            if (beyond_rows || left < 0 || left + side > values_.width) bounds.min = 0;
+            base.squares[static_cast<std::size_t>(y * base.width + x)] = {bounds.min * (1 - kRelativeSlack),
+                                                                          bounds.max * (1 + kRelativeSlack)};
         }
     });
 
     for (int depth = base_depth - 1; depth >= 0; --depth) {
         Level& level = pyramid_[depth];
         const Level& finer = pyramid_[depth + 1];
-        for (std::int64_t y = 0; y < level.height; ++y) {
-            for (std::int64_t x = 0; x < level.width; ++x) {
+        auto square = level.squares.begin();
+        for (std::int64_t y = level.top; y < level.top + level.height; ++y) {
+            for (std::int64_t x = level.left; x < level.left + level.width; ++x) {
                 Bounds bounds = kNothing;
                 for (int q = 0; q < 4; ++q) {
-                    const std::int64_t cx = 2 * x + (q & 1), cy = 2 * y + (q >> 1);
-                    const bool outside = cx >= finer.width || cy >= finer.height;
-                    const Bounds child = outside ? Bounds{} : finer.squares[finer.at(cx, cy)];
+                    const Bounds child = finer.bounds(2 * x + (q & 1), 2 * y + (q >> 1));
                     include(bounds, child.min);
                     include(bounds, child.max);
                 }
-                level.squares[level.at(x, y)] = bounds;
+                *square++ = bounds;
             }
         }
     }
@@ -152,7 +159,9 @@ void Density::build_pyramid() {
 
 PixelRange Density::pixels_in(const QuadSquare& square) const {
     const double side = side_[square.depth];
-    const double left = static_cast<double>(square.x) * side, top = static_cast<double>(square.y) * side;
+    const glm::dvec2 corner = corner_pixel();
+    const double left = corner.x + static_cast<double>(square.x) * side;
+    const double top = corner.y + static_cast<double>(square.y) * side;
     const auto [first_column, last_column] = support(left, left + side);
     const auto [first_row, last_row] = support(top, top + side);
     return {first_column, last_column, first_row, last_row};
@@ -164,7 +173,9 @@ float Density::pixel(std::int64_t column, std::int64_t row) const {
 
 SmallSquare Density::look(const QuadSquare& square) const {
     const double side = side_[square.depth];
-    const double left = static_cast<double>(square.x) * side, top = static_cast<double>(square.y) * side;
+    const glm::dvec2 corner = corner_pixel();
+    const double left = corner.x + static_cast<double>(square.x) * side;
+    const double top = corner.y + static_cast<double>(square.y) * side;
     const double right = left + side, bottom = top + side;
     SmallSquare look;
     if (right <= 0 || bottom <= 0 || left >= values_.width || top >= values_.height) return look;

@@ -1,9 +1,10 @@
 #pragma once
 // A density over the page, with bounds over every square of a quadtree so that a recursion can be exact.
 //
-// Page frame: x to the right, y down, the picture's longer side is 1; the root square is [0, 1]^2 and holds
-// nothing outside the picture. Between the pixels' centres the density is bilinear, beyond the outermost
-// centres constant.
+// Page frame: x to the right, y down, the picture's longer side is 1. The quadtree's root squares have the
+// same side. One has its corner on the picture's own, unless the density says where else it lies: then four
+// of them reach over the picture. Squares hold nothing outside the picture. Between the pixels' centres the
+// density is bilinear, beyond the outermost centres constant.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,8 @@
 
 namespace dapple {
 
-/// The square of side 2^-depth whose corner is (x, y) * 2^-depth.
+/// The square of side 2^-depth whose corner is (x, y) * 2^-depth from the density's tile_corner(): of depth 0
+/// the four with x and y of -1 and 0 reach over the picture.
 struct QuadSquare {
     int depth = 0;
     std::int64_t x = 0, y = 0;
@@ -61,15 +63,19 @@ class Density {
  public:
     /// Values 0..1 (more is allowed, as on environment maps). Throws std::runtime_error if the grid is empty
     /// or a value is negative or not finite.
-    explicit Density(Grid<float> values, Sides sides = Sides::paper);
+    explicit Density(Grid<float> values, Sides sides = Sides::paper, glm::dvec2 tile_corner = {0, 0});
 
     int width() const { return values_.width; }
     int height() const { return values_.height; }
     int longer_side() const { return longer_; }
     Sides sides() const { return sides_; }
+    /// Where on the page root squares begin: from 0 to below 1, in whole 2^-20.
+    glm::dvec2 tile_corner() const { return tile_corner_; }
+    /// The same in pixels.
+    glm::dvec2 corner_pixel() const { return tile_corner_ * static_cast<double>(longer_); }
     const Grid<float>& values() const { return values_; }
 
-    /// Mean over the root square, the empty part included.
+    /// Mean over a square of the longer side, the empty part included.
     double mean() const { return mean_; }
 
     /// Bilinear density at a point of the page; 0 outside the picture.
@@ -80,10 +86,7 @@ class Density {
     /// touch.
     Bounds bounds(const QuadSquare& square) const {
         if (square.depth >= static_cast<int>(pyramid_.size())) return look(square).bounds;
-        const Level& level = pyramid_[square.depth];
-        const bool outside =
-            square.x < 0 || square.y < 0 || square.x >= level.width || square.y >= level.height;
-        return outside ? Bounds{} : level.squares[level.at(square.x, square.y)];
+        return pyramid_[square.depth].bounds(square.x, square.y);
     }
 
     /// Squares of this depth and more are small: a few pixels and less.
@@ -101,11 +104,13 @@ class Density {
 
  private:
     struct Level {
-        std::int64_t width = 0, height = 0;
+        std::int64_t left = 0, top = 0, width = 0, height = 0;
         std::vector<Bounds> squares;
 
-        std::size_t at(std::int64_t x, std::int64_t y) const {
-            return static_cast<std::size_t>(y * width + x);
+        Bounds bounds(std::int64_t x, std::int64_t y) const {
+            const std::int64_t column = x - left, row = y - top;
+            const bool outside = column < 0 || row < 0 || column >= width || row >= height;
+            return outside ? Bounds{} : squares[static_cast<std::size_t>(row * width + column)];
         }
     };
 
@@ -113,6 +118,7 @@ class Density {
 
     Grid<float> values_;
     Sides sides_;
+    glm::dvec2 tile_corner_;
     int longer_ = 0;
     double mean_ = 0;
     std::array<double, 64> side_{};  // of a square, in pixels, by depth

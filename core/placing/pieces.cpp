@@ -175,9 +175,12 @@ void divide_into_pieces(const Traversal& traversal, double dots, Pieces& pieces)
     pieces.squares.clear();
     pieces.ends.clear();
     pieces.most.clear();
-    if (!traversal.starts()) return;
     Division division{traversal, dots, pieces};
-    division.add(traversal.root());
+    Visit root;
+    for (int number = 0; number < 4; ++number) {
+        if (traversal.start(number, root)) division.add(root);
+    }
+    if (pieces.squares.empty()) return;
     if (pieces.ends.empty() || pieces.ends.back() < pieces.squares.size()) division.end_piece();
 }
 

@@ -12,7 +12,7 @@ namespace {
 void collect(const Traversal& traversal, const QuadSquare& square, Orientation orientation,
              std::vector<PlacedTile>& tiles) {
     const PlacingTable& table = traversal.table();
-    if (!overlap(traversal.window(), area_of(square))) return;
+    if (!overlap(traversal.window(), traversal.area_of(square))) return;
     const double ranks = std::ldexp(kDotsPerScale * traversal.request().scale, -2 * square.depth);
     const double max = traversal.density().bounds(square).max;
     if (ranks * max <= (square.depth == 0 ? 0.0 : static_cast<double>(table.tile_size))) return;
@@ -33,7 +33,7 @@ std::vector<PlacedTile> placed_tiles(const PlacingTable& table, const Density& d
                                      const PlacingRequest& request) {
     const Traversal traversal(table, density, request);
     std::vector<PlacedTile> tiles;
-    collect(traversal, {}, {}, tiles);
+    for (int root = 0; root < 4; ++root) collect(traversal, {0, (root & 1) - 1, (root >> 1) - 1}, {}, tiles);
     return tiles;
 }
 

@@ -59,7 +59,7 @@ std::size_t threads_for(int wanted) {
 
 bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots,
                const std::stop_token& stop) {
-    const bool thresholds = traversal.request().thresholds, whole_page = traversal.root().in_window;
+    const bool thresholds = traversal.request().thresholds, whole_page = traversal.has_whole_page();
     const std::size_t threads = threads_for(traversal.request().threads);
     const double expected = dots_in_window(traversal);
     const bool shared = threads > 1 && (!whole_page || expected >= kWorthSharing);

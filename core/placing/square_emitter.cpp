@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
 constexpr float kCloseBounds = 0.95f;
+constexpr double kRounding = 0x1p-23;  // of a position in its square, in half sides
 
 // The lowest single number that is not below this: comparing with it, singles compare as with the double.
 float not_below(double value) {
@@ -104,8 +105,9 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
     const double side = traversal_.at_depth(visit.square.depth).side_pixels;
     square.pixel_half_x = square.sign_x * side / 2;
     square.pixel_half_y = square.sign_y * side / 2;
-    square.pixel_centre_x = (static_cast<double>(visit.square.x) + 0.5) * side + 0.5;
-    square.pixel_centre_y = (static_cast<double>(visit.square.y) + 0.5) * side + 0.5;
+    const glm::dvec2 corner = density.corner_pixel();
+    square.pixel_centre_x = corner.x + (static_cast<double>(visit.square.x) + 0.5) * side + 0.5;
+    square.pixel_centre_y = corner.y + (static_cast<double>(visit.square.y) + 0.5) * side + 0.5;
     square.picture = density.values().values.data();
     square.width = density.width();
     square.height = density.height();
@@ -136,19 +138,26 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
 void SquareEmitter::set_edges(const Visit& visit, KernelSquare& square) const {
     const DepthScale& scale = traversal_.at_depth(visit.square.depth);
     const auto x = static_cast<double>(visit.square.x), y = static_cast<double>(visit.square.y);
-    const bool in_picture = x + 1 <= scale.columns && y + 1 <= scale.rows;
+    const bool in_picture = x >= scale.first_column && y >= scale.first_row && x + 1 <= scale.columns_end &&
+                            y + 1 <= scale.rows_end;
     square.at_edge = !visit.in_window || !in_picture;
     if (!square.at_edge) return;
     const auto& [low, high] = traversal_.window();
     const int shift = 61 - visit.square.depth;  // half the side is 2^shift units
-    const auto in_window = [shift](std::int64_t edge, std::int64_t corner) {
-        return std::ldexp(static_cast<double>(edge - ((2 * corner + 1) << shift)), -shift);
+    const glm::i64vec2 centre = traversal_.area_of(visit.square).low + (std::int64_t{1} << shift);
+    const auto in_window = [shift](std::int64_t edge, std::int64_t middle) {
+        return std::ldexp(static_cast<double>(edge - middle), -shift);
+    };
+    // No position is rounded to one before the page.
+    const auto from = [&](std::int64_t window, std::int64_t middle) {
+        const double page = in_window(0, middle);
+        return not_below(std::max(in_window(window, middle), page > -1 ? page + kRounding : page));
     };
     const auto in_picture_at = [](double edge, double corner) { return 2 * (edge - corner) - 1; };
-    square.low_x = not_below(in_window(std::max<std::int64_t>(low.x, 0), visit.square.x));
-    square.low_y = not_below(in_window(std::max<std::int64_t>(low.y, 0), visit.square.y));
-    square.high_x = not_below(std::min(in_window(high.x, visit.square.x), in_picture_at(scale.columns, x)));
-    square.high_y = not_below(std::min(in_window(high.y, visit.square.y), in_picture_at(scale.rows, y)));
+    square.low_x = from(low.x, centre.x);
+    square.low_y = from(low.y, centre.y);
+    square.high_x = not_below(std::min(in_window(high.x, centre.x), in_picture_at(scale.columns_end, x)));
+    square.high_y = not_below(std::min(in_window(high.y, centre.y), in_picture_at(scale.rows_end, y)));
 }
 
 // As the kernels do it, but the pixels beyond the left and right edges are those of the other side.

@@ -24,11 +24,6 @@ std::int64_t window_end(std::int64_t start, double length) {
 
 }  // namespace
 
-Rectangle<std::int64_t> area_of(const QuadSquare& s) {
-    const int shift = kUnitBits - s.depth;
-    return {{s.x << shift, s.y << shift}, {(s.x + 1) << shift, (s.y + 1) << shift}};
-}
-
 Traversal::Traversal(const PlacingTable& table, const Density& density, const PlacingRequest& request,
                      std::optional<double> tail_scale)
     : table_(table), density_(density), request_(request) {
@@ -39,35 +34,45 @@ Traversal::Traversal(const PlacingTable& table, const Density& density, const Pl
     const PageWindow& w = request.window;
     window_ = {{w.x, w.y}, {window_end(w.x, w.width), window_end(w.y, w.height)}};
     if (request.origin == PlacingOrigin::window) {
-        origin_x_ = w.x;
-        origin_y_ = w.y;
+        origin_ = {w.x, w.y};
     }
+    const glm::dvec2 corner = density.tile_corner();
+    tile_corner_ = glm::i64vec2(corner * kUnitsPerPage);
 
     // Powers of two from one depth to the next: exact.
     const double longer_side = density.longer_side();
     depths_[0] = {0.5,
                   longer_side,
-                  density.width() / longer_side,
-                  density.height() / longer_side,
+                  -corner.x,
+                  -corner.y,
+                  density.width() / longer_side - corner.x,
+                  density.height() / longer_side - corner.y,
                   std::ldexp(kDotsPerScale * request.scale, 2 * table.cell_depth),
                   static_cast<float>(std::ldexp(1 / kDotsPerScale, -2 * table.cell_depth))};
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
         const DepthScale& above = depths_[depth - 1];
-        depths_[depth] = {above.half / 2, above.side_pixels / 2,       above.columns * 2,
-                          above.rows * 2, above.ranks_per_density / 4, above.threshold_per_rank * 4};
+        depths_[depth] = {above.half / 2,
+                          above.side_pixels / 2,
+                          above.first_column * 2,
+                          above.first_row * 2,
+                          above.columns_end * 2,
+                          above.rows_end * 2,
+                          above.ranks_per_density / 4,
+                          above.threshold_per_rank * 4};
     }
 }
 
-Visit Traversal::root() const {
-    Visit visit;
-    visit.in_window = contains(window_, area_of(visit.square));
-    visit.density = 0 < density_.small_depth() ? SmallSquare{density_.bounds(visit.square), false, {}, {}}
-                                               : density_.look(visit.square);
-    return visit;
+bool Traversal::start(int number, Visit& root) const {
+    root = {};
+    root.square = {0, (number & 1) - 1, (number >> 1) - 1};
+    root.density.bounds = density_.bounds(root.square);
+    root.in_window = contains(window_, area_of(root.square));
+    return request_.scale > 0 && root.density.bounds.max > 0 && overlap(window_, area_of(root.square));
 }
 
-bool Traversal::starts() const {
-    return request_.scale > 0 && density_.bounds({}).max > 0 && overlap(window_, area_of({}));
+bool Traversal::has_whole_page() const {
+    constexpr std::int64_t kPage = std::int64_t{1} << kUnitBits;
+    return contains(window_, {{0, 0}, {kPage, kPage}});
 }
 
 bool Traversal::ends_at(const Visit& visit) const {
@@ -120,10 +125,14 @@ bool Traversal::descend(const Visit& parent, int page_quadrant, Visit& child) co
     return true;
 }
 
+Rectangle<std::int64_t> Traversal::area_of(const QuadSquare& s) const {
+    const int shift = kUnitBits - s.depth;
+    return {{(s.x << shift) + tile_corner_.x, (s.y << shift) + tile_corner_.y},
+            {((s.x + 1) << shift) + tile_corner_.x, ((s.y + 1) << shift) + tile_corner_.y}};
+}
+
 glm::dvec2 Traversal::corner_in_window(const QuadSquare& square) const {
-    const int shift = kUnitBits - square.depth;
-    return {static_cast<double>((square.x << shift) - origin_x_) * (1 / kUnitsPerPage),
-            static_cast<double>((square.y << shift) - origin_y_) * (1 / kUnitsPerPage)};
+    return glm::dvec2(area_of(square).low - origin_) * (1 / kUnitsPerPage);
 }
 
 }  // namespace dapple

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/gtc/type_precision.hpp>
 #include <optional>
 
 #include "core/image/density.h"
@@ -33,15 +34,13 @@ struct Visit {
 
 /// What depends on a square's depth alone.
 struct DepthScale {
-    double half = 0;               // half the side, page units
-    double side_pixels = 0;        // side, in pixels of the density
-    double columns = 0, rows = 0;  // of such squares in the density, with a part of one at the end
+    double half = 0;         // half the side, page units
+    double side_pixels = 0;  // side, in pixels of the density
+    // Where the density begins and ends, in such squares, with parts of some.
+    double first_column = 0, first_row = 0, columns_end = 0, rows_end = 0;
     double ranks_per_density = 0;  // scale * 16 / 4^(level of the tile that the square is a cell of)
     float threshold_per_rank = 0;  // 4^level / 16
 };
-
-/// In 2^-62 page units.
-Rectangle<std::int64_t> area_of(const QuadSquare& square);
 
 class Traversal {
  public:
@@ -56,9 +55,12 @@ class Traversal {
     /// The tail scale as a share of the scale; nothing: there is no tail.
     std::optional<double> tail_share() const { return tail_share_; }
 
-    /// The root square; the recursion starts there if starts().
-    Visit root() const;
-    bool starts() const;
+    /// Goes to one of the four root squares, numbered as quadrants are. False if it holds no dot, or lies
+    /// outside the window or the picture; `root` is then unspecified.
+    bool start(int number, Visit& root) const;
+
+    /// Whether the window holds the whole page.
+    bool has_whole_page() const;
 
     /// Whether the recursion ends at the square: its quadrants hold no dots but those that points_of() has.
     bool ends_at(const Visit& visit) const;
@@ -74,6 +76,9 @@ class Traversal {
     /// The level of the tile that the square is a cell of; negative above the root tile's cells.
     int level(const Visit& visit) const { return visit.square.depth - table_.cell_depth; }
 
+    /// In 2^-62 page units from the page's corner.
+    Rectangle<std::int64_t> area_of(const QuadSquare& square) const;
+
     /// A square's corner from where positions are counted, the window's or the page's corner, in page units.
     glm::dvec2 corner_in_window(const QuadSquare& square) const;
 
@@ -86,7 +91,7 @@ class Traversal {
     PlacingRequest request_;
     std::optional<double> tail_share_;
     Rectangle<std::int64_t> window_;
-    std::int64_t origin_x_ = 0, origin_y_ = 0;
+    glm::i64vec2 origin_{0}, tile_corner_{0};  // in the same units
     std::array<DepthScale, kMaxDepth + 1> depths_;
 };
 

@@ -49,7 +49,8 @@ struct Placed {
     std::size_t kind = 0;
 };
 
-/// Finds the orientation and kind of the tile of a level that a page point lies in, by walking down to it.
+/// Finds the orientation and kind of the tile of a level that a point lies in, by walking down to it. Points
+/// are in 2^-62 page units from a root tile's corner; all root tiles are alike.
 class TileWalk {
  public:
     TileWalk(const Rule& rule, const NextKinds& next_kind) : next_kind_(next_kind) {
@@ -136,9 +137,11 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
     for (const Orientation g : all_orientations()) of_orientation[g.index] = opaque(orientation_colour(g));
     std::vector<glm::u8vec4> of_kind;
     for (std::size_t kind = 0; kind < kinds; ++kind) of_kind.push_back(opaque(kind_colour(kind)));
-    const auto on_page = [](std::int64_t corner, float offset) {
-        return corner + static_cast<std::int64_t>(std::ldexp(static_cast<double>(offset), kDeepest));
+    const auto in_units = [](double length) {
+        return static_cast<std::int64_t>(std::ldexp(length, kDeepest));
     };
+    const std::int64_t left = origins.window.x - in_units(origins.tile_corner.x);
+    const std::int64_t top = origins.window.y - in_units(origins.tile_corner.y);
     colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
         const TileRank at = tile_rank_of(piece.threshold[i], origins.tile_size);
         if (colouring == DotColouring::level) {
@@ -146,8 +149,7 @@ std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& or
         } else if (colouring == DotColouring::rank) {
             colour = opaque(rank_colour(rank_share(at, origins.tile_size)));
         } else {
-            const Placed tile = walk.at(on_page(origins.window.x, piece.x[i]),
-                                        on_page(origins.window.y, piece.y[i]), at.level);
+            const Placed tile = walk.at(left + in_units(piece.x[i]), top + in_units(piece.y[i]), at.level);
             colour = kinds > 1 ? of_kind[tile.kind] : of_orientation[tile.orientation.index];
         }
     });

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct DotOrigins {
     Rule rule;                   // of a Figure 8 drawing the identity: it turns no tile
     PageWindow window;
     NextKinds next_kind = NextKinds(1);
+    glm::dvec2 tile_corner{0, 0};  // see Density
 };
 
 /// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of

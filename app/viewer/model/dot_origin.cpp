@@ -34,10 +34,16 @@ FoundDot nearest_dot(const PlacedDrawing& drawing, glm::dvec2 at, double reach) 
     return nearest;
 }
 
-// In 2^-62 page units from the page's corner; walks down to the square, turning as the rule says.
-PlacedTile tile_around(PagePoint at, int level, const Rule& rule, const PageWindow& window) {
+PagePoint in_units(glm::dvec2 page_units) {
+    return PagePoint(page_units * 0x1p62);
+}
+
+// In 2^-62 page units from the page's corner; walks down to the square from a root tile, all of which are
+// alike, turning as the rule says.
+PlacedTile tile_around(PagePoint on_page, int level, const Rule& rule, const PlacedDrawing& drawing) {
     constexpr int kDigits = 62;
     const int depth = std::min(level, kDigits);
+    const PagePoint root = in_units(drawing.tile_corner), at = on_page - root;
     Orientation tile;
     for (int d = 1; d <= depth; ++d) {
         const int quadrant =
@@ -46,44 +52,44 @@ PlacedTile tile_around(PagePoint at, int level, const Rule& rule, const PageWind
             compose(tile, rule.child[static_cast<std::size_t>(apply_to_quadrant(inverse(tile), quadrant))]);
     }
     const auto corner = [&](std::int64_t x) { return (x >> (kDigits - depth)) << (kDigits - depth); };
+    const PageWindow& window = drawing.window;
     return {.level = level,
-            .x = std::ldexp(static_cast<double>(corner(at.x) - window.x), -kDigits),
-            .y = std::ldexp(static_cast<double>(corner(at.y) - window.y), -kDigits),
+            .x = std::ldexp(static_cast<double>(corner(at.x) + root.x - window.x), -kDigits),
+            .y = std::ldexp(static_cast<double>(corner(at.y) + root.y - window.y), -kDigits),
             .side = std::ldexp(1.0, -level),
             .orientation = tile};
 }
 
-constexpr std::int64_t kPageSide = std::int64_t{1} << 62;
-
 PagePoint on_page(const PageWindow& window, glm::dvec2 in_window) {
-    return PagePoint(window.x, window.y) + PagePoint(in_window * 0x1p62);
+    return PagePoint(window.x, window.y) + in_units(in_window);
 }
 
 // Steps move a dot by less than the distance to its neighbours, while a tile has the same rank many such
 // distances away.
 std::optional<PlacedTile> tile_before_relaxing(const DotOrigin& dot, const PlacedWith& with,
-                                               const PageWindow& window) {
+                                               const PlacedDrawing& drawing) {
     const bool is_own = dot.level == 0 || with.placer == PlacerKind::figure8;
     const std::span<const glm::vec2> born = is_own ? with.points : with.newborn;
     const auto rank = static_cast<std::size_t>(dot.rank);
     if (rank >= born.size()) return std::nullopt;
     const int level = is_own ? dot.level : dot.level - 1;  // of the tiles that bring it
-    const std::int64_t side = kPageSide >> std::min(level, 62);
-    const PagePoint here = on_page(window, dot.position);
+    const std::int64_t side = (std::int64_t{1} << 62) >> std::min(level, 62);
+    const PagePoint here = on_page(drawing.window, dot.position);
     std::optional<PlacedTile> nearest;
     glm::dvec2 placed{0};
     for (int i = 0; i < 9; ++i) {
         const PagePoint at = here + side * PagePoint(i % 3 - 1, i / 3 - 1);
-        if (at.x < 0 || at.y < 0 || at.x >= kPageSide || at.y >= kPageSide) continue;
-        const PlacedTile tile = tile_around(at, level, with.rule, window);
+        const PlacedTile tile = tile_around(at, level, with.rule, drawing);
         const glm::dvec2 place = glm::dvec2(tile.x, tile.y) +
                                  tile.side * (apply(tile.orientation, glm::dvec2(born[rank]) - 0.5) + 0.5);
+        const glm::dvec2 there = in_page_units({drawing.window.x, drawing.window.y}) + place;
+        if (there.x < 0 || there.y < 0 || there.x >= 1 || there.y >= 1) continue;
         if (nearest && glm::distance(place, dot.position) >= glm::distance(placed, dot.position)) continue;
         nearest = tile;
         placed = place;
     }
     if (!nearest || is_own) return nearest;
-    return tile_around(on_page(window, placed), dot.level, with.rule, window);
+    return tile_around(on_page(drawing.window, placed), dot.level, with.rule, drawing);
 }
 
 std::string ordinal(int n) {
@@ -136,8 +142,8 @@ std::optional<DotOrigin> dot_under(const PlacedDrawing& drawing, const PlacedWit
         dot.born = n;
     }
     dot.tile = dot.relaxed
-                   ? tile_before_relaxing(dot, with, drawing.window)
-                   : tile_around(on_page(drawing.window, dot.position), dot.level, with.rule, drawing.window);
+                   ? tile_before_relaxing(dot, with, drawing)
+                   : tile_around(on_page(drawing.window, dot.position), dot.level, with.rule, drawing);
     return dot;
 }
 

@@ -35,6 +35,7 @@ struct PlacedDrawing : Stippling {
     Framing framing;                   // of the picture that was opened,
     glm::ivec2 picture_pixels{1, 1};   // which has so many
     PageWindow window;                 // dots and outlines are relative to its corner
+    glm::dvec2 tile_corner{0, 0};      // on the page, see Density; Figure 8's is the page's own
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
 
     bool settled() const { return steps == all_steps; }

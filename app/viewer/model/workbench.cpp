@@ -122,7 +122,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     if (request.in_part) made.placing.thresholds = true;
     pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
-    // Figure 8 turns no tile.
+    // Figure 8 turns no tile, and begins at the page's corner.
     const bool turns = request.drawing.placer == PlacerKind::exact;
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
@@ -136,6 +136,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.framing = pipeline_.framing();
         placed.picture_pixels = pipeline_.pixels();
         placed.window = request.close ? request.close->window : PageWindow{};
+        placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
         placed.dot_radius = made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
@@ -143,7 +144,8 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.radius_for_tone_mm =
             made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(
-            placed.dots, {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind},
+            placed.dots,
+            {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind, placed.tile_corner},
             request.colours);
     };
     if (!(request.close ? place_close(pipeline_, made, request, drawing, stop)

@@ -1,0 +1,48 @@
+#include "core/placing/page_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dapple {
+
+namespace {
+
+constexpr int kLevels = 8;        // of tiles as large as a few dots and more
+constexpr int kCandidates = 256;  // the first digits; those after them alternate, far from any border
+
+double way_to_border(double place) {
+    return std::abs(place - std::round(place));
+}
+
+// The corner from which both ends of a side are farthest from borders, in sides of the tiles that these are
+// of.
+double corner_off_ends(double length) {
+    double best = 0, farthest = -1;
+    for (int i = 0; i < kCandidates; ++i) {
+        const double corner = std::ldexp(std::floor(std::ldexp((i + 1.0 / 3) / kCandidates, 20)), -20);
+        double way = 1;
+        for (int level = 0; level < kLevels; ++level) {
+            way = std::min({way, way_to_border(std::ldexp(corner, level)),
+                            way_to_border(std::ldexp(length - corner, level))});
+        }
+        if (way <= farthest) continue;
+        farthest = way;
+        best = corner;
+    }
+    return best;
+}
+
+}  // namespace
+
+glm::dvec2 corner_off_edges(int width, int height) {
+    const double longer = std::max(width, height);
+    return {corner_off_ends(width / longer), corner_off_ends(height / longer)};
+}
+
+Density page_density(Grid<float> values) {
+    const glm::dvec2 corner = values.empty() ? glm::dvec2(0) : corner_off_edges(values.width, values.height);
+    return Density(std::move(values), Sides::paper, corner);
+}
+
+}  // namespace dapple

@@ -1,0 +1,17 @@
+#pragma once
+// The density of a page that is drawn.
+
+#include "core/image/density.h"
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// Where tiles begin on a page of that size, for its edges to lie off the borders of tiles: a sixth of a
+/// tile's side and more, at the first eight levels. Dots keep away from borders, and would stand in rows
+/// along edges.
+glm::dvec2 corner_off_edges(int width, int height);
+
+/// The density whose tiles begin there. As Density's constructor throws.
+Density page_density(Grid<float> values);
+
+}  // namespace dapple
