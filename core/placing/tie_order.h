@@ -13,7 +13,7 @@
 namespace dapple {
 
 struct TieKey {
-    std::uint32_t dither = 0;    // of the dot's tile, or a square a few times smaller
+    std::uint32_t dither = 0;    // of a square of its tile's size, or a few times smaller
     std::uint64_t position = 0;  // its two numbers' bits: no two dots are at one place
 
     auto operator<=>(const TieKey&) const = default;
