@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <utility>
 
 #include "core/drawing/pipeline.h"
 #include "core/placing/page_density.h"
+#include "core/tile/neighbours.h"
 #include "core/tile/tile_file.h"
 #include "tests/file_text.h"
 #include "tests/places.h"
@@ -75,6 +77,19 @@ TEST_CASE("a page of any shape has no edge that is nearer to a border than a six
                 CHECK(std::abs(tiles - std::round(tiles)) > 0.166);
             }
         }
+    }
+}
+
+TEST_CASE("the four tiles that a picture lies across are neighbours that occur within each built-in tile") {
+    for (const auto& file : std::filesystem::directory_iterator(source_folder() / "assets/tiles")) {
+        CAPTURE(file.path().string());
+        const Tile tile = read_tile(text_of(file.path())).tile;
+        const std::vector<Neighbour> legal = legal_neighbours(tile.rule, tile.next_kind);
+        for (const glm::ivec2 offset : {glm::ivec2(1, 0), {0, 1}, {1, 1}, {1, -1}})
+            CHECK(std::ranges::any_of(legal, [&](const Neighbour& each) {
+                return each.of == 0 && each.kind == 0 && each.offset == offset &&
+                       each.orientation == Orientation();
+            }));
     }
 }
 
