@@ -24,7 +24,7 @@ struct Turned {
         Rule rule;
         for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
         RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingMethod::farthest);
-        const Density grey = page_density(Grid<float>(3, 2, 0.5f));
+        const Density grey = page_density(Grid<float>(1, 1, 0.5f));
         const PlacingRequest request{.scale = 300, .thresholds = true};
         DotPieces placed;
         tile.placer().place(grey, request, placed);
