@@ -69,11 +69,10 @@ int main() {
         const double count = kFewestDots * std::pow(4.0, double(phase) / kPhases);
         stipple(tile, black, PlacerKind::exact, {.count = static_cast<std::uint64_t>(count), .threads = 0},
                 placed);
-        int done = 0;
         for (std::size_t s = 0; s < kSteps.size(); ++s) {
-            relax(placed.dots, black, kSteps[s] - done, {.scale = placed.scale, .threads = 0});
-            done = kSteps[s];
-            tables[s][phase] = coverage(placed.dots);
+            DotPieces dots = placed.dots;
+            relax(dots, black, kSteps[s], {.scale = placed.scale, .threads = 0});
+            tables[s][phase] = coverage(dots);
         }
     }
     for (std::size_t s = 0; s < kSteps.size(); ++s) {

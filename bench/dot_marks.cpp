@@ -1,5 +1,6 @@
 #include "bench/dot_marks.h"
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -8,6 +9,7 @@
 #include "core/analysis/spectrum.h"
 #include "core/output/seams.h"
 #include "core/relaxing/relax.h"
+#include "core/relaxing/stir.h"
 
 namespace dapple {
 
@@ -22,6 +24,14 @@ DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load) {
             low_frequency_power(spectrum, 0.5),
             nearest_summary(inside, torus),
             seams(points, load).worst()};
+}
+
+std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, double scale) {
+    const auto apart = static_cast<float>(1 / std::sqrt(kDotsPerScale * scale));
+    std::vector<glm::dvec2> result;
+    for (const glm::dvec2 p : points)
+        result.push_back(glm::fract(p + glm::dvec2(stirring_at(glm::vec2(p), apart))));
+    return result;
 }
 
 std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps) {

@@ -19,8 +19,12 @@ struct DotMarks {
 /// Of dots of which black has an area of `load` pages.
 DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load);
 
+/// The dots stirred as before relaxing (core/relaxing/stir.h), in the same order. `scale` is a sixteenth of
+/// their number.
+std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, double scale);
+
 /// The dots after so many steps of relaxation, in the same order: with copies of them around, as far as these
-/// have an influence. `scale` is a sixteenth of their number.
+/// have an influence.
 std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps);
 
 /// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off;

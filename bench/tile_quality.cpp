@@ -74,10 +74,15 @@ std::vector<glm::dvec2> placed_dots(RankedTile& tile, double count, const Densit
     return points;
 }
 
+// As a drawing's are: stirred, then so many steps.
+std::vector<glm::dvec2> as_relaxed(const std::vector<glm::dvec2>& placed, double scale, int steps) {
+    return steps == 0 ? placed : relaxed_on_torus(stirred_on_torus(placed, scale), scale, steps);
+}
+
 DotMarks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey, int steps) {
     const auto points = placed_dots(tile, count, grey);
     const double scale = std::round(count) / kDotsPerScale;
-    const DotMarks marks = dot_marks(relaxed_on_torus(points, scale, steps), kSeamLoad);
+    const DotMarks marks = dot_marks(as_relaxed(points, scale, steps), kSeamLoad);
     fmt::print("| {} | {} | {}\n", name, points.size(), in_columns(marks));
     std::fflush(stdout);
     return marks;
@@ -112,7 +117,7 @@ void measure_level(const std::string& argument, std::size_t fewest_dots, const D
 void print_both(const std::string& name, const std::vector<glm::dvec2>& points, double tile_side) {
     const auto count = static_cast<double>(points.size());
     for (const int steps : {0, usual_steps(count, kPageMm2)}) {
-        const auto dots = relaxed_on_torus(points, count / kDotsPerScale, steps);
+        const auto dots = as_relaxed(points, count / kDotsPerScale, steps);
         const DotMarks m = dot_marks(dots, kSeamLoad);
         fmt::print("| {} | {} | {} | {:.0f} | {:.4f} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n", name,
                    points.size(), steps, m.highest_bin, m.power_03, m.nearest.p1, m.nearest.mean, m.seam,

@@ -51,6 +51,23 @@ TEST_CASE("dots relax on the torus: a lattice stays, and it does not matter wher
     CHECK(relaxed_on_torus(noise, kScale, 0) == noise);
 }
 
+TEST_CASE("one tile laid everywhere stays so in all steps of relaxation, but not if it is stirred first") {
+    constexpr int kTiles = 8, kSteps = 4;
+    constexpr double kScale = kTiles * kTiles * 64 / 16.0;
+    std::vector<glm::dvec2> dots;
+    for (const glm::dvec2 p : white_noise(64, 3))
+        for (int i = 0; i < kTiles * kTiles; ++i)
+            dots.push_back((p + glm::dvec2(i % kTiles, i / kTiles)) / double(kTiles));
+    const auto alike = [](const std::vector<glm::dvec2>& points) {
+        return coincidence(points, 1.0 / kTiles);
+    };
+    CHECK(alike(relaxed_on_torus(dots, kScale, kSteps)) > 0.9);
+    const auto stirred = stirred_on_torus(dots, kScale);
+    CHECK(std::ranges::all_of(stirred,
+                              [](glm::dvec2 p) { return p.x >= 0 && p.y >= 0 && p.x <= 1 && p.y <= 1; }));
+    CHECK(alike(relaxed_on_torus(stirred, kScale, kSteps)) < 0.2);
+}
+
 TEST_CASE("dots coincide as often as the tiles that were laid twice") {
     // 4 x 4 tiles, of which two are alike, (2, 1) apart.
     constexpr int kAlike[] = {0, 6};

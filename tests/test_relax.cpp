@@ -49,6 +49,13 @@ Dots relaxed(const Density& density, const Stippling& from, int steps, int threa
     return joined(dots);
 }
 
+// A step alone.
+Dots stepped(const Density& density, const Stippling& from) {
+    Relaxation relaxation(from.dots, density, {.scale = from.scale});
+    REQUIRE(relaxation.step());
+    return joined(relaxation.dots());
+}
+
 std::vector<glm::dvec2> positions(const Dots& dots) {
     std::vector<glm::dvec2> result;
     for (std::size_t i = 0; i < dots.size(); ++i) result.emplace_back(dots.x[i], dots.y[i]);
@@ -163,7 +170,7 @@ TEST_CASE("a step takes every dot 1.8 times the way to its cell's centroid") {
         const Density density(soft_picture(width, height));
         const Stippling before = numbered(placed(density, 350));
         const std::vector<glm::dvec2> dots = by_number(joined(before.dots));
-        const std::vector<glm::dvec2> after = by_number(relaxed(density, before, 1));
+        const std::vector<glm::dvec2> after = by_number(stepped(density, before));
         const double apart = 1 / std::sqrt(16 * before.scale);  // on black
         const double longer = density.longer_side();
         const glm::dvec2 end(width / longer, height / longer);
@@ -294,7 +301,7 @@ TEST_CASE("a line one pixel wide stays a line, and its dots spread evenly along 
             for (const float across : upright ? after.x : after.y) CHECK(std::abs(across * 100 - 37.5f) < 1);
         }
         // Further apart than the line is wide they stand in single file.
-        const Dots after = relaxed(density, placed(density, 30), 60);
+        const Dots after = relaxed(density, placed(density, 30), 100);
         const FloatBuffer &across = upright ? after.x : after.y, &along = upright ? after.y : after.x;
         for (const float place : across) CHECK(std::abs(place * 100 - 37.5f) < 0.2f);
         std::vector<float> sorted(along.begin(), along.end());
@@ -314,7 +321,7 @@ TEST_CASE("a picture on its side is relaxed as it is upright") {
     const Grid<float> mirrored = picture_of(60, 40, [&](int x, int y) { return upright.at(59 - x, 39 - y); });
     const Density density(upright);
     const Stippling before = numbered(placed(density, 2000));
-    const std::vector<glm::dvec2> right = by_number(relaxed(density, before, 1));
+    const std::vector<glm::dvec2> right = by_number(stepped(density, before));
     const auto farthest = [&](const Grid<float>& grid, const std::function<glm::vec2(float, float)>& to,
                               const std::function<glm::dvec2(glm::dvec2)>& back) {
         Stippling moved{.dots = in_one_piece(joined(before.dots)), .scale = before.scale};
@@ -324,7 +331,7 @@ TEST_CASE("a picture on its side is relaxed as it is upright") {
             dots.x[i] = place.x;
             dots.y[i] = place.y;
         }
-        const std::vector<glm::dvec2> found = by_number(relaxed(Density(grid), moved, 1));
+        const std::vector<glm::dvec2> found = by_number(stepped(Density(grid), moved));
         double result = 0;
         for (std::size_t i = 0; i < right.size(); ++i)
             result = std::max(result, glm::distance(back(found[i]), right[i]));

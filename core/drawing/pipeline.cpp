@@ -12,6 +12,7 @@
 #include "core/image/exposure.h"
 #include "core/image/ink_use.h"
 #include "core/placing/page_density.h"
+#include "core/relaxing/stir.h"
 
 namespace dapple {
 
@@ -344,6 +345,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
+        stir(drawn.dots, density, drawn.scale, plan.placing.threads);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density,
                               {.scale = drawn.scale, .threads = plan.placing.threads});
         while (drawn.steps < plan.steps) {

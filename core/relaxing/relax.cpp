@@ -8,6 +8,7 @@
 
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
+#include "core/relaxing/stir.h"
 #include "core/relaxing/voronoi_cell.h"
 #include "core/relaxing/weighted_centroid.h"
 
@@ -205,8 +206,10 @@ class RowsMover {
 }  // namespace
 
 double relaxing_rim(double scale, int steps) {
-    // A step looks as far as dots cut cells, and the dots it finds came from a step's length further away.
-    return steps * std::ldexp(double{kCellReach} + kFarthestRow + 1, -depth_for(scale));
+    // A step looks as far as dots cut cells, and the dots it finds came from a step's length further away;
+    // the first from where they were stirred.
+    const double step = std::ldexp(double{kCellReach} + kFarthestRow + 1, -depth_for(scale));
+    return steps * step + farthest_stirred(scale);
 }
 
 double relaxing_row(double scale) {
@@ -272,7 +275,9 @@ Dots Relaxation::dots_as_taken() const {
 bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingRequest& request,
            const std::stop_token& stop) {
     if (steps == 0 || dots.size() == 0) return !stop.stop_requested();
-    Relaxation relaxation(dots, density, request);
+    DotPieces stirred = dots;
+    stir(stirred, density, request.scale, request.threads);
+    Relaxation relaxation(std::move(stirred), density, request);
     for (int i = 0; i < steps; ++i)
         if (!relaxation.step(stop)) return false;
     dots = relaxation.dots();

@@ -33,7 +33,7 @@ double relaxing_rim(double scale, int steps);
 /// between dots on black.
 double relaxing_row(double scale);
 
-/// Dots on their way. They keep their other columns.
+/// Dots on their way from where they are given. They keep their other columns.
 class Relaxation {
  public:
     /// Dots in page units from the page's corner, of a density that fills the page and does not wrap round.
@@ -60,7 +60,7 @@ class Relaxation {
     DotRows::Positions next_x_, next_y_;
 };
 
-/// Several steps at once. False if stopped; the dots are then as before.
+/// Stirs dots as placed (stir.h), then several steps. False if stopped; the dots are then as before.
 bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingRequest& request,
            const std::stop_token& stop = {});
 
