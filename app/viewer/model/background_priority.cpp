@@ -4,6 +4,7 @@
 
 #if defined(DAPPLE_LINUX)
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace dapple {
@@ -11,10 +12,11 @@ namespace {
 
 void lower_own_priority() {
 #if defined(DAPPLE_LINUX)
-    // On Linux that is the calling thread's. Whether it succeeds decides nothing. A third of the window's
-    // share of a core: lower ones starve the drawing where other programs keep the machine busy.
-    constexpr int kNice = 5;
-    static_cast<void>(setpriority(PRIO_PROCESS, 0, kNice));
+    // On Linux that is the calling thread's. Whether it succeeds decides nothing. A third of the share of a
+    // core that the window's thread has: lower ones starve the drawing where other programs keep the machine
+    // busy.
+    constexpr int kNicer = 5;
+    static_cast<void>(setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, getpid()) + kNicer));
 #endif
 }
 
