@@ -250,7 +250,7 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     RankedTile tile = paper_tile();
     Stippling placed;
     REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, {.count = 2500, .thresholds = true}, placed));
-    REQUIRE(relax(placed.dots, *plan.density, 3, {.scale = placed.scale}));
+    REQUIRE(relax(placed.dots, *plan.density, 3, {.scale = placed.scale, .tile_points = tile.tile().size()}));
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 

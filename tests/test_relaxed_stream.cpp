@@ -66,7 +66,9 @@ bool same(const Dots& a, const Dots& b) {
 Dots whole_page(const Density& density, const PlacingRequest& request, int steps, double& scale) {
     Stippling all;
     REQUIRE(stipple(test_tile(), density, PlacerKind::exact, request, all));
-    REQUIRE(relax(all.dots, density, steps, {.scale = all.scale, .threads = request.threads}));
+    const RelaxingRequest relaxing{
+        .scale = all.scale, .threads = request.threads, .tile_points = test_tile().tile().size()};
+    REQUIRE(relax(all.dots, density, steps, relaxing));
     scale = all.scale;
     return joined(all.dots);
 }

@@ -27,7 +27,7 @@ Stippling placed(const Density& density, std::uint64_t count) {
 
 Dots stirred(const Stippling& from, const Density& density, int threads = 1) {
     DotPieces dots = from.dots;
-    stir(dots, density, from.scale, threads);
+    stir(dots, density, {.scale = from.scale, .threads = threads});
     return joined(dots);
 }
 
@@ -140,4 +140,25 @@ TEST_CASE("a lattice, which steps alone leave as it is, is one no more once rela
     REQUIRE(relax(dots, density, 3, {.scale = scale}));
     CHECK(stayed(joined(steps.dots())) > 0.5);
     CHECK(stayed(joined(dots)) < 0.25);
+}
+
+TEST_CASE("dots of which hardly any comes again are not stirred, and those of a few tiles a little") {
+    const Density black(Grid<float>(1, 1, 1.0f));
+    const Stippling before = placed(black, 1600);
+    const Dots from = joined(before.dots), wholly = stirred(before, black);
+    const auto share = [&](std::size_t tile_points) {
+        DotPieces dots = before.dots;
+        stir(dots, black, {.scale = before.scale, .tile_points = tile_points});
+        const Dots to = joined(dots);
+        double moved = 0, most = 0;
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            moved += glm::distance(place(to, i), place(from, i));
+            most += glm::distance(place(wholly, i), place(from, i));
+        }
+        return moved / most;
+    };
+    CHECK(share(16) == 1);
+    CHECK(share(178) == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(share(800) == doctest::Approx(0).epsilon(1e-6));
+    CHECK(share(4096) == 0);
 }

@@ -51,8 +51,8 @@ std::function<PlainDots(const DotsWanted&)> placed_with(const OwnPlacing& how) {
         request.threads = 1;
         Stippling placed;
         if (!stipple(late->tile(), density, how.placer, request, placed, wanted.stop)) return {};
-        if (!relax(placed.dots, density, how.steps, {.scale = placed.scale, .threads = 1}, wanted.stop))
-            return {};
+        const RelaxingRequest relaxing{.scale = placed.scale, .tile_points = late->tile().tile().size()};
+        if (!relax(placed.dots, density, how.steps, relaxing, wanted.stop)) return {};
         PlainDots dots;
         dots.reserve(placed.dots.size());
         // Rounded to float, one can lie just on the far edge.

@@ -345,9 +345,11 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
-        stir(drawn.dots, density, drawn.scale, plan.placing.threads);
-        Relaxation relaxation(std::exchange(drawn.dots, {}), density,
-                              {.scale = drawn.scale, .threads = plan.placing.threads});
+        const RelaxingRequest relaxing{.scale = drawn.scale,
+                                       .threads = plan.placing.threads,
+                                       .tile_points = tile_->placer().table().tile_size};
+        stir(drawn.dots, density, relaxing);
+        Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
         while (drawn.steps < plan.steps) {
             if (!relaxation.step(watch.stop)) return false;
             drawn.relax_ms += milliseconds_since(start);

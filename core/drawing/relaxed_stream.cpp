@@ -63,7 +63,8 @@ class Bands {
         DotPieces dots;
         Dots result;
         const PlacingRequest around = placing_of(placer_, density_, band, relaxing_rim(scale(), steps_));
-        const RelaxingRequest relaxing{.scale = scale(), .threads = request_.placing.threads};
+        const RelaxingRequest relaxing{
+            .scale = scale(), .threads = request_.placing.threads, .tile_points = placer_.table().tile_size};
         if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing, stop_))
             return result;
         for (Dots& piece : dots.pieces) {

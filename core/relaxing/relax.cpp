@@ -276,7 +276,7 @@ bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingReq
            const std::stop_token& stop) {
     if (steps == 0 || dots.size() == 0) return !stop.stop_requested();
     DotPieces stirred = dots;
-    stir(stirred, density, request.scale, request.threads);
+    stir(stirred, density, request);
     Relaxation relaxation(std::move(stirred), density, request);
     for (int i = 0; i < steps; ++i)
         if (!relaxation.step(stop)) return false;

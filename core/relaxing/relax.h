@@ -9,6 +9,7 @@
 // What moves is seen no more as a part of the endless subdivision: the first n dots of a relaxed drawing are
 // not the drawing with n dots.
 
+#include <cstddef>
 #include <stop_token>
 
 #include "core/image/density.h"
@@ -23,6 +24,8 @@ inline constexpr int kMostRelaxingSteps = 100;
 struct RelaxingRequest {
     double scale = 0;  // that the dots were placed at, over 0
     int threads = 1;   // the dots are the same for any number; 0: all cores
+    /// Of the tile: dots come again after so many. See stir().
+    std::size_t tile_points = 1;
 };
 
 /// How far around a part of a page dots have an influence on where those on it are after so many steps, in

@@ -9,7 +9,6 @@
 
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
-#include "core/relaxing/relax.h"
 
 namespace dapple {
 
@@ -19,6 +18,8 @@ namespace {
 constexpr float kSpread = 0.2f, kSwirl = 3;
 // Of the flow of a spline through independent numbers of variance 1.
 constexpr float kPlainSpread = 0.7416198f;  // sqrt(11 / 20)
+// So many tiles on a black page are stirred not at all, and so many wholly.
+constexpr double kFewTiles = 2, kManyTiles = 16;
 // Where dots are further apart than so many rows they are carried as if they were not.
 constexpr float kMostRowsApart = 8;
 // A dot stays where the ink is, as in a step.
@@ -81,18 +82,22 @@ double farthest_stirred(double scale) {
     return double{kMostRowsApart} * relaxing_row(scale);
 }
 
-void stir(DotPieces& dots, const Density& density, double scale, int threads) {
+void stir(DotPieces& dots, const Density& density, const RelaxingRequest& request) {
+    const double tiles = kDotsPerScale * request.scale / static_cast<double>(request.tile_points);
+    const auto strength =
+        static_cast<float>(std::clamp((tiles - kFewTiles) / (kManyTiles - kFewTiles), 0.0, 1.0));
+    if (strength == 0) return;
     const double longer = density.longer_side();
     // On its right and lower edges there is no density any more.
     const float last_x = std::nextafter(static_cast<float>(density.width() / longer), 0.0f);
     const float last_y = std::nextafter(static_cast<float>(density.height() / longer), 0.0f);
-    const auto most_apart = static_cast<float>(farthest_stirred(scale));
-    const auto in_black = static_cast<float>(kDotsPerScale * scale);  // dots on an area of 1
+    const auto most_apart = static_cast<float>(farthest_stirred(request.scale));
+    const auto in_black = static_cast<float>(kDotsPerScale * request.scale);  // dots on an area of 1
     const auto move = [&](float& x, float& y) {
         const auto ink = static_cast<float>(density.at({x, y}));
         if (!(ink > 0)) return;
         const float apart = std::min(1 / std::sqrt(in_black * ink), most_apart);
-        glm::vec2 step = stirring_at({x, y}, apart);
+        glm::vec2 step = strength * stirring_at({x, y}, apart);
         for (int i = 0; i < kShorterTries; ++i) {
             const float to_x = mirrored(x + step.x, last_x), to_y = mirrored(y + step.y, last_y);
             if (density.at({to_x, to_y}) > double{kLeastShare * ink}) {
@@ -103,7 +108,7 @@ void stir(DotPieces& dots, const Density& density, double scale, int threads) {
             step *= 0.5f;
         }
     };
-    for_each_on_threads(dots.pieces.size(), threads_for(threads), [&](std::size_t i) {
+    for_each_on_threads(dots.pieces.size(), threads_for(request.threads), [&](std::size_t i) {
         Dots& piece = dots.pieces[i];
         for (std::size_t k = 0; k < piece.size(); ++k) move(piece.x[k], piece.y[k]);
     });

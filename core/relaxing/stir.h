@@ -10,6 +10,7 @@
 
 #include "core/image/density.h"
 #include "core/placing/dots.h"
+#include "core/relaxing/relax.h"
 
 namespace dapple {
 
@@ -20,7 +21,8 @@ glm::vec2 stirring_at(glm::vec2 place, float apart);
 /// No dot that was placed at this scale is carried farther.
 double farthest_stirred(double scale);
 
-/// Carries all dots along. None leaves the page or the ink that it lies on.
-void stir(DotPieces& dots, const Density& density, double scale, int threads);
+/// Carries all dots along, less far where black would show only a few tiles, and not at all where it would
+/// show two: there hardly a dot comes again. None leaves the page or the ink that it lies on.
+void stir(DotPieces& dots, const Density& density, const RelaxingRequest& request);
 
 }  // namespace dapple
