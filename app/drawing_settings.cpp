@@ -15,8 +15,10 @@ bool have_own_widths(const PenChoice& pens) {
 }  // namespace
 
 std::string tile_in_use(const DrawingSettings& settings) {
-    const bool turns = settings.tile == kDefaultTile && settings.placer == PlacerKind::figure8;
-    return turns ? "paper16" : settings.tile;
+    if (settings.tile != kDefaultTile) return settings.tile;
+    if (settings.placer == PlacerKind::figure8) return "paper16";
+    const bool one_by_one = settings.ranking.value_or(RankingMethod::energy) != RankingMethod::energy;
+    return one_by_one ? "aperiodic4096" : settings.tile;
 }
 
 bool draws_strokes(const DrawingSettings& settings) {

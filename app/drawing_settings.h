@@ -27,7 +27,7 @@ namespace dapple {
 inline constexpr std::uint64_t kDefaultDots = 40'000;
 
 /// The built-in tile whose pictures look best.
-inline constexpr const char* kDefaultTile = "aperiodic4096";
+inline constexpr const char* kDefaultTile = "kinds4096";
 
 /// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
 inline constexpr double kLongestSideMm = 100'000;
@@ -89,8 +89,9 @@ struct SavingChoice {
     bool operator==(const SavingChoice&) const = default;
 };
 
-/// The tile drawn with: settings.tile, but the paper's own where the paper's placer, which knows no tiles
-/// that turn their children, meets the default one.
+/// The tile drawn with: settings.tile, but for the default one, which is of several kinds, the paper's own
+/// where the placer is the paper's, and the turned one of as many points where the ranking is one of a single
+/// tile.
 std::string tile_in_use(const DrawingSettings& settings);
 
 /// Whether a pen draws lines, rather than that dots are filled circles.

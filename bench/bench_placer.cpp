@@ -135,9 +135,9 @@ void add_picture(const std::string& name, const Density& density) {
         counts(benchmark::RegisterBenchmark((what + "/" + name).c_str(), function), threads);
     };
     add("figure8", [&density](benchmark::State& s) { figure8(s, density); });
-    for (const std::string tile : {"paper16", "aperiodic16", "aperiodic1024", "aperiodic4096"})
+    for (const std::string tile : {"paper16", "aperiodic16", "aperiodic1024", "aperiodic4096", "kinds4096"})
         add("exact_" + tile, [&density, tile](benchmark::State& s) { exact(s, density, tile, 1); });
-    for (const std::string tile : {"paper16", "aperiodic4096"}) {
+    for (const std::string tile : {"paper16", "kinds4096"}) {
         add(
             "exact_" + tile + "_all_cores",
             [&density, tile](benchmark::State& s) { exact(s, density, tile, 0); }, 0);

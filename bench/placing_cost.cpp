@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing_settings.h"
 #include "app/files/atomic_file.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
@@ -65,7 +66,7 @@ void save(const std::filesystem::path& file, const Plot& plot) {
 
 Plot plot_against_dots() {
     const Density density(density_of(sample_picture().light, Tone{}));
-    RankedTile aperiodic = tile_named("aperiodic4096", RankingMethod::energy);
+    RankedTile usual = tile_named(kDefaultTile);
     RankedTile paper = tile_named("paper16", RankingMethod::paper);
     PlotCurve figure8{.name = "Figure 8, paper16", .colour = {0.75f, 0.2f, 0.15f}};
     PlotCurve one{.name = "one core", .colour = {0.13f, 0.35f, 0.65f}};
@@ -86,11 +87,11 @@ Plot plot_against_dots() {
                 add(figure8, [&] { place_figure8(density, paper.tile(), paper.own_ranks(), scale); });
         }
         DotPieces placed;
-        const double one_ms = add(one, [&] { aperiodic.placer().place(density, {.scale = scale}, placed); });
+        const double one_ms = add(one, [&] { usual.placer().place(density, {.scale = scale}, placed); });
         const double all_ms =
-            add(all, [&] { aperiodic.placer().place(density, {.scale = scale, .threads = 0}, placed); });
+            add(all, [&] { usual.placer().place(density, {.scale = scale, .threads = 0}, placed); });
         const PlacingRequest count{.count = static_cast<std::uint64_t>(dots)};
-        const double exactly_ms = add(exactly, [&] { aperiodic.placer().place(density, count, placed); });
+        const double exactly_ms = add(exactly, [&] { usual.placer().place(density, count, placed); });
         const double writing_ms = add(writing, [&, value = 0.0f]() mutable {
             value += 1;
             for (Dots& piece : placed.pieces) {
@@ -107,7 +108,7 @@ Plot plot_against_dots() {
 }
 
 Plot plot_against_picture() {
-    RankedTile tile = tile_named("aperiodic4096", RankingMethod::energy);
+    RankedTile tile = tile_named(kDefaultTile);
     PlotCurve tone{.name = "tone and pyramid", .colour = {0.55f, 0.55f, 0.55f}};
     std::vector<PlotCurve> placing{{.name = "a million dots", .colour = {0.13f, 0.35f, 0.65f}},
                                    {.name = "10,000 dots", .colour = {0.1f, 0.6f, 0.65f}}};

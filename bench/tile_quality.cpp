@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "app/analysis/black_seams.h"
+#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "bench/dot_marks.h"
 #include "core/drawing/request.h"
@@ -186,7 +187,7 @@ int main(int argc, char** argv) {
         const Density grey(Grid<float>(1, 1, 1.0f));
         if (const auto list = option("--counts")) {
             const std::vector<std::size_t> counts = counts_of(*list);
-            if (tiles.empty()) tiles = {"aperiodic4096", kWang};
+            if (tiles.empty()) tiles = {kDefaultTile, "aperiodic4096", kWang};
             fmt::print(
                 "| tile | dots | steps | highest bin | power below 0.3 | nearest: 1st percentile | mean | "
                 "seam | coincidence |\n|---|---|---|---|---|---|---|---|---|\n");
@@ -196,8 +197,8 @@ int main(int argc, char** argv) {
         const auto steps = static_cast<int>(number("--relax").value_or(0));
         const std::optional<std::size_t> level = number("--level");
         if (tiles.empty()) {
-            tiles = {"paper16:paper", "paper16",       "aperiodic16",  "aperiodic64",
-                     "aperiodic256",  "aperiodic1024", "aperiodic4096"};
+            tiles = {"paper16:paper", "paper16",       "aperiodic16",   "aperiodic64",
+                     "aperiodic256",  "aperiodic1024", "aperiodic4096", "kinds4096"};
         }
         fmt::print(
             "| tile | dots | highest bin | top 0.1 % | power below 0.3 | below 0.5 | nearest: minimum | "

@@ -179,6 +179,15 @@ TEST_CASE("how often tiles are of one kind is what a subdivision shows") {
     for (const double share : kind_coincidence(NextKinds(1), 5)) CHECK(share == doctest::Approx(1));
 }
 
+TEST_CASE("how much of a page lies on its own kind when it is moved, at worst") {
+    const NextKinds board{{0, 1, 1, 0}, {1, 0, 0, 1}}, pair{{0, 0, 1, 2}, {1, 2, 0, 0}, {2, 1, 2, 1}};
+    const NextKinds four{{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+    CHECK(page_coincidence(board, 1) == 1);  // by one to the right and one up
+    CHECK(page_coincidence(pair, 1) == 0.5);
+    CHECK(page_coincidence(four, 1) == 0);
+    CHECK(page_coincidence(four, 2) == 0.5);  // 0110, 2332, 2332, 0110: by two rows
+}
+
 TEST_CASE("all kinds are ranked together, as many points of each in every stage") {
     const Tile tile = random_kinds(Rule{}, kThreeKinds, 64, 5);
     RankingSearchSettings settings;

@@ -185,8 +185,14 @@ TEST_CASE("several kinds are searched for, checked, shown and rendered, and foun
     const std::string picture = folder / "grey.pgm", csv = folder / "dots.csv";
     std::ofstream(picture) << "P2 1 1 255\n0\n";
     REQUIRE(run_dapple("render " + picture + " --tile " + file + " --dots 5000 -o " + csv).status == 0);
-    for (const char* wrong : {"--rule 3760", "--runs 2", "--peaks 0"})
+    for (const char* wrong : {"--rule 3760", "--runs 2", "--tone 0 --pairs 0"})
         CHECK(run_dapple(search + " -o " + file + " " + wrong).status != 0);
+    const auto coherent_share = [&](const std::string& peaks) {
+        REQUIRE(run_dapple(search + peaks + " -o " + again).status == 0);
+        return nlohmann::json::parse(run_dapple("tile check --json " + again).out)["coherent_share"]
+            .get<double>();
+    };
+    CHECK(coherent_share(" --peaks 0") > coherent_share(" --peaks 4"));
     CHECK(run_dapple("tile search --kinds 3 --points 62 -o " + file).status != 0);
     CHECK(run_dapple("tile search --kinds 3 --points 64").status != 0);
     CHECK(run_dapple("tile rank --ranking farthest " + file + " -o " + again).status != 0);

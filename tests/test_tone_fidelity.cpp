@@ -33,7 +33,7 @@ Grid<double> from_afar(const Grid<float>& picture, int cells) {
 Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& settings) {
     Pipeline pipeline;
     pipeline.set_light(light);
-    pipeline.set_tile(tile_named(settings.tile, settings.ranking));
+    pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
     DrawingRequest request = request_of(settings);
     request.automatic_tone = false;
     request.tone.detail = 0;

@@ -61,7 +61,7 @@ struct DotsForFile {
     std::vector<PlacedTile> outlines;  // of the whole page, if they are shown
     std::size_t tile_size = 16;        // N
 
-    double radius_mm() const { return plan.radius(dots.scale) * plan.page.mm_per_page_unit; }
+    double radius_mm() const { return plan.radius_mm(dots.scale); }
 };
 
 /// Of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.

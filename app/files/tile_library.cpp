@@ -35,7 +35,10 @@ const std::vector<Entry>& entries() {
         {{"aperiodic64", "turned copies, 64 points"}, tile_assets::aperiodic64_tile},
         {{"aperiodic256", "turned copies, 256 points"}, tile_assets::aperiodic256_tile},
         {{"aperiodic1024", "turned copies, 1,024 points"}, tile_assets::aperiodic1024_tile},
-        {{"aperiodic4096", "turned copies, 4,096 points: the evenest"}, tile_assets::aperiodic4096_tile},
+        {{"aperiodic4096", "turned copies, 4,096 points: the evenest as placed"},
+         tile_assets::aperiodic4096_tile},
+        {{"kinds4096", "eight kinds of 4,096 points that fit each other: few seams, no period"},
+         tile_assets::kinds4096_tile},
     };
     return all;
 }

@@ -75,9 +75,20 @@ double DrawingPlan::radius(double scale) const {
         case DotSizing::automatic:
             return radius_for_tone(scale, full_load);
         case DotSizing::fixed:
-            return size.radius_mm / page.mm_per_page_unit;
         case DotSizing::by_tone:
-            return size.largest_mm / page.mm_per_page_unit;
+            return radius_mm(scale) / page.mm_per_page_unit;
+    }
+    return 0;
+}
+
+double DrawingPlan::radius_mm(double scale) const {
+    switch (size.sizing) {
+        case DotSizing::automatic:
+            return radius(scale) * layout(scale).page.mm_per_page_unit;
+        case DotSizing::fixed:
+            return size.radius_mm;
+        case DotSizing::by_tone:
+            return size.largest_mm;
     }
     return 0;
 }

@@ -48,6 +48,8 @@ struct DrawingPlan {
 
     /// Of all dots, or of the largest ones, in page units, of a drawing that came to that scale.
     double radius(double scale) const;
+    /// The same in millimetres, on the page as it is then laid out.
+    double radius_mm(double scale) const;
 
     /// The page, and where on it the picture lies, of a drawing that came to that scale.
     PageLayout layout(double scale) const;

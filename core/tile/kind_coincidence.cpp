@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 #include "core/tile/criteria.h"
 
@@ -100,6 +102,29 @@ std::vector<double> kind_coincidence(const NextKinds& next, int lags) {
         highest.push_back(most);
     }
     return highest;
+}
+
+double page_coincidence(const NextKinds& next, int divisions) {
+    std::size_t side = 1;
+    std::vector<std::uint16_t> page{0};
+    for (int i = 0; i < divisions; ++i) {
+        std::vector<std::uint16_t> finer(4 * page.size());
+        for (std::size_t y = 0; y < 2 * side; ++y)
+            for (std::size_t x = 0; x < 2 * side; ++x)
+                finer[y * 2 * side + x] = next[page[y / 2 * side + x / 2]][y % 2 * 2 + x % 2];
+        page = std::move(finer);
+        side *= 2;
+    }
+    std::size_t most = 0;
+    for (std::size_t move = 1; move < page.size(); ++move) {
+        std::size_t alike = 0;
+        for (std::size_t i = 0; i < page.size(); ++i) {
+            const std::size_t x = (i + move) % side, y = (i / side + move / side) % side;
+            alike += page[i] == page[y * side + x];
+        }
+        most = std::max(most, alike);
+    }
+    return static_cast<double>(most) / static_cast<double>(page.size());
 }
 
 }  // namespace dapple

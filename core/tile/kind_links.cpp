@@ -18,7 +18,7 @@ constexpr float kNegligible = 0.004f;
 constexpr float kFieldLag = 0.03f;  // how far a point moves before the field knows of it
 constexpr std::int32_t kSpare = 4;  // places of a cell that are kept free
 constexpr float kWidthApart = 0.5f;
-constexpr float kFadeFrom = 0.3f, kFadeTo = 1;  // from the border, in spacings
+constexpr float kFadeFrom = 0.5f, kFadeTo = 1.5f;  // from the border, in spacings
 
 const Lanes& lanes(const std::array<float, 8>& a) {
     return *reinterpret_cast<const Lanes*>(a.data());

@@ -42,14 +42,16 @@ NextKinds mixed_kinds(int kinds, std::uint64_t seed) {
         throw std::runtime_error(
             fmt::format("{} kinds cannot be searched for; use 2 to {}", kinds, kMaxKinds));
     }
-    constexpr int kLags = 8;  // what repeats mostly does so nearby
+    constexpr int kLags = 8;       // what repeats mostly does so nearby
+    constexpr int kDivisions = 3;  // of a page; which it starts with hardly matters to a finer one
     const int tries = std::clamp(50'000 / (kinds * kinds), 4, 500);
     Random random(seed);
     NextKinds best;
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < tries; ++i) {
         NextKinds next = random_substitution(kinds, random);
-        const double highest = std::ranges::max(kind_coincidence(next, kLags));
+        const double highest =
+            std::max(std::ranges::max(kind_coincidence(next, kLags)), page_coincidence(next, kDivisions));
         if (highest >= lowest) continue;
         lowest = highest;
         best = std::move(next);

@@ -15,8 +15,8 @@
 namespace dapple {
 
 /// A substitution in which each kind is the child of as many kinds in each quadrant, one, and which repeats
-/// little: the best of many random ones by kind_coincidence(). Throws std::runtime_error for fewer than 2
-/// kinds or more than kMaxKinds.
+/// little: the best of many random ones by kind_coincidence() and page_coincidence(). Throws
+/// std::runtime_error for fewer than 2 kinds or more than kMaxKinds.
 NextKinds mixed_kinds(int kinds, std::uint64_t seed);
 
 struct KindSearchProgress {
@@ -35,7 +35,7 @@ struct KindSearchSettings {
     double start_temperature = 0.25;  // in the unit of the energy
     double end_temperature = 0.02;    // reached geometrically
     double move_radius = 1.5;         // in spacings, how far a successor jumps, at most 4 tone_width
-    double apart = 0.3;               // how much it counts that kinds differ; see KindLinks
+    double apart = 0.15;              // how much it counts that kinds differ; see KindLinks
     PairShape shape;
     std::function<void(const KindSearchProgress&)> progress;  // every few moves a point
     std::stop_token stop;                                     // what there is is returned

@@ -119,8 +119,8 @@ void draw_film_buttons(const std::function<void(Action)>& act) {
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     DrawingSettings& drawing = settings.drawing;
     hint(
-        "All dots come from one small square of points, the tile: each copy is divided into four smaller "
-        "ones until its points are dense enough for the picture there.");
+        "All dots come from a small square of points, the tile, or a few that fit together: each is "
+        "divided into four smaller ones until its points are dense enough for the picture there.");
     bool changed = draw_placer(drawing);
     // What is drawn with; the own choice comes back with the exact placer.
     std::string tile = tile_in_use(drawing);
