@@ -14,9 +14,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -104,12 +104,12 @@ class PictureTable {
 
  private:
     Row of_peer(LloydWeight weight, const Density& density, int steps, const char* what) const {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         std::vector<glm::dvec2> dots = random_dots(density, count_, kSeed);
         for (int step = 0; step < steps; ++step) lloyd_step(dots, density, weight);
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-        return judged(fmt::format("random, {} plain steps, {}", steps, what), took.count(), std::move(dots),
-                      density, dots_at_full_density(density, count_));
+        const double ms = processor_ms_since(start);
+        return judged(fmt::format("random, {} plain steps, {}", steps, what), ms, std::move(dots), density,
+                      dots_at_full_density(density, count_));
     }
 
     Row judged(std::string name, double ms, std::vector<glm::dvec2> dots, const Density& density,
