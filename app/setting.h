@@ -261,7 +261,8 @@ inline constexpr Setting background{
     .help = "SVG, PDF: paint the paper under the dots, as a PNG always has it; a plotter needs none"};
 inline constexpr Setting show_tiles{
     .names = {"show_tiles", "Tile boundaries", "--tiles"},
-    .help = "Draws the square of each copy of the tile; an SVG has them as a layer"};
+    .help = "Draws the square of each copy of the tile; an SVG has them as a layer. In the window a letter F "
+            "shows how each is turned, and its colour of which kind it is"};
 
 // Saving.
 inline constexpr Setting order{.names = {"order", "Dot order", "--order"}};

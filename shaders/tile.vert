@@ -1,14 +1,15 @@
 #version 330 core
-// A tile's outline and the letter F in its middle, which tells its orientation: seven bars, 42 corners, one
-// instance a tile.
+// A tile's outline and the letter F in its middle, which tells its orientation and by its colour its kind:
+// seven bars, 42 corners, one instance a tile.
 layout(location = 0) in vec4 box;   // low x, y, high x, y in page units
-layout(location = 1) in vec2 look;  // level; orientation 0..7, or -1: no letter
+layout(location = 1) in vec3 look;  // level; orientation 0..7, or -1: no letter; kind, or -1: there is one
 
 uniform vec2 page_scale;
 uniform vec2 page_offset;
 uniform vec2 canvas;
 uniform float line_width;  // pixels
 uniform vec3 level_colours[12];
+uniform vec3 kind_colours[64];
 
 flat out vec4 line_colour;
 
@@ -40,6 +41,7 @@ void main() {
     float apart = max(high.x - low.x, high.y - low.y);
     // Outlines only a few pixels apart would paint everything: they fade, and letters before them.
     float strength = smoothstep(3.0, 14.0, apart) * 0.85;
+    vec3 colour = level_colours[min(int(level + 0.5), 11)];
     if (side >= 4) {
         float size = min(apart * 0.09, 20.0 * line_width);
         int g = int(look.y + 0.5);
@@ -49,8 +51,9 @@ void main() {
         to = middle + max(a, b) * size;
         half_width = vec2(size * 0.17);
         strength = look.y < 0.0 ? 0.0 : smoothstep(36.0, 60.0, apart / line_width);
+        if (look.z >= 0.0) colour = kind_colours[int(look.z + 0.5)];
     }
     vec2 pixel = mix(from - half_width, to + half_width, corner);
     gl_Position = vec4(pixel.x / canvas.x * 2.0 - 1.0, 1.0 - pixel.y / canvas.y * 2.0, 0.0, 1.0);
-    line_colour = vec4(level_colours[min(int(level + 0.5), 11)], strength);
+    line_colour = vec4(colour, strength);
 }

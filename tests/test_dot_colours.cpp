@@ -20,10 +20,12 @@ namespace {
 
 // A drawing on grey by a tile whose children are turned, and the tiles it went through.
 struct Turned {
-    Turned() {
+    explicit Turned(const NextKinds& next_kind = NextKinds(1)) {
         Rule rule;
         for (int q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(q + 2);
-        RankedTile tile(make_tile(rule, {"0301", "2213"}), RankingMethod::farthest);
+        const bool kinds = next_kind.size() > 1;
+        RankedTile tile(kinds ? random_kinds(rule, next_kind, 64, 2) : make_tile(rule, {"0301", "2213"}),
+                        kinds ? RankingMethod::energy : RankingMethod::farthest);
         const Density grey = page_density(Grid<float>(1, 1, 0.5f));
         const PlacingRequest request{.scale = 300, .thresholds = true};
         DotPieces placed;
@@ -31,7 +33,7 @@ struct Turned {
         dots = joined(placed);
         // A tile is listed once it has children: the dots' own tiles are those of a scale one level finer.
         tiles = placed_tiles(tile.placer().table(), grey, {.scale = 4 * request.scale});
-        origins = {.tile_size = tile.tile().size(), .rule = rule, .window = {}};
+        origins = {.tile_size = tile.tile().size(), .rule = rule, .window = {}, .next_kind = next_kind};
         origins.tile_corner = grey.tile_corner();
     }
     DotPieces pieces() const { return split(dots); }
@@ -40,6 +42,19 @@ struct Turned {
     std::vector<PlacedTile> tiles;
     DotOrigins origins;
 };
+
+// Calls look(number of a dot, the tile of the dot's level that it lies in).
+template <typename Look>
+void for_each_tile_around(const Turned& drawing, const Look& look) {
+    for (std::size_t i = 0; i < drawing.dots.size(); ++i) {
+        const double x = drawing.dots.x[i], y = drawing.dots.y[i];
+        const int level = tile_rank_of(drawing.dots.threshold[i], drawing.origins.tile_size).level;
+        for (const PlacedTile& tile : drawing.tiles)
+            if (tile.level == level && x >= tile.x && y >= tile.y && x < tile.x + tile.side &&
+                y < tile.y + tile.side)
+                look(i, tile);
+    }
+}
 
 glm::u8vec3 rgb8(glm::vec3 colour) {
     return glm::u8vec3(glm::round(colour * 255.0f));
@@ -57,18 +72,12 @@ TEST_CASE("a dot has the colour of the orientation of the tile around it at its 
     REQUIRE(colours.size() == drawing.dots.size());
     int wrong = 0, found = 0;
     std::set<int> seen;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const double x = drawing.dots.x[i], y = drawing.dots.y[i];
-        const int level = tile_rank_of(drawing.dots.threshold[i], drawing.origins.tile_size).level;
-        for (const PlacedTile& tile : drawing.tiles) {
-            if (tile.level != level || x < tile.x || y < tile.y || x >= tile.x + tile.side ||
-                y >= tile.y + tile.side)
-                continue;
-            ++found;
-            seen.insert(tile.orientation.index);
-            wrong += rgb8(orientation_colour(tile.orientation)) != glm::u8vec3(colours[i]);
-        }
-    }
+    for_each_tile_around(drawing, [&](std::size_t dot, const PlacedTile& tile) {
+        ++found;
+        seen.insert(tile.orientation.index);
+        wrong += rgb8(orientation_colour(tile.orientation)) != glm::u8vec3(colours[dot]);
+        CHECK_FALSE(tile.kind);
+    });
     CHECK(found == static_cast<int>(colours.size()));
     CHECK(wrong == 0);
     CHECK(seen.size() >= 6);
@@ -100,6 +109,18 @@ TEST_CASE("of a tile of several kinds, a dot has the colour of the kind of the t
         }
     }
     CHECK(wrong == 0);
+    CHECK(seen.size() == 3);
+}
+
+TEST_CASE("tiles have the kinds that their dots have the colours of") {
+    const Turned drawing(kThreeKinds);
+    const auto colours = dot_colours(drawing.pieces(), drawing.origins, DotColouring::orientation);
+    std::set<std::size_t> seen;
+    for_each_tile_around(drawing, [&](std::size_t dot, const PlacedTile& tile) {
+        REQUIRE(tile.kind);
+        seen.insert(*tile.kind);
+        CHECK(rgb8(kind_colour(*tile.kind)) == glm::u8vec3(colours[dot]));
+    });
     CHECK(seen.size() == 3);
 }
 

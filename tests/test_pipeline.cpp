@@ -13,6 +13,7 @@
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
+#include "core/relaxing/stir.h"
 #include "tests/dot_pieces.h"
 
 using namespace dapple;
@@ -250,7 +251,8 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     RankedTile tile = paper_tile();
     Stippling placed;
     REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, {.count = 2500, .thresholds = true}, placed));
-    REQUIRE(relax(placed.dots, *plan.density, 3, {.scale = placed.scale, .tile_points = tile.tile().size()}));
+    REQUIRE(relax(placed.dots, *plan.density, 3,
+                  {.scale = placed.scale, .stirring = stirring_of(tile.placer().table(), placed.scale)}));
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 

@@ -12,8 +12,12 @@
 #include "core/output/sheet.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
+#include "core/relaxing/stir.h"
+#include "core/tile/tile_file.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
+#include "tests/file_text.h"
+#include "tests/places.h"
 
 using namespace dapple;
 
@@ -44,7 +48,10 @@ Grid<float> on_its_side(const Grid<float>& grid) {
 }
 
 RankedTile& test_tile() {
-    static RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
+    static RankedTile tile = [] {
+        StoredTile stored = read_tile(text_of(source_folder() / "assets/tiles/aperiodic16.tile"));
+        return RankedTile(std::move(stored.tile), stored.ranking);
+    }();
     return tile;
 }
 
@@ -66,8 +73,9 @@ bool same(const Dots& a, const Dots& b) {
 Dots whole_page(const Density& density, const PlacingRequest& request, int steps, double& scale) {
     Stippling all;
     REQUIRE(stipple(test_tile(), density, PlacerKind::exact, request, all));
-    const RelaxingRequest relaxing{
-        .scale = all.scale, .threads = request.threads, .tile_points = test_tile().tile().size()};
+    const RelaxingRequest relaxing{.scale = all.scale,
+                                   .threads = request.threads,
+                                   .stirring = stirring_of(test_tile().placer().table(), all.scale)};
     REQUIRE(relax(all.dots, density, steps, relaxing));
     scale = all.scale;
     return joined(all.dots);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/canvas/renderer.h"
+#include "app/viewer/model/dot_colours.h"
 #include "app/viewer/model/mipmaps.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"
@@ -446,6 +447,18 @@ TEST_CASE("a letter F in a tile tells its eight orientations apart") {
         CHECK_FALSE(inked({0.55, 0.8}));
         CHECK_FALSE(inked({0.2, 0.5}));
         CHECK_FALSE(inked({0.2, -0.5}));
+    }
+}
+
+TEST_CASE("of several kinds of tiles the letter's colour is that of the kind") {
+    Picture200 picture;
+    picture.look.tiles = true;
+    for (const auto kind : {std::optional<std::size_t>(), {0}, {1}, {7}, {63}}) {
+        PlacedTile tile{.level = 3, .x = 0.3, .y = 0.1, .side = 1.4, .orientation = {}, .kind = kind};
+        picture.renderer.set_tiles(std::span(&tile, 1));
+        const glm::vec3 colour(glm::vec3(picture.draw().at(93, 73)) / 255.0f);
+        const glm::vec3 expected = kind ? kind_colour(*kind) : level_colour(3);
+        CHECK(glm::distance(colour, expected) < 0.01f);
     }
 }
 

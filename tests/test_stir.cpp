@@ -142,23 +142,34 @@ TEST_CASE("a lattice, which steps alone leave as it is, is one no more once rela
     CHECK(stayed(joined(dots)) < 0.25);
 }
 
-TEST_CASE("dots of which hardly any comes again are not stirred, and those of a few tiles a little") {
-    const Density black(Grid<float>(1, 1, 1.0f));
-    const Stippling before = placed(black, 1600);
-    const Dots from = joined(before.dots), wholly = stirred(before, black);
-    const auto share = [&](std::size_t tile_points) {
-        DotPieces dots = before.dots;
-        stir(dots, black, {.scale = before.scale, .tile_points = tile_points});
-        const Dots to = joined(dots);
-        double moved = 0, most = 0;
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            moved += glm::distance(place(to, i), place(from, i));
-            most += glm::distance(place(wholly, i), place(from, i));
-        }
-        return moved / most;
-    };
-    CHECK(share(16) == 1);
-    CHECK(share(178) == doctest::Approx(0.5).epsilon(0.02));
-    CHECK(share(800) == doctest::Approx(0).epsilon(1e-6));
-    CHECK(share(4096) == 0);
+TEST_CASE("dots of a few tiles are stirred a little, and those of one that is to repeat not at all") {
+    PlacingTable table;
+    table.tile_size = 1000;
+    table.next_kind = NextKinds(2);
+    const auto of_tiles = [&](double tiles) { return stirring_of(table, tiles * 1000 / kDotsPerScale); };
+    CHECK(of_tiles(1.9) == 0);
+    CHECK(of_tiles(9) == doctest::Approx(0.5));
+    CHECK(of_tiles(17) == 1);
+    table.next_kind = NextKinds(1);
+    CHECK(of_tiles(17) == 0);
+    table.rule.child[2] = Orientation{5};
+    CHECK(of_tiles(17) == 1);
+}
+
+TEST_CASE("dots that are to be stirred half are carried half the way") {
+    const Density density(Grid<float>(1, 1, 1.0f));
+    const Stippling before = placed(density, 1600);
+    const Dots from = joined(before.dots), wholly = stirred(before, density);
+    DotPieces dots = before.dots;
+    stir(dots, density, {.scale = before.scale, .stirring = 0.5});
+    const Dots half = joined(dots);
+    int inside = 0;
+    for (std::size_t i = 0; i < half.size(); ++i) {
+        const glm::dvec2 at = place(from, i), whole = place(wholly, i) - at;
+        if (at.x + whole.x < 0.01 || at.x + whole.x > 0.99 || at.y + whole.y < 0.01 || at.y + whole.y > 0.99)
+            continue;
+        CHECK(glm::distance(place(half, i), at + whole / 2.0) < 1e-6);
+        ++inside;
+    }
+    CHECK(inside > 1400);
 }

@@ -14,6 +14,7 @@
 #include "core/placing/stipple.h"
 #include "core/related/methods.h"
 #include "core/relaxing/relax.h"
+#include "core/relaxing/stir.h"
 
 namespace dapple {
 namespace {
@@ -51,7 +52,8 @@ std::function<PlainDots(const DotsWanted&)> placed_with(const OwnPlacing& how) {
         request.threads = 1;
         Stippling placed;
         if (!stipple(late->tile(), density, how.placer, request, placed, wanted.stop)) return {};
-        const RelaxingRequest relaxing{.scale = placed.scale, .tile_points = late->tile().tile().size()};
+        const RelaxingRequest relaxing{.scale = placed.scale,
+                                       .stirring = stirring_of(late->tile().placer().table(), placed.scale)};
         if (!relax(placed.dots, density, how.steps, relaxing, wanted.stop)) return {};
         PlainDots dots;
         dots.reserve(placed.dots.size());

@@ -358,7 +358,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         auto start = Clock::now();
         const RelaxingRequest relaxing{.scale = drawn.scale,
                                        .threads = plan.placing.threads,
-                                       .tile_points = tile_->placer().table().tile_size};
+                                       .stirring = stirring_of(tile_->placer().table(), drawn.scale)};
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
         while (drawn.steps < plan.steps) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/relaxing/relax.h"
+#include "core/relaxing/stir.h"
 
 namespace dapple {
 
@@ -63,8 +64,9 @@ class Bands {
         DotPieces dots;
         Dots result;
         const PlacingRequest around = placing_of(placer_, density_, band, relaxing_rim(scale(), steps_));
-        const RelaxingRequest relaxing{
-            .scale = scale(), .threads = request_.placing.threads, .tile_points = placer_.table().tile_size};
+        const RelaxingRequest relaxing{.scale = scale(),
+                                       .threads = request_.placing.threads,
+                                       .stirring = stirring_of(placer_.table(), scale())};
         if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing, stop_))
             return result;
         for (Dots& piece : dots.pieces) {

@@ -55,7 +55,7 @@ struct PlacingRequest {
     PageWindow window = {};   // of these dots those whose position is in [x, x + width) x [y, y + height)
     PlacingOrigin origin = PlacingOrigin::window;  // page: the very positions that the whole page's dots
                                                    // have; always so where a count is given
-    std::optional<CountCut> cut = {};  // that of the count, if find_cut() was asked before
+    std::optional<CountCut> cut = {};              // that of the count, if find_cut() was asked before
 
     bool operator==(const PlacingRequest&) const = default;
 };
@@ -115,6 +115,7 @@ struct PlacedTile {
     int level = 0;
     double x = 0, y = 0, side = 0;  // page units, from the window's origin
     Orientation orientation;
+    std::optional<std::size_t> kind = {};  // if there are several
 };
 
 /// The tiles of every level that the recursion goes into and that touch the window, parents before children.

@@ -22,10 +22,9 @@ namespace dapple {
 inline constexpr int kMostRelaxingSteps = 100;
 
 struct RelaxingRequest {
-    double scale = 0;  // that the dots were placed at, over 0
-    int threads = 1;   // the dots are the same for any number; 0: all cores
-    /// Of the tile: dots come again after so many. See stir().
-    std::size_t tile_points = 1;
+    double scale = 0;     // that the dots were placed at, over 0
+    int threads = 1;      // the dots are the same for any number; 0: all cores
+    double stirring = 1;  // how much dots are stirred, 0..1; see stir.h
 };
 
 /// How far around a part of a page dots have an influence on where those on it are after so many steps, in

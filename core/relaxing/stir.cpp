@@ -82,10 +82,14 @@ double farthest_stirred(double scale) {
     return double{kMostRowsApart} * relaxing_row(scale);
 }
 
+double stirring_of(const PlacingTable& table, double scale) {
+    if (table.next_kind.size() == 1 && table.rule == Rule{}) return 0;
+    const double tiles = kDotsPerScale * scale / static_cast<double>(table.tile_size);
+    return std::clamp((tiles - kFewTiles) / (kManyTiles - kFewTiles), 0.0, 1.0);
+}
+
 void stir(DotPieces& dots, const Density& density, const RelaxingRequest& request) {
-    const double tiles = kDotsPerScale * request.scale / static_cast<double>(request.tile_points);
-    const auto strength =
-        static_cast<float>(std::clamp((tiles - kFewTiles) / (kManyTiles - kFewTiles), 0.0, 1.0));
+    const auto strength = static_cast<float>(request.stirring);
     if (strength == 0) return;
     const double longer = density.longer_side();
     // On its right and lower edges there is no density any more.

@@ -10,6 +10,7 @@
 
 #include "core/image/density.h"
 #include "core/placing/dots.h"
+#include "core/placing/placing_table.h"
 #include "core/relaxing/relax.h"
 
 namespace dapple {
@@ -21,8 +22,12 @@ glm::vec2 stirring_at(glm::vec2 place, float apart);
 /// No dot that was placed at this scale is carried farther.
 double farthest_stirred(double scale);
 
-/// Carries all dots along, less far where black would show only a few tiles, and not at all where it would
-/// show two: there hardly a dot comes again. None leaves the page or the ink that it lies on.
+/// How much dots placed at this scale are to be stirred, 0..1: less where black would show only a few tiles,
+/// and not at all where it would show two, as there hardly a dot comes again. Nor if the tile is a single one
+/// that is never turned: it is used to see that it repeats.
+double stirring_of(const PlacingTable& table, double scale);
+
+/// Carries all dots along, so much. None leaves the page or the ink that it lies on.
 void stir(DotPieces& dots, const Density& density, const RelaxingRequest& request);
 
 }  // namespace dapple

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/viewer/model/dot_colours.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "dapple_viewer_embedded/shaders.h"
@@ -141,7 +142,7 @@ Renderer::Renderer()
     column(0, line_ends_, 4, 1);
     tile_array_.bind();
     column(0, tiles_, 4, 1);
-    column(1, tile_looks_, 2, 1);
+    column(1, tile_looks_, 3, 1);
     std::array<float, 2> sizes{1, 1};
     float step = 1;
     glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
@@ -656,7 +657,7 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
 void Renderer::draw_tiles(Job& job, std::size_t most) {
     const std::size_t count = std::min(job.tiles, most);
     std::vector<glm::vec4> boxes;
-    std::vector<glm::vec2> info;
+    std::vector<glm::vec3> info;
     boxes.reserve(count);
     info.reserve(count);
     // Cut off a window beyond the window: a large tile's near side would be lost in its far one's rounding.
@@ -667,7 +668,8 @@ void Renderer::draw_tiles(Job& job, std::size_t most) {
         const glm::dvec2 cut_low = glm::max(low, -size), cut_high = glm::min(high, 2.0 * size);
         boxes.emplace_back(cut_low.x, cut_low.y, cut_high.x, cut_high.y);
         const bool whole = cut_low == low && cut_high == high;
-        info.emplace_back(tile.level, whole ? tile.orientation.index : -1);
+        info.emplace_back(tile.level, whole ? tile.orientation.index : -1,
+                          tile.kind ? static_cast<float>(*tile.kind) : -1);
     }
     job.tiles -= count;
     tiles_.write(std::as_bytes(std::span(boxes)));
@@ -678,9 +680,12 @@ void Renderer::draw_tiles(Job& job, std::size_t most) {
                           .canvas = job.camera.canvas});
     set_page(tile_, job.camera, job.look);
     glUniform1f(tile_.uniform("line_width"), job.look.pixel_scale);
-    std::array<glm::vec3, kLevelColours> colours;
-    for (int level = 0; level < kLevelColours; ++level) colours[level] = level_colour(level);
-    glUniform3fv(tile_.uniform("level_colours"), kLevelColours, &colours[0].x);
+    std::array<glm::vec3, kLevelColours> levels;
+    for (int level = 0; level < kLevelColours; ++level) levels[level] = level_colour(level);
+    glUniform3fv(tile_.uniform("level_colours"), kLevelColours, &levels[0].x);
+    std::array<glm::vec3, kMaxKinds> kinds;
+    for (std::size_t kind = 0; kind < kMaxKinds; ++kind) kinds[kind] = kind_colour(kind);
+    glUniform3fv(tile_.uniform("kind_colours"), kMaxKinds, &kinds[0].x);
     tile_array_.bind();
     glDrawArraysInstanced(GL_TRIANGLES, 0, 42, static_cast<GLsizei>(count));
 }

@@ -59,9 +59,9 @@ bool draw_shown(ViewerSettings& settings) {
     bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
     int colouring = static_cast<int>(settings.colouring);
     if (choice_row("Dots coloured", colouring,
-                   std::array{"as ink", "by level", "by rank", "by tile orientation"},
-                   "by level: how often the page was divided. by rank: how early in its tile. by tile "
-                   "orientation: how its tile is turned.")) {
+                   std::array{"as ink", "by level", "by rank", "by tile"},
+                   "by level: how often the page was divided. by rank: how early in its tile. by tile: of "
+                   "which kind its tile is, or how it is turned if there is one kind.")) {
         settings.colouring = static_cast<DotColouring>(colouring);
         changed = true;
     }
