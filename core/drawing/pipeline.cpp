@@ -222,8 +222,7 @@ PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
         separated_paper_ = toned.paper;
     }
     const Grid<float> seen = toned_light(std::move(light), toned.tone);
-    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens,
-                     InkCurve(toned.ink));
+    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens, toned.ink);
 }
 
 double DrawingPlan::dots_for_tone() const {
