@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <string>
 
 #include "app/viewer/model/small_drawing.h"
@@ -14,10 +15,10 @@ namespace {
 
 /// The mean light of a drawing with those pens of a picture in one colour, whose tone nothing changes: of the
 /// middle of the page, as paper is bare along its edges.
-glm::vec3 seen_of(const SmallPicture& picture, const PenChoice& pens, std::uint64_t dots) {
+glm::vec3 seen_of(const SmallPicture& picture, const PenChoice& pens, std::uint64_t dots, double black = 1) {
     DrawingSettings settings;
     settings.automatic_tone = false;
-    settings.tone = {};
+    settings.tone = {.black = black};
     settings.pens = pens;
     settings.placing.count = dots;
     const SmallPicture drawing = small_drawing(picture, settings, 400, {});
@@ -56,9 +57,30 @@ TEST_CASE("pens' dots that lie over one another are seen from afar as the colour
                 const glm::vec3 asked = oklab_of(separation.mixer().seen(separation.shares(aim)));
                 const glm::vec3 seen = oklab_of(seen_of(flat, pens, dots));
                 INFO("lightness ", seen.x - asked.x, ", distance ", glm::distance(seen, asked));
-                CHECK(std::abs(seen.x - asked.x) < 0.015);
+                CHECK(std::abs(seen.x - asked.x) < 0.012);
                 CHECK(glm::distance(seen, asked) < 0.025);
             }
+}
+
+TEST_CASE(
+    "where black is not solid, tones that several pens draw become lighter in the same way as a pen's") {
+    const PenChoice pens = parse_pens("cmyk");
+    const PenMixer mixer(palette_of(pens), kWhite);
+    const Separation separation(palette_of(pens), kWhite);
+    constexpr double kOpen = 0.9;
+    for (const glm::u8vec4 colour : {glm::u8vec4(128, 128, 128, 255), {80, 120, 60, 255}}) {
+        CAPTURE(int(colour.r));
+        SmallPicture flat(40, 40);
+        for (glm::u8vec4& pixel : flat.values) pixel = colour;
+        Shares shares = separation.shares(linear_of(glm::vec3(colour) / 255.0f));
+        // All paper would be covered, and is as far as a black is.
+        REQUIRE(std::accumulate(shares.begin(), shares.end(), 0.0f) > 0.99f);
+        for (float& share : shares) share *= float(kOpen);
+        const glm::vec3 asked = oklab_of(mixer.seen(shares));
+        const glm::vec3 seen = oklab_of(seen_of(flat, pens, 4000, kOpen));
+        INFO("lightness ", seen.x - asked.x, ", distance ", glm::distance(seen, asked));
+        CHECK(glm::distance(seen, asked) < 0.02);
+    }
 }
 
 }  // namespace dapple

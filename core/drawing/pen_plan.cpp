@@ -30,14 +30,11 @@ bool has_to_cover(const Pen& pen, glm::vec3 paper) {
     return luminance(light) > luminance(bare) && seen(light * bare) < kHardly * seen(light);
 }
 
-// How even all dots are once pens have shared and moved them (core/pens/pen_dots.h), in steps of relaxation:
-// less than before where many pens share them, more where one has nearly all. Measured on flat shares of two
-// to four pens, of 3,000 to 40,000 dots relaxed 1 to 50 steps, as are the powers below.
-int steps_among_pens(int steps) {
-    return steps == 0 ? 0 : static_cast<int>(std::lround(2 * std::sqrt(std::sqrt(steps))));
-}
-int steps_of_one_pen(int steps) {
-    return steps == 0 ? 0 : steps + 4;
+// Where one pen has nearly all dots they only get more even: so many steps that many pens' are as even as
+// after `among`, and the pens' own.
+int steps_of_one_pen(int among) {
+    constexpr int kOfPens = 4;
+    return among == 0 ? 0 : static_cast<int>(std::lround(std::pow(among / 2.0, 4))) + kOfPens;
 }
 
 // From shares of the paper that are seen to the density of each pen's dots.
@@ -45,10 +42,7 @@ class OverlappingDots {
  public:
     OverlappingDots(const PenMixer& mixer, InkedDots dots)
         : ink_(dots), joined_(dots.joined), pens_(mixer.pens().size()) {
-        const int steps = dots.relaxing_steps;
-        dots.relaxing_steps = steps_among_pens(steps);
-        among_ = InkCurve(dots, ink_.full_load());
-        dots.relaxing_steps = steps_of_one_pen(steps);
+        dots.relaxing_steps = steps_of_one_pen(dots.relaxing_steps);
         alone_ = InkCurve(dots, ink_.full_load());
         const auto darkness_of = [&](glm::vec3 light) { return luminance(mixer.paper() - light); };
         for (std::size_t i = 0; i < pens_; ++i) {
@@ -103,8 +97,10 @@ class OverlappingDots {
             for (std::size_t pen = 0; pen < pens_; ++pen)
                 dots[pen] = density_of(covered[pen], all, own_power(all));
             const float sum = sum_of(dots);
-            if (sum > 1)
+            if (sum > 1) {  // more than there can be: no more is covered, in the same proportions
                 for (float& density : dots) density /= sum;
+                for (float& share : covered) share /= sum;
+            }
             if (round == kRounds) return dots;
             all = all_of(dots);
             // Two pens that have few dots hardly overlap, as they lie apart from each other, too.
@@ -161,11 +157,11 @@ class OverlappingDots {
             for (const float density : dots) bare *= 1 - ink_.coverage(density);
             return {all, 1 - bare};
         }
-        return {all, std::lerp(among_.coverage(all), alone_.coverage(all), evenness(dots))};
+        return {all, std::lerp(ink_.coverage(all), alone_.coverage(all), evenness(dots))};
     }
     // That cover so much, where pens share them nearly so.
     AllDots dots_covering(float covered, const Shares& dots) const {
-        return {std::lerp(among_.density(covered), alone_.density(covered), evenness(dots)), covered};
+        return {std::lerp(ink_.density(covered), alone_.density(covered), evenness(dots)), covered};
     }
 
     // A share p of all dots, of all dots' load, covers p * load less p^power of what all dots overlap: 2 if
@@ -205,14 +201,21 @@ class OverlappingDots {
         return sum;
     }
 
-    InkCurve ink_, among_, alone_;
-    bool joined_;  // by lines, whose length follows from each pen's own dots
+    InkCurve ink_;    // of all dots, where many pens share them
+    InkCurve alone_;  // where one pen has all
+    bool joined_;     // by lines, whose length follows from each pen's own dots
     std::size_t pens_;
     Shares darkness_{};  // of each pen, as of a pair
     std::vector<Pair> pairs_;
 };
 
 }  // namespace
+
+// This and the powers above were measured on flat shares of two to four pens, of 3,000 to 40,000 dots relaxed
+// for 1 to 50 steps.
+int steps_among_pens(int steps) {
+    return static_cast<int>(std::lround(2 * std::pow(steps, 0.25)));
+}
 
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper) {
     Palette pens = palette_of(choice);

@@ -27,6 +27,10 @@ struct ColourTone {
 };
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
+/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h), in
+/// steps of relaxation, of which there were so many before.
+int steps_among_pens(int steps);
+
 /// Each pen's density, so that its dots are seen on the share of paper that its separation asks for. Where
 /// pens have widths of their own, dot gain and all, a thin one has more dots.
 ///
@@ -37,7 +41,7 @@ glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 /// the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left out of
 /// account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the screen.
 ///
-/// `dots` as relaxed, before pens share them.
+/// `dots` were relaxed for steps_among_pens().
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,
                        const InkedDots& dots);
 

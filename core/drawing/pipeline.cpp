@@ -258,7 +258,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const auto take_dots = [&](double dots) {
         plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
         plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
-        toned.ink.relaxing_steps = plan.steps;
+        toned.ink.relaxing_steps = plan.pens.empty() ? plan.steps : steps_among_pens(plan.steps);
         plan.usual_tone.black = has_black ? usual_black(dots) : 1;
         const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
         plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
