@@ -1,10 +1,12 @@
 // What flat colours drawn with several pens look like from afar: a table of docs/pens.md.
+// `pen_colours 4000 20000` draws them with so many dots.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -20,9 +22,8 @@ namespace {
 
 using namespace dapple;
 
-constexpr int kSide = 40;  // pixels of the flat picture
-constexpr std::uint64_t kDots = 4000;
-constexpr int kDrawnSide = 1500;
+constexpr int kSide = 40;                      // pixels of the flat picture
+constexpr int kDrawnSide = 1500, kEdge = 150;  // paper is bare along a page's edges
 
 // As photographs have them, from light to dark.
 constexpr std::array<glm::u8vec3, 12> kColours{{{230, 215, 195},
@@ -42,7 +43,7 @@ struct Seen {
     glm::vec3 asked, drawn;  // OKLab
 };
 
-Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens) {
+Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens, std::uint64_t dots) {
     pipeline.set_light(Grid<float>(kSide, kSide, luminance(colour)));
     ColourGrid colours(kSide, kSide);
     std::ranges::fill(colours.values, packed(colour));
@@ -51,7 +52,7 @@ Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens) {
     settings.automatic_tone = false;
     settings.tone = {};
     settings.pens = pens;
-    settings.placing.count = kDots;
+    settings.placing.count = dots;
     const DrawingFile file{
         .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
     const auto placed = dots_for(file, pipeline, pipeline.plan(request_of(settings), terms_of(settings)));
@@ -59,10 +60,13 @@ Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens) {
     drawing.saving.dpi = dpi_for(drawing.page, kDrawnSide);
     const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
     glm::dvec3 sum(0);
-    for (const glm::u8vec3 pixel : pixels.values) sum += glm::dvec3(linear_of(glm::vec3(pixel) / 255.0f));
+    int count = 0;
+    for (int y = kEdge; y < pixels.height - kEdge; ++y)
+        for (int x = kEdge; x < pixels.width - kEdge; ++x, ++count)
+            sum += glm::dvec3(linear_of(glm::vec3(pixels.at(x, y)) / 255.0f));
     const Separation separation(placed->plan.pens, kWhite, pens.black);
     return {oklab_of(separation.mixer().seen(separation.shares(colour))),
-            oklab_of(glm::vec3(sum / static_cast<double>(pixels.values.size())))};
+            oklab_of(glm::vec3(sum / static_cast<double>(count)))};
 }
 
 // Of differences, mean and largest.
@@ -75,31 +79,38 @@ struct Differences {
     std::string text() const { return fmt::format("{:.3f} / {:.3f}", sum / kColours.size(), largest); }
 };
 
-void print_row(Pipeline& pipeline, const char* name, const char* text, PenInk ink) {
+void print_row(Pipeline& pipeline, std::string_view name, std::string_view text, PenInk ink,
+               std::uint64_t dots) {
     PenChoice pens = parse_pens(text);
     pens.ink = ink;
     Differences lightness, colour;
     for (const glm::u8vec3 flat : kColours) {
-        const auto [asked, drawn] = seen(pipeline, linear_of(glm::vec3(flat) / 255.0f), pens);
+        const auto [asked, drawn] = seen(pipeline, linear_of(glm::vec3(flat) / 255.0f), pens, dots);
         lightness.add(std::abs(drawn.x - asked.x));
         colour.add(std::hypot(drawn.y - asked.y, drawn.z - asked.z));
     }
-    fmt::print("| {} | {} | {} | {} |\n", name_of(ink), name, lightness.text(), colour.text());
+    fmt::print("| {} | {} | {} | {} | {} |\n", name_of(ink), name, dots, lightness.text(), colour.text());
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
     try {
         Pipeline pipeline;
         pipeline.set_tile(tile_named(kDefaultTile, {}));
-        fmt::print("| ink | pens | lightness | a and b |\n|---|---|---|---|\n");
-        print_row(pipeline, "CMYK", "cmyk", PenInk::transparent);
-        print_row(pipeline, "CMYK, black=0", "cmyk:black=0", PenInk::transparent);
-        print_row(pipeline, "CMYK, black=1", "cmyk:black=1", PenInk::transparent);
-        print_row(pipeline, "CMYK", "cmyk", PenInk::opaque);
-        print_row(pipeline, "three greys", "greys", PenInk::transparent);
-        print_row(pipeline, "black and red", "Black:#000000,Red:#c1121f", PenInk::transparent);
+        fmt::print("| ink | pens | dots | lightness | a and b |\n|---|---|---|---|---|\n");
+        const auto print_rows = [&](std::string_view name, std::string_view text, PenInk ink) {
+            for (int i = 1; i < argc; ++i)
+                print_row(pipeline, name, text, ink, std::strtoull(argv[i], nullptr, 10));
+        };
+        print_rows("CMYK", "cmyk", PenInk::transparent);
+        print_rows("CMYK, black=0", "cmyk:black=0", PenInk::transparent);
+        print_rows("CMYK, black=1", "cmyk:black=1", PenInk::transparent);
+        print_rows("CMYK", "cmyk", PenInk::opaque);
+        print_rows("CMYK, black=1", "cmyk:black=1", PenInk::opaque);
+        print_rows("three greys", "greys", PenInk::transparent);
+        print_rows("black and red", "Black:#000000,Red:#c1121f", PenInk::transparent);
+        print_rows("the best four for each colour", "auto:4", PenInk::transparent);
     } catch (const std::exception& error) {
         fmt::print(stderr, "pen_colours: {}\n", error.what());
         return 1;

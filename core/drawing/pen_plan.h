@@ -27,16 +27,23 @@ struct ColourTone {
 };
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
+/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h), in
+/// steps of relaxation, of which there were so many before.
+int steps_among_pens(int steps);
+
 /// Each pen's density, so that its dots are seen on the share of paper that its separation asks for. Where
 /// pens have widths of their own, dot gain and all, a thin one has more dots.
 ///
-/// How much lies under other dots follows from the number of all dots and what they cover, which is less than
-/// where dots lie by chance, as Demichel's areas (1924) have it: only half of a pen's own dots are so. Of
-/// opaque inks the upper one is seen. Of transparent ones the paper's light is multiplied by both (Neugebauer
-/// 1937), in pairs; a third dot on top is left out of account, and so is light that spreads in the paper
-/// (Yule & Nielsen 1951), as it does not on the screen.
+/// How much lies under other dots follows from the number of all dots and what they cover, which depends on
+/// how even they are: where many pens share them less than dots of one pen, as they are moved for their own
+/// pens too. Of what overlaps, a pen's own dots have less than by chance, as Demichel's areas (1924) have it,
+/// and so have pairs of pens that both have few. Of opaque inks the upper one is seen. Of transparent ones
+/// the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left out of
+/// account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the screen.
+///
+/// `dots` were relaxed for steps_among_pens().
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,
-                       const InkCurve& ink);
+                       const InkedDots& dots);
 
 /// The radius of a pen's dots, in millimetres, where all dots together have `usual`; see dot_width_mm().
 double dot_radius_mm(const Pen& pen, double usual);

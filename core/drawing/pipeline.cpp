@@ -222,8 +222,7 @@ PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
         separated_paper_ = toned.paper;
     }
     const Grid<float> seen = toned_light(std::move(light), toned.tone);
-    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens,
-                     InkCurve(toned.ink));
+    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens, toned.ink);
 }
 
 double DrawingPlan::dots_for_tone() const {
@@ -259,7 +258,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const auto take_dots = [&](double dots) {
         plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
         plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
-        toned.ink.relaxing_steps = plan.steps;
+        toned.ink.relaxing_steps = plan.pens.empty() ? plan.steps : steps_among_pens(plan.steps);
         plan.usual_tone.black = has_black ? usual_black(dots) : 1;
         const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
         plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;

@@ -218,18 +218,19 @@ double usual_black(double dots) {
     return std::round(100 * std::lerp(kOpen, 1.0, std::clamp(way, 0.0, 1.0))) / 100;
 }
 
-InkCurve::InkCurve(const InkedDots& dots) : full_load_(load_of_black(dots)), black_(float(dots.black)) {
+InkCurve::InkCurve(const InkedDots& dots) : InkCurve(dots, load_of_black(dots)) {}
+
+InkCurve::InkCurve(const InkedDots& dots, double full_load)
+    : full_load_(full_load), smallest_area_(dots.smallest_area), black_(float(dots.black)) {
     coverage_[0] = 0;
     for (int i = 1; i <= kSteps; ++i) {
-        const double density = static_cast<double>(i) / kSteps;
-        const double area = dots.smallest_area + (1 - dots.smallest_area) * density;
-        const auto load = static_cast<float>(full_load_ * density * area);
+        const float density = static_cast<float>(i) / kSteps;
         if (dots.joined) {
-            coverage_[i] = static_cast<float>(std::sqrt(density));
+            coverage_[i] = static_cast<float>(std::sqrt(static_cast<double>(density)));
             continue;
         }
         // More dots cover more, which rounding in the table hides where nearly all is covered.
-        coverage_[i] = std::max(coverage_of(dots, density, load), coverage_[i - 1] + 1e-6f);
+        coverage_[i] = std::max(coverage_of(dots, density, load(density)), coverage_[i - 1] + 1e-6f);
     }
 }
 
@@ -246,6 +247,10 @@ InkCurve::InkCurve(const MeasuredCoverage& measured) {
         const float here = covered[below] + (covered[below + 1] - covered[below]) * (at - float(below));
         coverage_[i] = std::max(here, coverage_[i - 1] + 1e-6f);
     }
+}
+
+float InkCurve::load(float density) const {
+    return static_cast<float>(full_load_ * density * (smallest_area_ + (1 - smallest_area_) * density));
 }
 
 float InkCurve::coverage(float density) const {

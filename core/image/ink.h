@@ -44,8 +44,8 @@ inline constexpr float kBlackCoverage = 0.995f;
 inline constexpr double kLeastBlack = 0.5;
 
 /// The black that automatic tone draws so many dots with, in hundredths: 0.9 to 5,000, 0.95 of 20,000, 1 from
-/// 100,000 on. Covering the last twentieth of the paper takes a third of the dots that are in black, which few
-/// dots lack elsewhere.
+/// 100,000 on. Covering the last twentieth of the paper takes a third of the dots that are in black, which
+/// few dots lack elsewhere.
 double usual_black(double dots);
 
 /// log4(kDotsPerScale * scale / tile size).
@@ -64,6 +64,8 @@ struct MeasuredCoverage {
 class InkCurve {
  public:
     explicit InkCurve(const InkedDots& dots = {});
+    /// The same of dots whose load at density 1 is another.
+    InkCurve(const InkedDots& dots, double full_load);
 
     /// Density 1 is the first of the loads that covers kBlackCoverage, or the last.
     explicit InkCurve(const MeasuredCoverage& measured);
@@ -83,11 +85,13 @@ class InkCurve {
 
     /// The load at density 1, of dots of the largest area.
     double full_load() const { return full_load_; }
+    /// At a density, of dots of the size that they have there.
+    float load(float density) const;
 
  private:
     static constexpr int kSteps = 512;
     std::array<float, kSteps + 1> coverage_;  // at equal steps of density, rising
-    double full_load_;
+    double full_load_, smallest_area_ = 1;
     float black_ = 1;
 };
 
