@@ -48,23 +48,23 @@ float unit_in(std::mt19937& random) {
     return static_cast<float>(random()) * 0x1p-32f;
 }
 
-CellPoints some_points(std::mt19937& random) {
-    CellPoints points;
+PointLists some_points(std::mt19937& random) {
+    std::vector<CellPoint> points;
     for (std::size_t i = random() % 70; i > 0; --i) {
         const float x = 2 * unit_in(random) - 1, y = 2 * unit_in(random) - 1;
-        points.add({x, y, 16 + static_cast<float>(points.size())});
+        points.push_back({x, y, 16 + static_cast<float>(points.size())});
     }
-    return points;
+    return PointLists({points});
 }
 
 // Points along a line, born one after the other from 16 on.
-CellPoints points_in_line(std::size_t count) {
-    CellPoints points;
+PointLists points_in_line(std::size_t count) {
+    std::vector<CellPoint> points;
     for (std::size_t i = 0; i < count; ++i) {
         const float at = -1 + 2 * static_cast<float>(i) / static_cast<float>(count);
-        points.add({at, -at, 16 + static_cast<float>(i)});
+        points.push_back({at, -at, 16 + static_cast<float>(i)});
     }
-    return points;
+    return PointLists({points});
 }
 
 // Of density 1 all over, wherever it comes from.
@@ -91,9 +91,39 @@ constexpr KernelSquare::Source kSources[] = {KernelSquare::Source::block, Kernel
 
 }  // namespace
 
+TEST_CASE(
+    "lists of points come back as they were given, and end in an empty block, wherever they are moved") {
+    std::mt19937 random(3);
+    std::vector<std::vector<CellPoint>> given;
+    for (const std::size_t size : {0, 1, 15, 16, 33}) {
+        std::vector<CellPoint>& points = given.emplace_back();
+        for (std::size_t i = 0; i < size; ++i)
+            points.push_back({unit_in(random), unit_in(random), static_cast<float>(i)});
+    }
+    PointLists first(given);
+    const CellPoints last = first[given.size() - 1];
+    const PointLists lists = std::move(first);
+    CHECK(last.blocks() == lists[given.size() - 1].blocks());
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        const CellPoints& points = lists[k];
+        REQUIRE(points.size() == given[k].size());
+        CHECK(points.last_rank() == (given[k].empty() ? 0 : given[k].back().rank));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            CHECK(points[i].x == given[k][i].x);
+            CHECK(points[i].y == given[k][i].y);
+            CHECK(points[i].rank == given[k][i].rank);
+        }
+        const std::size_t full = points.size() / kBlockPoints;
+        for (std::size_t b = 0; b < full; ++b) CHECK(points.block_ends()[b] == given[k][16 * b + 15].rank);
+        CHECK(std::isinf(points.block_ends()[full]));
+        CHECK(std::isinf(points[points.size()].rank));
+    }
+}
+
 TEST_CASE("a point exists where density * scale is above its rank, and not where they are equal") {
     const std::vector<float> ones(256, 1.0f);
-    const CellPoints points = points_in_line(100);
+    const PointLists lists = points_in_line(100);
+    const CellPoints& points = lists[0];
     for (const Kernels* kernels : runnable_kernels()) {
         for (const KernelSquare::Source source : kSources) {
             for (const bool thresholds : {false, true}) {
@@ -134,7 +164,8 @@ TEST_CASE("a point exists where density * scale is above its rank, and not where
 
 TEST_CASE("a point on the window's left or upper edge is in it, one on its right or lower edge is not") {
     const std::vector<float> ones(256, 1.0f);
-    const CellPoints points = points_in_line(64);  // at -1, -31/32, ... and y the other way
+    const PointLists lists = points_in_line(64);
+    const CellPoints& points = lists[0];  // at -1, -31/32, ... and y the other way
     for (const Kernels* kernels : runnable_kernels()) {
         for (const KernelSquare::Source source : kSources) {
             for (const float sign : {1.0f, -1.0f}) {
@@ -176,7 +207,8 @@ TEST_CASE("every kernel that this processor runs places the same dots, to the bi
 
     std::size_t dots = 0, tail_dots = 0;
     for (int trial = 0; trial < 4000; ++trial) {
-        const CellPoints points = some_points(random);
+        const PointLists lists = some_points(random);
+        const CellPoints& points = lists[0];
         KernelSquare square;
         square.points = points.blocks();
         square.block_ends = points.block_ends();
@@ -248,7 +280,8 @@ TEST_CASE(
     const std::vector<const Kernels*> all = runnable_kernels();
     std::size_t decided = 0, partly = 0;
     for (int trial = 0; trial < 1000; ++trial) {
-        const CellPoints points = some_points(random);
+        const PointLists lists = some_points(random);
+        const CellPoints& points = lists[0];
         KernelSquare square;
         square.points = points.blocks();
         square.block_ends = points.block_ends();

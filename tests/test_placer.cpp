@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -81,7 +82,7 @@ void check_same(const Dots& dots, std::vector<Expected> expected) {
 }
 
 Dots placed(const PlacingTable& table, const Density& density, const PlacingRequest& request) {
-    Placer placer(table);
+    Placer placer(std::shared_ptr<const PlacingTable>(std::shared_ptr<void>(), &table));  // without owning it
     DotPieces dots;
     CHECK(placer.place(density, request, dots));
     return joined(dots);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -33,11 +34,10 @@ PointBlock empty_block() {
     return block;
 }
 
-CellPoints by_rank(std::vector<CellPoint> points) {
-    std::ranges::stable_sort(points, {}, &CellPoint::rank);
-    CellPoints sorted;
-    for (const CellPoint& point : points) sorted.add(point);
-    return sorted;
+using PointsOfCells = std::vector<std::vector<CellPoint>>;
+
+void sort_by_rank(PointsOfCells& cells) {
+    for (std::vector<CellPoint>& points : cells) std::ranges::stable_sort(points, {}, &CellPoint::rank);
 }
 
 // Rounded to a grid so coarse that single precision holds the point in the frame of a subtree too: it comes
@@ -49,9 +49,9 @@ float on_grid(double offset) {
 }
 
 // Each cell's points, of these tile points, so many of each kind, and ranks.
-std::vector<std::vector<CellPoint>> share_out(const PlacingTable& table, const auto& position_of,
-                                              std::size_t of_each_kind, const std::vector<float>& ranks) {
-    std::vector<std::vector<CellPoint>> points(table.cells.size());
+PointsOfCells share_out(const PlacingTable& table, const auto& position_of, std::size_t of_each_kind,
+                        const std::vector<float>& ranks) {
+    PointsOfCells points(table.cells.size());
     const std::size_t cells = table.cells.size() / table.next_kind.size();
     for (std::size_t i = 0; i < ranks.size(); ++i) {
         const InCell in = find_cell(position_of(i), table.cell_depth);
@@ -76,13 +76,13 @@ int generations_below(std::size_t cell_points) {
 // The newborn points of a square and of those `generations` down, in the frame and the ranks of a cell above.
 struct Subtree {
     const PlacingTable& table;
-    std::vector<CellPoint> points;
+    const PointsOfCells& newborn;
+    std::vector<CellPoint>& points;
 
     void add(std::size_t index, Orientation turn, glm::dvec2 centre, double half, int generations) {
         const Cell& cell = table.cells[index];
         const SwapAndSigns steps = steps_of(turn);
-        for (std::size_t i = 0; i < cell.newborn.size(); ++i) {
-            CellPoint point = cell.newborn[i];
+        for (CellPoint point : newborn[index]) {
             if (steps.swap) std::swap(point.x, point.y);
             const glm::dvec2 offset(steps.negate_x ? -point.x : point.x, steps.negate_y ? -point.y : point.y);
             const glm::dvec2 position = centre + half * offset;
@@ -110,29 +110,35 @@ float end_of_subtree(const PlacingTable& table, const Cell& cell, int generation
 
 }  // namespace
 
-void CellPoints::clear() {
-    blocks_.assign(1, empty_block());
-    block_ends_.assign(1, blocks_[0].rank[kBlockPoints - 1]);
-    size_ = 0;
-}
-
-void CellPoints::add(const CellPoint& point) {
-    const std::size_t i = size_ % kBlockPoints;
-    if (i == 0) {
-        block_ends_.push_back(block_ends_.back());
-        blocks_.push_back(empty_block());
-    }
-    if (i == kBlockPoints - 1) block_ends_[size_ / kBlockPoints] = point.rank;
-    PointBlock& block = blocks_[size_++ / kBlockPoints];
-    block.at[0][i] = point.x;
-    block.at[1][i] = point.y;
-    block.rank[i] = point.rank;
-    last_rank_ = point.rank;
-}
-
 CellPoint CellPoints::operator[](std::size_t i) const {
     const PointBlock& block = blocks_[i / kBlockPoints];
     return {block.at[0][i % kBlockPoints], block.at[1][i % kBlockPoints], block.rank[i % kBlockPoints]};
+}
+
+PointLists::PointLists(const std::vector<std::vector<CellPoint>>& lists) {
+    const auto blocks_of = [](const auto& points) {
+        return (points.size() + kBlockPoints - 1) / kBlockPoints + 1;
+    };
+    std::size_t blocks = 0;
+    for (const auto& points : lists) blocks += blocks_of(points);
+    blocks_.resize(blocks, empty_block());
+    block_ends_.resize(blocks);
+    std::size_t first = 0;
+    for (const auto& points : lists) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            PointBlock& block = blocks_[first + i / kBlockPoints];
+            block.at[0][i % kBlockPoints] = points[i].x;
+            block.at[1][i % kBlockPoints] = points[i].y;
+            block.rank[i % kBlockPoints] = points[i].rank;
+        }
+        CellPoints& list = lists_.emplace_back();
+        list.size_ = points.size();
+        if (!points.empty()) list.last_rank_ = points.back().rank;
+        list.blocks_ = &blocks_[first];
+        list.block_ends_ = &block_ends_[first];
+        first += blocks_of(points);
+    }
+    for (std::size_t b = 0; b < blocks; ++b) block_ends_[b] = blocks_[b].rank[kBlockPoints - 1];
 }
 
 PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
@@ -146,19 +152,16 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
     table.cells.resize(cells * tile.kinds());
 
     const std::vector<Newborn> newborns = newborns_of(tile);
-    const auto own = share_out(
+    PointsOfCells all = share_out(
         table, [&](std::size_t i) { return tile.points[i]; }, tile.size(), ranking.tile);
-    const auto newborn = share_out(
+    PointsOfCells newborn = share_out(
         table, [&](std::size_t i) { return newborns[i].position; }, 3 * tile.size(), ranking.newborn);
+    for (std::size_t c = 0; c < cells; ++c) all[c].insert(all[c].end(), newborn[c].begin(), newborn[c].end());
+    sort_by_rank(all);
+    sort_by_rank(newborn);
 
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
         Cell& cell = table.cells[c];
-        cell.newborn = by_rank(newborn[c]);
-        if (c < cells) {
-            std::vector<CellPoint> all = own[c];
-            all.insert(all.end(), newborn[c].begin(), newborn[c].end());
-            cell.all = by_rank(std::move(all));
-        }
         // A quadrant of a cell is a cell of the child tile in the cell's outermost quadrant: drop the first
         // digit, append the quadrant, and see the digits from the child's frame.
         for (int q = 0; q < 4; ++q) {
@@ -178,16 +181,28 @@ PlacingTable make_placing_table(const Tile& tile, const Ranking& ranking) {
         for (std::size_t q = 0; q < 4; ++q) {
             // Its own newborn points come before those of its quadrants, if it has any.
             const float last = 4 * static_cast<float>(tile.size());
-            cell.next_rank[q] = std::min(table.cells[cell.next_cell[q]].newborn[0].rank, last);
+            const auto& born = newborn[cell.next_cell[q]];
+            cell.next_rank[q] = born.empty() ? last : std::min(born[0].rank, last);
         }
         cell.first_next_rank = *std::ranges::min_element(cell.next_rank);
     }
     const int generations = generations_below(cell_points);
+    PointsOfCells subtree(table.cells.size());
     for (std::size_t c = 0; c < table.cells.size(); ++c) {
-        Subtree subtree{table, {}};
-        subtree.add(c, {}, {0, 0}, 1, generations);
-        table.cells[c].subtree = by_rank(std::move(subtree.points));
+        Subtree{table, newborn, subtree[c]}.add(c, {}, {0, 0}, 1, generations);
         table.cells[c].subtree_end = end_of_subtree(table, table.cells[c], generations);
+    }
+    sort_by_rank(subtree);
+
+    PointsOfCells lists;
+    for (PointsOfCells* of_cells : {&subtree, &newborn, &all})
+        std::ranges::move(*of_cells, std::back_inserter(lists));
+    table.points = PointLists(lists);
+    for (std::size_t c = 0; c < table.cells.size(); ++c) {
+        Cell& cell = table.cells[c];
+        cell.subtree = table.points[c];
+        cell.newborn = table.points[table.cells.size() + c];
+        cell.all = table.points[2 * table.cells.size() + c];
     }
     return table;
 }

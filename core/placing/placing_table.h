@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/placing/large_memory.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 
@@ -34,25 +35,41 @@ struct alignas(64) PointBlock {
     float rank[kBlockPoints];
 };
 
-/// Points by ascending rank.
+/// Points by ascending rank, which lie in a PointLists.
 class CellPoints {
  public:
-    CellPoints() { clear(); }
-    void clear();
-    void add(const CellPoint& point);
-
     std::size_t size() const { return size_; }
     CellPoint operator[](std::size_t i) const;
     float last_rank() const { return last_rank_; }
-    const PointBlock* blocks() const { return blocks_.data(); }
+    /// The last is empty: there a kernel stops.
+    const PointBlock* blocks() const { return blocks_; }
     /// Each block's last rank: infinity if it is not full.
-    const float* block_ends() const { return block_ends_.data(); }
+    const float* block_ends() const { return block_ends_; }
 
  private:
+    friend class PointLists;
     std::size_t size_ = 0;
     float last_rank_ = 0;
-    std::vector<PointBlock> blocks_;  // the last is empty: there a kernel stops
+    const PointBlock* blocks_ = nullptr;
+    const float* block_ends_ = nullptr;
+};
+
+/// Lists of points in one block of memory, which has huge pages if it is large: those of several kinds lie on
+/// more small pages than a core keeps at hand, and placing would take a tenth longer.
+class PointLists {
+ public:
+    PointLists() = default;
+    /// Each by ascending rank.
+    explicit PointLists(const std::vector<std::vector<CellPoint>>& lists);
+    PointLists(PointLists&&) = default;
+    PointLists& operator=(PointLists&&) = default;
+
+    const CellPoints& operator[](std::size_t i) const { return lists_[i]; }
+
+ private:
+    std::vector<PointBlock, UnsetAllocator<PointBlock>> blocks_;
     std::vector<float> block_ends_;
+    std::vector<CellPoints> lists_;
 };
 
 struct Cell {
@@ -72,6 +89,7 @@ struct PlacingTable {
     int cell_depth = 0;         // cells are the tile's squares of this depth
     std::vector<Cell> cells;    // 4^cell_depth of each kind; the base-4 digits are the quadrants, outermost
                                 // first
+    PointLists points;          // of the cells
     Rule rule;
     NextKinds next_kind = NextKinds(1);
 };
