@@ -22,7 +22,7 @@ struct RankingSearchSettings {
     std::uint64_t seed = 1;           // same settings, same ranking
     double start_temperature = 0.05;  // in the unit of the energy of one pair
     double end_temperature = 0.001;   // reached geometrically
-    PairShape shape{0.7, 1, 0.7};     // wider and softer than a tile's: the choice is smaller
+    PairShape shape{0.7, 2, 0.7};     // wider and softer than a tile's: the choice is smaller
     std::stop_token stop;             // the order so far is returned
 };
 
