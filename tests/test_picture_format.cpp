@@ -43,16 +43,21 @@ TEST_CASE("a format is told by the marks that its standard gives it") {
     CHECK(told("\0\0\0\x18"
                "ftypheic\0\0\0\0"sv) == PictureFormat::heif);
     CHECK(told("P5\n3 3\n255\n"sv) == PictureFormat::pnm);
+    CHECK(told("II*\0\x10\0\0\0CR\x02\0"sv) == PictureFormat::raw);
+    CHECK(told("\0\0\0\x18"
+               "ftypcrx \0\0\0\x01"sv) == PictureFormat::raw);
+    CHECK(told("FUJIFILMCCD-RAW 0201FF"sv) == PictureFormat::raw);
+    CHECK(told("IIU\0\x18\0\0\0"sv) == PictureFormat::raw);
     CHECK(told("8BPS\0\x01\0\0\0\0\0\0"sv) == PictureFormat::psd);
 }
 
 TEST_CASE("each reader's name leads back to its format, and all are in the sentence") {
-    for (int i = 0; i <= static_cast<int>(PictureFormat::fits); ++i) {
+    for (int i = 0; i <= static_cast<int>(PictureFormat::raw); ++i) {
         const auto format = static_cast<PictureFormat>(i);
         CHECK(format_with_reader(reader_of(format)) == format);
     }
     CHECK_FALSE(format_with_reader("null"));
     CHECK_FALSE(format_with_reader(""));
     CHECK(picture_formats().starts_with("PNG, JPEG, TIFF"));
-    CHECK(picture_formats().ends_with("PSD or FITS"));
+    CHECK(picture_formats().ends_with("ARW, RAF and others)"));
 }

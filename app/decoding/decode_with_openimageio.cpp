@@ -19,6 +19,7 @@ namespace dapple {
 namespace {
 
 constexpr int kBandRows = 64;
+constexpr const char* kWholeOnly = "is read as a whole only";
 
 // `what`, and in brackets what a codec says, without its line ends and without the descriptor that it took
 // for the file's name.
@@ -48,12 +49,14 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     before_pixels(static_cast<std::uint64_t>(size->width * size->height * kChannels));
 }
 
-std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format) {
+// `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format, bool halved) {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(std::string(reader_of(format)));
     if (!input) throw DecodeError("cannot be read: " + OIIO::geterror());
     OIIO::ImageSpec spec, wishes;
     // Colours as stored: dividing 8-bit colours by alpha again would lose them.
     wishes.attribute("oiio:UnassociatedAlpha", 1);
+    if (halved) wishes.attribute("raw:half_size", 1);
     if (!input->open(name, spec, wishes))
         throw error_of("not a picture that can be read", input->geterror(), name);
     // Some files begin with a header that has no picture.
@@ -150,8 +153,7 @@ void go_to_smaller(OIIO::ImageInput& input, int enough_side) {
          ++page)
         look(page, 0);
     static_cast<void>(input.geterror());  // of the copy after the last
-    if (found_in < 0 || !input.seek_subimage(found_in, found_level))
-        throw DecodeError("is read as a whole only");
+    if (found_in < 0 || !input.seek_subimage(found_in, found_level)) throw DecodeError(kWholeOnly);
 }
 
 // Rows [begin, end) of the file as floats.
@@ -171,10 +173,16 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
     const std::string name = "/dev/fd/" + std::to_string(file);
-    const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format);
-    const OIIO::ImageSpec whole = input->spec();
+    const bool halved = format == PictureFormat::raw && request.enough_side > 0;
+    const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format, halved);
+    OIIO::ImageSpec whole = input->spec();
+    if (halved) {
+        if (std::max(whole.width, whole.height) < request.enough_side) throw DecodeError(kWholeOnly);
+        whole.width *= 2;
+        whole.height *= 2;
+    }
     check_size(whole.width, whole.height, whole.nchannels, request);
-    if (request.enough_side > 0) go_to_smaller(*input, request.enough_side);
+    if (request.enough_side > 0 && !halved) go_to_smaller(*input, request.enough_side);
     const OIIO::ImageSpec spec = input->spec();
     check_size(spec.width, spec.height, spec.nchannels, request);
     if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")

@@ -18,6 +18,7 @@
 
 #include "app/decoding/image_pipe.h"
 #include "app/decoding/kept_input.h"
+#include "app/decoding/tiff_page.h"
 #include "app/descriptor.h"
 
 extern char** environ;
@@ -57,40 +58,23 @@ PictureFormat format_in(const Descriptor& file) {
     std::array<unsigned char, kFormatBytes> beginning;
     const ssize_t got = ::pread(file.get(), beginning.data(), beginning.size(), 0);
     if (got < 0) throw DecodeError("cannot be read: " + reason(errno));
-    const PictureFormat format = format_or_refusal({beginning.data(), static_cast<std::size_t>(got)});
+    PictureFormat format = format_or_refusal({beginning.data(), static_cast<std::size_t>(got)});
+    if (format == PictureFormat::tiff && is_camera_raw(TiffPage(file.get()))) format = PictureFormat::raw;
     ::lseek(file.get(), 0, SEEK_SET);
     return format;
 }
 
-// Some bytes of the file as a whole number; 0 where it ends before.
-std::uint64_t number_at(const Descriptor& file, std::uint64_t at, int bytes, bool big_endian) {
-    std::array<unsigned char, 8> read{};
-    if (at > INT64_MAX ||
-        ::pread(file.get(), read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
-        return 0;
-    std::uint64_t number = 0;
-    for (int i = 0; i < bytes; ++i)
-        number = number << 8 | read[static_cast<std::size_t>(big_endian ? i : bytes - 1 - i)];
-    return number;
-}
-
 // Whether it is worth the time to start the decoder for a smaller copy of the picture: any JPEG can be read
-// smaller, and a TIFF with more than one page or an EXR in tiles or parts may have such copies.
+// smaller, a raw file at half its size, and a TIFF of more than one page or an EXR in tiles or parts may have
+// such copies.
 bool may_hold_smaller(const Descriptor& file, PictureFormat format) {
-    if (format == PictureFormat::jpeg) return true;
+    if (format == PictureFormat::jpeg || format == PictureFormat::raw) return true;
     if (format == PictureFormat::openexr) {
-        constexpr std::uint64_t kTiles = 0x200, kParts = 0x1000;
-        return (number_at(file, 4, 4, false) & (kTiles | kParts)) != 0;
+        constexpr unsigned char kTilesOrParts = 0x12;  // of the second byte of the flags
+        unsigned char flags = 0;
+        return ::pread(file.get(), &flags, 1, 5) == 1 && (flags & kTilesOrParts) != 0;
     }
-    if (format != PictureFormat::tiff) return false;
-    constexpr std::uint64_t kBigTiff = 43;
-    const bool big_endian = number_at(file, 0, 1, true) == 'M';
-    const bool wide = number_at(file, 2, 2, big_endian) == kBigTiff;
-    // A page's entries are so many, of equal length; then it says where the next page is.
-    const int count_bytes = wide ? 8 : 2, entry_bytes = wide ? 20 : 12, place_bytes = wide ? 8 : 4;
-    const std::uint64_t page = number_at(file, wide ? 8 : 4, place_bytes, big_endian);
-    const std::uint64_t entries = number_at(file, page, count_bytes, big_endian) & 0xffff;
-    return number_at(file, page + count_bytes + entries * entry_bytes, place_bytes, big_endian) != 0;
+    return format == PictureFormat::tiff && TiffPage(file.get()).is_followed();
 }
 
 // Above the numbers that the decoder knows files by: a descriptor given as itself would be closed.

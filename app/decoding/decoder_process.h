@@ -20,8 +20,8 @@ std::filesystem::path decoder_for(PictureFormat format);
 void decode_file(const std::filesystem::path& path, const DecodeRequest& request, ImageSink& sink,
                  std::stop_token stop = {});
 
-/// A smaller picture of the same, as DecodeRequest::enough_side says: of a large JPEG, or of a TIFF or EXR
-/// with mipmaps. Throws DecodeError for any other.
+/// A smaller picture of the same, as DecodeRequest::enough_side says: of a large JPEG or raw file, or of a
+/// TIFF or EXR with mipmaps. Throws DecodeError for any other.
 void decode_file_smaller(const std::filesystem::path& path, const DecodeRequest& request, ImageSink& sink,
                          std::stop_token stop = {});
 

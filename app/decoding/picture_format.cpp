@@ -14,7 +14,7 @@ struct Named {
     std::string_view reader, name;
 };
 
-constexpr std::array<Named, 14> kFormats{{
+constexpr std::array<Named, 15> kFormats{{
     {PictureFormat::png, "png", "PNG"},
     {PictureFormat::jpeg, "jpeg", "JPEG"},
     {PictureFormat::tiff, "tiff", "TIFF"},
@@ -29,6 +29,7 @@ constexpr std::array<Named, 14> kFormats{{
     {PictureFormat::pnm, "pnm", "PBM, PGM, PPM, PFM"},
     {PictureFormat::psd, "psd", "PSD"},
     {PictureFormat::fits, "fits", "FITS"},
+    {PictureFormat::raw, "raw", "camera raw (DNG, CR2, CR3, NEF, ARW, RAF and others)"},
 }};
 
 // The bytes at an offset.
@@ -43,6 +44,16 @@ using namespace std::string_view_literals;
 constexpr auto kMarks = std::to_array<Mark>({
     {PictureFormat::png, 0, "\x89PNG\r\n\x1a\n"sv},
     {PictureFormat::jpeg, 0, "\xff\xd8\xff"sv},
+    {PictureFormat::raw, 8, "CR\x02"sv},            // CR2, of Canon
+    {PictureFormat::raw, 4, "ftypcrx "sv},          // CR3
+    {PictureFormat::raw, 6, "HEAPCCDR"sv},          // CRW
+    {PictureFormat::raw, 0, "FUJIFILMCCD-RAW "sv},  // RAF
+    {PictureFormat::raw, 0, "IIRO"sv},              // ORF, of Olympus
+    {PictureFormat::raw, 0, "IIRS"sv},
+    {PictureFormat::raw, 0, "MMOR"sv},
+    {PictureFormat::raw, 0, "IIU\0"sv},  // RW2, of Panasonic
+    {PictureFormat::raw, 0, "\0MRM"sv},  // MRW, of Minolta
+    {PictureFormat::raw, 0, "FOVb"sv},   // X3F, of Sigma
     {PictureFormat::tiff, 0, "II*\0"sv},
     {PictureFormat::tiff, 0, "MM\0*"sv},
     {PictureFormat::tiff, 0, "II+\0"sv},  // of over 4 gigabytes

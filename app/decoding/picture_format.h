@@ -25,12 +25,14 @@ enum class PictureFormat {
     pnm,
     psd,
     fits,
+    raw,  // of a camera
 };
 
 /// How many bytes of the beginning tell.
 inline constexpr std::size_t kFormatBytes = 32;
 
-/// From the first kFormatBytes of a file, or all where it is shorter. Nothing: none of these formats.
+/// From the first kFormatBytes of a file, or all where it is shorter. Nothing: none of these formats. Many
+/// cameras' raw files begin as a TIFF does: is_camera_raw() tells.
 std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning);
 /// The same; throws DecodeError where it is none of them.
 PictureFormat format_or_refusal(std::span<const unsigned char> beginning);
@@ -45,7 +47,7 @@ std::optional<StatedSize> stated_size(PictureFormat format, std::span<const unsi
 std::string_view reader_of(PictureFormat format);
 std::optional<PictureFormat> format_with_reader(std::string_view reader);
 
-/// For sentences: "PNG, JPEG, ... or FITS".
+/// For sentences: "PNG, JPEG, ... or camera raw (DNG, CR2, NEF, ...)".
 std::string picture_formats();
 
 }  // namespace dapple
