@@ -10,6 +10,10 @@ namespace dapple {
 void write_picture(const std::filesystem::path& path, const PictureFile& picture) {
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc(picture.type));
     if (!picture.colour_space.empty()) spec.attribute("oiio:ColorSpace", picture.colour_space);
+    if (!picture.profile.empty()) {
+        const OIIO::TypeDesc bytes(OIIO::TypeDesc::UINT8, static_cast<int>(picture.profile.size()));
+        spec.attribute("ICCProfile", bytes, picture.profile.data());
+    }
     if (picture.orientation != 1) spec.attribute("Orientation", picture.orientation);
     if (picture.channels == 2 || picture.channels == 4) {
         spec.alpha_channel = picture.channels - 1;

@@ -13,6 +13,7 @@ struct PictureFile {
     std::vector<float> values = {};  // width * height * channels
     std::string type = "uint8";
     std::string colour_space = "";  // "" leaves it to the format
+    std::string profile = "";       // ICC's bytes
     int orientation = 1;            // EXIF's
     int tile = 0;                   // side of the file's tiles, 0 for scan lines
     bool premultiplied = false;     // values are colours times alpha already; as EXR always has them

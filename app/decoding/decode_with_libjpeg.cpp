@@ -6,6 +6,9 @@
 #include <array>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
 #include <vector>
 
 // After <cstdio>, which it needs.
@@ -47,7 +50,7 @@ class JpegReader {
         complaint_.manager.emit_message = &leave_at_damage;
         jpeg_create_decompress(&jpeg_);
         jpeg_stdio_src(&jpeg_, file_);
-        jpeg_save_markers(&jpeg_, JPEG_APP0 + 1, 0xffff);
+        for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 2}) jpeg_save_markers(&jpeg_, marker, 0xffff);
     }
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
@@ -82,6 +85,17 @@ int orientation_of(const jpeg_decompress_struct& jpeg) {
     return 1;
 }
 
+std::string profile_of(JpegReader& reader) {
+    JOCTET* bytes = nullptr;
+    unsigned size = 0;
+    reader.call([&bytes, &size](jpeg_decompress_struct& j) { jpeg_read_icc_profile(&j, &bytes, &size); },
+                "not a picture that can be read");
+    if (!bytes) return {};
+    const std::string profile(reinterpret_cast<const char*>(bytes), size);
+    std::free(bytes);
+    return profile;
+}
+
 // The fewest eighths whose longer side is at least so long.
 unsigned eighths_for(int enough_side, unsigned longer) {
     unsigned eighths = 1;
@@ -111,6 +125,7 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     layout.count = jpeg.num_components;
     layout.channels.colour = {0, grey ? 0 : 1, grey ? 0 : 2};
     layout.eight_bit = true;
+    layout.profile = profile_of(reader);
     const std::string description =
         describe(static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height), "8-bit",
                  layout.channels, "jpeg");
@@ -126,7 +141,7 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
         "the picture is damaged");
     const ImageHeader header{static_cast<int>(jpeg.output_width), static_cast<int>(jpeg.output_height),
                              orientation_of(jpeg), grey, description};
-    const StoredPixels decoder(layout);
+    StoredPixels decoder(layout);
     std::vector<unsigned char> row(std::size_t{jpeg.output_width} * layout.count);
     std::vector<float> values(row.size());
     std::vector<glm::vec3> colours(jpeg.output_width);

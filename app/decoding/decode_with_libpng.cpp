@@ -71,6 +71,15 @@ Encoding encoding_of(png_structp png, png_infop info) {
     return {Encoding::Kind::power, static_cast<float>(1 / gamma)};
 }
 
+std::string profile_of(png_structp png, png_infop info) {
+    png_charp name = nullptr;
+    png_bytep bytes = nullptr;
+    int packing = 0;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(png, info, &name, &packing, &bytes, &size) == 0) return {};
+    return {reinterpret_cast<const char*>(bytes), size};
+}
+
 int orientation_of(png_structp png, png_infop info) {
 #ifdef PNG_eXIf_SUPPORTED
     png_uint_32 size = 0;
@@ -126,6 +135,7 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     layout.channels.colour = {0, last_colour == 0 ? 0 : 1, last_colour};
     if (channels % 2 == 0) layout.channels.alpha = channels - 1;
     layout.encoding = encoding_of(png, info);
+    layout.profile = profile_of(png, info);
     layout.eight_bit = !wide;
     const ImageHeader header{
         .width = static_cast<int>(width),
@@ -136,7 +146,7 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
                                 std::to_string(stored_bits) + "-bit", layout.channels, "png"),
         .thumbnail_of = thumbnail_in(png, info)};
     if (!request.over_paper) layout.channels.alpha.reset();
-    const StoredPixels decoder(layout);
+    StoredPixels decoder(layout);
 
     // An interlaced picture has to be there as a whole; else a row at a time.
     const std::size_t row_bytes = png_get_rowbytes(png, info),

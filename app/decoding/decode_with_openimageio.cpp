@@ -112,11 +112,19 @@ Encoding encoding_of(const OIIO::ImageSpec& spec) {
     return {Encoding::Kind::srgb};
 }
 
+// Of integers: floats are light, whatever they are shown by.
+std::string profile_of(const OIIO::ImageSpec& spec) {
+    const OIIO::ParamValue* const icc = spec.find_attribute("ICCProfile");
+    if (!icc || icc->type().basetype != OIIO::TypeDesc::UINT8 || spec.format.is_floating_point()) return {};
+    return {static_cast<const char*>(icc->data()), static_cast<std::size_t>(icc->datasize())};
+}
+
 PixelLayout layout_of(const OIIO::ImageSpec& spec) {
     PixelLayout layout;
     layout.channels = channels_of(spec);
     layout.count = spec.nchannels;
     layout.encoding = encoding_of(spec);
+    layout.profile = profile_of(spec);
     layout.premultiplied = layout.channels.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     layout.eight_bit = spec.format == OIIO::TypeDesc::UINT8;
     return layout;
@@ -198,7 +206,7 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
         describe(whole.width, whole.height, kind_of(whole), layout.channels, input->format_name()),
         spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear};
     if (!request.over_paper) layout.channels.alpha.reset();
-    const StoredPixels decoder(layout);
+    StoredPixels decoder(layout);
 
     const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
     const int band_rows = std::min(spec.tile_width == 0 ? kBandRows : spec.tile_height, spec.height);

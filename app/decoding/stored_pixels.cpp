@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/decoding/decoded_image.h"
-#include "core/image/tone.h"
 
 namespace dapple {
 namespace {
@@ -19,29 +18,40 @@ namespace {
 
 }  // namespace
 
-float Encoding::light(float stored) const {
-    switch (kind) {
-        case Kind::linear:
-            return stored;
-        // Floats that say they are encoded may lie outside 0..1; mirrored and continued, nothing is lost.
-        case Kind::srgb:
-            return std::copysign(srgb_to_linear(std::abs(stored)), stored);
-        case Kind::power:
-            return std::copysign(std::pow(std::abs(stored), gamma), stored);
-    }
-    return stored;
-}
-
-StoredPixels::StoredPixels(const PixelLayout& layout) : layout_(layout) {
+StoredPixels::StoredPixels(const PixelLayout& layout)
+    : layout_(layout), profile_(layout.profile, layout.channels.grey() ? 1 : 3, layout.encoding) {
     for (std::size_t i = 0; i < eight_bit_.size(); ++i)
         eight_bit_[i] = layout.encoding.light(static_cast<float>(i) / 255.0f);
 }
 
-void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::vec3> light) const {
+void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::vec3> light) {
+    if (profile_) return decode_by_profile(stored, light);
     const auto count = static_cast<std::size_t>(layout_.count);
     for (std::size_t i = 0; i < light.size(); ++i) {
         light[i] = over_paper(stored.data() + i * count);
         if (!std::isfinite(light[i].x + light[i].y + light[i].z)) fail_not_finite(stored, layout_.count, y);
+    }
+}
+
+// Integers only have a profile here: all are finite.
+void StoredPixels::decode_by_profile(std::span<const float> stored, std::span<glm::vec3> light) {
+    const auto count = static_cast<std::size_t>(layout_.count);
+    const Channels& channels = layout_.channels;
+    const auto alpha_of = [&](std::size_t i) {
+        return channels.alpha ? stored[i * count + static_cast<std::size_t>(*channels.alpha)] : 1;
+    };
+    colours_.clear();
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const float factor = layout_.premultiplied && alpha_of(i) > 0 ? 1 / alpha_of(i) : 1;
+        for (int k = 0; k < (channels.grey() ? 1 : 3); ++k) {
+            const auto channel = static_cast<std::size_t>(channels.colour[static_cast<std::size_t>(k)]);
+            colours_.push_back(stored[i * count + channel] * factor);
+        }
+    }
+    profile_.to_light(colours_, light);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        if (channels.grey()) light[i] = glm::vec3(light[i].y);  // not only nearly so
+        light[i] = light[i] * alpha_of(i) + (1 - alpha_of(i));
     }
 }
 

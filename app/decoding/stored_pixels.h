@@ -6,6 +6,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
+
+#include "app/decoding/colour_profile.h"
 
 namespace dapple {
 
@@ -16,18 +19,11 @@ struct Channels {
     bool grey() const { return colour[0] == colour[1] && colour[1] == colour[2]; }
 };
 
-/// How stored values become light.
-struct Encoding {
-    enum class Kind { linear, srgb, power } kind = Kind::srgb;
-    float gamma = 1;  // of a power
-
-    float light(float stored) const;
-};
-
 struct PixelLayout {
     Channels channels;
     int count = 1;  // channels of a pixel
     Encoding encoding;
+    std::string profile{};       // ICC's bytes, which count for more; empty: none
     bool premultiplied = false;  // colours by alpha
     bool eight_bit = false;
 };
@@ -38,14 +34,17 @@ class StoredPixels {
 
     /// A row, integers scaled to 0..1, as linear light over white paper. Throws DecodeError if a pixel is
     /// infinite or not a number.
-    void decode(std::span<const float> stored, int y, std::span<glm::vec3> light) const;
+    void decode(std::span<const float> stored, int y, std::span<glm::vec3> light);
 
  private:
+    void decode_by_profile(std::span<const float> stored, std::span<glm::vec3> light);
     glm::vec3 over_paper(const float* pixel) const;
     glm::vec3 light_of(const float* pixel, float factor) const;
 
     PixelLayout layout_;
     std::array<float, 256> eight_bit_{};
+    ColourProfile profile_;
+    std::vector<float> colours_;  // of a row, for the profile
 };
 
 /// "512 x 512 pixels, 8-bit grey png". `kind` is "8-bit" or "float".

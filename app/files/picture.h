@@ -52,7 +52,8 @@ struct NoPicture : std::runtime_error {
 
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
-/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise.
+/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise, of
+/// integers by an ICC profile first.
 /// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a value of the
 /// light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and

@@ -1,0 +1,44 @@
+#pragma once
+// What light a picture's stored values stand for: by a usual encoding, or by its own ICC profile.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace dapple {
+
+struct Encoding {
+    enum class Kind { linear, srgb, power } kind = Kind::srgb;
+    float gamma = 1;  // of a power
+
+    float light(float stored) const;
+};
+
+class ColourProfile {
+ public:
+    /// `icc`: the profile's bytes, if there are any. `values`: of a pixel, 1 of a grey picture, else 3. A
+    /// profile of other values or one that is damaged counts for nothing, nor does one that says what the
+    /// usual encoding says, as most do.
+    ColourProfile(std::string_view icc, int values, const Encoding& usual);
+    ColourProfile(const ColourProfile&) = delete;
+    ColourProfile& operator=(const ColourProfile&) = delete;
+    ~ColourProfile();
+
+    /// Whether it counts.
+    explicit operator bool() const { return transform_; }
+
+    /// Of as many pixels as there are colours, 0..1: linear light, of sRGB's primaries, 0 where that would be
+    /// below.
+    void to_light(std::span<const float> stored, std::span<glm::vec3> light) const;
+
+ private:
+    void transform(std::span<const float> stored, std::span<glm::vec3> light) const;
+    bool says_the_same(int values, const Encoding& usual) const;
+
+    void* transform_ = nullptr;
+    // Most profiles add what each value brings: by value, what that is. Empty: this one does not.
+    std::vector<std::vector<glm::vec3>> parts_;
+};
+
+}  // namespace dapple
