@@ -75,6 +75,21 @@ TEST_CASE("the letter F is never the same in two orientations") {
         for (Orientation b : all_orientations()) CHECK((letter_f(a) == letter_f(b)) == (a == b));
 }
 
+TEST_CASE("a tile of several kinds has a legend of all of them, eight in a row") {
+    TileView view{"ten", {}, {glm::vec2(0.5f)}, {}, NextKinds(10, {0, 3, 9, 1})};
+    TilePanelState state;
+    HeadlessUi ui([&] { draw_tile_panel(view, state); });
+    for (int k = 0; k < 10; ++k) CHECK(ui.has("Kind " + std::to_string(k)));
+    CHECK_FALSE(ui.has("Kind 10"));
+    CHECK(ui.place("Kind 7").min.x > ui.place("Kind 0").max.x);
+    CHECK(ui.place("Kind 8").min.y > ui.place("Kind 0").max.y);
+    CHECK(ui.place("Kind 8").min.x == ui.place("Kind 0").min.x);
+
+    view.next_kind = NextKinds(1);
+    ui.move_to({1, 899});
+    CHECK_FALSE(ui.has("Kind 0"));
+}
+
 TEST_CASE("the largest tile fits the panel's draw list") {
     TileView view{"large", {}, {}};
     for (int i = 0; i < 4096; ++i) view.points.push_back((glm::vec2(i % 64, i / 64) + 0.5f) / 64.0f);

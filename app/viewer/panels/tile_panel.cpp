@@ -21,7 +21,8 @@ constexpr std::size_t kMostNumbered = 24;
 constexpr float kLargestSide = 300;  // at 96 dpi
 // It is paper in each theme, as its points have colours of ink.
 constexpr ImU32 kPaperColour = IM_COL32_WHITE, kLetters = IM_COL32(222, 217, 207, 255),
-                kLines = IM_COL32(190, 185, 175, 255), kKindNumbers = IM_COL32(0, 0, 0, 45);
+                kLines = IM_COL32(190, 185, 175, 255), kKindNumbers = IM_COL32(0, 0, 0, 45),
+                kSmallNumbers = IM_COL32(0, 0, 0, 150);
 
 ImU32 colour_of_rank(std::size_t rank, std::size_t count) {
     const double last = std::max(1.0, static_cast<double>(count) - 1);
@@ -44,20 +45,51 @@ void draw_text(const std::string& text, ImVec2 centre, float size, ImU32 colour)
         colour, text.c_str());
 }
 
+ImU32 colour_of_kind(std::size_t kind, float paper) {
+    const glm::vec3 c = glm::mix(kind_colour(kind), glm::vec3(1), paper);
+    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+}
+
+// Of which kinds the children are.
+void draw_children(const Square& square, const NextKinds::value_type& children, ImU32 numbers) {
+    const float size = std::max(square.side * 0.2f, std::min(square.side / 2, ImGui::GetFontSize() * 0.8f));
+    for (int q = 0; q < 4; ++q) {
+        const glm::dvec2 centre(0.25 + 0.5 * (q & 1), 0.25 + 0.5 * (q >> 1));
+        const std::uint16_t kind = children[static_cast<std::size_t>(q)];
+        ImGui::GetWindowDrawList()->AddRectFilled(square.at(centre - 0.25), square.at(centre + 0.25),
+                                                  colour_of_kind(kind, 0.8f));
+        draw_text(std::to_string(kind), square.at(centre), size, numbers);
+    }
+}
+
+// A legend of all kinds: each in its colour, and below it its children.
+void draw_kinds(const NextKinds& kinds, float unit) {
+    constexpr std::size_t kColumns = 8;
+    const float width = ImGui::GetContentRegionAvail().x / kColumns, side = std::floor(width - 6 * unit);
+    const float head = ImGui::GetTextLineHeight();
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const ImVec2 corner(std::floor(start.x + width * static_cast<float>(k % kColumns)),
+                            start.y + (head + side + 6 * unit) * static_cast<float>(k / kColumns));
+        ImGui::SetCursorScreenPos(corner);
+        ImGui::Dummy({side, head + side});
+        note_place(fmt::format("Kind {}", k).c_str());
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + side, corner.y + head},
+                                                  colour_of_kind(k, 0));
+        draw_text(std::to_string(k), {corner.x + side / 2, corner.y + head / 2}, ImGui::GetFontSize(),
+                  IM_COL32_WHITE);
+        draw_children({{corner.x, corner.y + head}, side}, kinds[k], kSmallNumbers);
+    }
+}
+
 // What lies on each quadrant: how it is turned, or of which kind it is.
 void draw_quadrants(const Square& square, const TileView& tile, float unit) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(square.at({0, 0}), square.at({1, 1}), kPaperColour);
-    for (int q = 0; q < 4; ++q) {
+    const bool of_kinds = tile.next_kind.size() > 1;
+    if (of_kinds) draw_children(square, tile.next_kind[0], kKindNumbers);
+    for (int q = 0; q < (of_kinds ? 0 : 4); ++q) {
         const glm::dvec2 centre(0.25 + 0.5 * (q & 1), 0.25 + 0.5 * (q >> 1));
-        if (tile.next_kind.size() > 1) {
-            const std::uint16_t kind = tile.next_kind[0][static_cast<std::size_t>(q)];
-            const glm::vec3 c = glm::mix(kind_colour(kind), glm::vec3(1), 0.8f);
-            list->AddRectFilled(square.at(centre - 0.25), square.at(centre + 0.25),
-                                ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}));
-            draw_text(std::to_string(kind), square.at(centre), square.side * 0.2f, kKindNumbers);
-            continue;
-        }
         for (const Stroke& stroke : letter_f(tile.rule.child[q])) {
             const ImVec2 from = square.at(centre + stroke[0] * 0.16),
                          to = square.at(centre + stroke[1] * 0.16);
@@ -126,13 +158,12 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
                     .tip = "Takes the tile's points away, those of the last ranks first."}))
         state.shown = shown >= all ? SIZE_MAX : static_cast<std::size_t>(std::llround(shown));
     if (tile.next_kind.size() > 1) {
-        const auto& children = tile.next_kind[0];
-        hint(fmt::format(
-                 "{}: kind 0 of {}, each of {} points, dark ones come first. Half as large, the kinds {}, "
-                 "{}, {} and {} lie on its quarters.",
-                 short_tile_name(tile.name), tile.next_kind.size(), grouped(count), children[0], children[1],
-                 children[2], children[3])
-                 .c_str());
+        hint(
+            fmt::format("{}: kind 0 of {}, each of {} points, dark ones come first. Below, each kind as tile "
+                        "boundaries show it, and which kinds lie on its quarters, half as large.",
+                        short_tile_name(tile.name), tile.next_kind.size(), grouped(count))
+                .c_str());
+        draw_kinds(tile.next_kind, unit);
         return;
     }
     const bool turned =
