@@ -53,9 +53,8 @@ struct NoPicture : std::runtime_error {
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise, of
-/// integers by an ICC profile first.
-/// Luminance has Rec. 709 weights. Transparent parts show white paper. Memory: 4 bytes a value of the
-/// light, 10 with its colours.
+/// integers by an ICC profile first. Luminance has Rec. 709 weights. Transparent parts show white paper.
+/// Memory: 4 bytes a value of the light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time.
 ///
@@ -67,8 +66,8 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit = Pic
 
 /// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time:
 /// smaller, its longer side kFirstLookSide pixels or up to twice as many, half of the whole's in a raw file,
-/// and described as the whole is. Nothing of a
-/// picture that is small or of another kind, or cannot be read: read_picture() says why.
+/// and described as the whole is. Nothing of a picture that is small or of another kind, or cannot be read:
+/// read_picture() says why.
 std::optional<Picture> read_first_look(const std::filesystem::path& path,
                                        PictureColours colours = PictureColours::left_out,
                                        std::stop_token stop = {});
