@@ -204,7 +204,7 @@ TEST_CASE("an output is kept apart from other files, however their names are wri
     fs::create_hard_link(folder / "cat.png", folder / "hard.png");
     const auto apart = [&](const fs::path& output, const fs::path& other) {
         try {
-            check_apart(output, {{std::nullopt, "nothing"}, {other, "the picture"}});
+            check_apart({{output, "the drawing"}}, {{other, "the picture"}});
         } catch (const std::runtime_error& error) {
             CHECK(error.what() ==
                   output.string() + ": would be written over the picture; choose another name");

@@ -49,7 +49,7 @@ TEST_CASE("of a drawing with which all is well nothing is said, and of one witho
     CHECK(kinds_of(good_facts()).empty());
     DrawingFacts none = good_facts();
     none.dots = 0;
-    none.tile_layer = 2;
+    none.has_tile_layer = true;
     CHECK(kinds_of(none).empty());
 }
 
@@ -77,14 +77,18 @@ TEST_CASE("circles are told as rings that a plotter follows, how long they are a
     CHECK(sentences_of(facts).find("31.4 m of rings; with the dot shape point") != std::string::npos);
 }
 
-TEST_CASE("the layer of tiles is called by the number that it has behind those of the pens") {
+TEST_CASE("where a single dot takes longer than an hour nobody is told to draw none") {
     DrawingFacts facts = good_facts();
-    facts.tile_layer = 5;
-    CHECK(sentences_of(facts).find(
-              "the layer \"5 Tiles\" has lines that a plotter draws too; plot layers 1 to 4") !=
-          std::string::npos);
-    facts.tile_layer = 2;
-    CHECK(sentences_of(facts).find("\"2 Tiles\" has lines that a plotter draws too; plot layer 1 only") !=
+    facts.plotting = {.dots_s = 3.0 * kLongPlottingS};
+    facts.dots = 2;
+    CHECK(sentences_of(facts).find("shorter rests and faster moves take less") != std::string::npos);
+}
+
+TEST_CASE("layers of an SVG that no pen is to draw are told, as most plotters' programs draw them") {
+    DrawingFacts facts = good_facts();
+    facts.has_tile_layer = facts.has_background = true;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::tile_layer, FindingKind::background});
+    CHECK(sentences_of(facts).find("plot; hide that layer, or leave the tile boundaries out") !=
           std::string::npos);
 }
 

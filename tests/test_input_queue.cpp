@@ -2,6 +2,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include <vector>
+
 #include "app/viewer/shell/input_queue.h"
 
 namespace dapple {
@@ -79,6 +81,21 @@ TEST_CASE("a click and what is typed into what it opens are two frames") {
     CHECK(frames({button(true), letter('7')}) == Sizes{1, 1});
     CHECK(frames({key(GLFW_KEY_LEFT_CONTROL, true), button(true), key(GLFW_KEY_LEFT_CONTROL, false),
                   button(false)}) == Sizes{2, 2});
+}
+
+TEST_CASE("what was typed before a question is forgotten, but keys that were down go up") {
+    InputQueue queue;
+    for (const InputEvent& event : {key(GLFW_KEY_D, false), key(GLFW_KEY_ENTER, true), letter('d'),
+                                    position(3), button(true), key(GLFW_KEY_ENTER, false)})
+        queue.push(event);
+    queue.forget_typed();
+    std::vector<Kind> left;
+    while (!queue.empty())
+        for (const InputEvent& event : queue.take_frame()) {
+            CHECK_FALSE((event.kind == Kind::key && event.down));
+            left.push_back(event.kind);
+        }
+    CHECK(left == std::vector<Kind>{Kind::key, Kind::position, Kind::button, Kind::key});
 }
 
 }  // namespace dapple

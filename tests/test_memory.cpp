@@ -174,4 +174,27 @@ TEST_CASE("a fresh window writes nothing") {
     CHECK(nowhere.state.recent.size() == 1);
 }
 
+TEST_CASE(
+    "after a window that ended before it could draw the next begins with the usual settings, and says so") {
+    const Home home;
+    {
+        Memory first = home.window();
+        first.state.view.drawing.placing.count = 12'345;
+        first.state.window = {0, 0, 1000, 700, false};
+        first.save();
+    }
+    CHECK(home.window().state.view.drawing.placing.count ==
+          12'345);                       // and what ends in good order is no crash
+    write(home.state / "starting", "");  // as a crash leaves it
+    Memory next = home.window();
+    CHECK(next.take_trouble().value_or("").find("before it could draw") != std::string::npos);
+    CHECK(next.state.view == KeptView{});
+    CHECK(next.state.window.width == 1000);
+    Memory meanwhile = home.window();  // another window, while that one begins
+    CHECK_FALSE(meanwhile.take_trouble());
+    next.begun();
+    CHECK_FALSE(fs::exists(home.state / "starting"));
+    CHECK_FALSE(home.window().take_trouble());
+}
+
 }  // namespace dapple

@@ -137,7 +137,10 @@ TEST_CASE("margins without room, and what is none, are refused with what is wron
     CHECK(text_of(parse_margins("1cm,2,1in,0")) == "10,2,25.4,0");
     for (const char* const wrong : {"", "wide", "1,2", "1,2,3,4,5", "-1", "1,2,3,inf"})
         CHECK_THROWS_AS(parse_margins(wrong), std::runtime_error);
-    for (const char* const wrong : {"10%,0%,80x100%", "1,2,3", "-1,0,5x5", "0,0,0x5"})
+    CHECK(parse_crop("0,0,100%x50%") == parse_crop("0%,0%,100%x50%"));  // 0 is the same in either unit
+    CHECK(parse_crop("0,0,100x50").unit == Crop::Unit::pixels);
+    for (const char* const wrong :
+         {"10%,0%,80x100%", "0,10,80%x100%", "%,0,5x5", "1,2,3", "-1,0,5x5", "0,0,0x5", ""})
         CHECK_THROWS_AS(parse_crop(wrong), std::runtime_error);
 }
 

@@ -269,6 +269,8 @@ TEST_CASE("a radius that a drawing could not be read with again is refused") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " --dots 100 -o " + scene("a.svg");
     scene.must_fail(from + " --dot-radius 0.0000001", "--dot-radius");
+    scene.must_fail(from + " --dot-radius 0.1..0.4 --black 0.5", "--black: has no effect with two radii");
+    scene.must_fail(from + " --style line --black 0.5", "--black: has no effect on lines");
     REQUIRE(run_dapple(from + " --dot-radius 0.000001").status == 0);
     CHECK(run_dapple("render " + scene("cat.png") + " --settings-from " + scene("a.svg") + " -o " +
                      scene("b.svg"))
@@ -293,11 +295,11 @@ TEST_CASE("colours, background and tiles are drawn as asked") {
                 .status == 0);
     const Svg svg = read_svg(scene("c.svg"));
     const pugi::xml_node root = svg.document.child("svg");
-    CHECK(root.child("rect").attribute("fill").value() == std::string("#ffeedd"));
-    CHECK(root.child("rect").next_sibling() == root.child("g"));
-    CHECK(root.child("g").attribute("inkscape:label").value() == std::string("1 #cc0000"));
-    const pugi::xml_node tiles = root.child("g").next_sibling("g");
-    CHECK(tiles.attribute("inkscape:label").value() == std::string("2 Tiles"));
+    const pugi::xml_node background = root.child("g"), ink = background.next_sibling("g");
+    CHECK(background.child("rect").attribute("fill").value() == std::string("#ffeedd"));
+    CHECK(ink.attribute("inkscape:label").value() == std::string("1 #cc0000"));
+    const pugi::xml_node tiles = ink.next_sibling("g");
+    CHECK(tiles.attribute("inkscape:label").value() == std::string("% Tiles"));
     const double width = 200 * 96 / 25.4, height = width * 64 / 96;
     for (const pugi::xml_node& level : tiles.children("g")) {
         for (const pugi::xml_node& tile : level.children("rect")) {

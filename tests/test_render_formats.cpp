@@ -223,6 +223,18 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
         put_text(scene("wrong.txt"), wrong.text);
         scene.must_fail("render -o " + scene("b.nc") + " --gcode " + scene("wrong.txt"), wrong.words);
     }
+    // One of touches alone draws touches, whatever they are of.
+    put_text(scene("touch.txt"), "start G21\nmove G0 X{x} Y{y}\ndot M3\n");
+    CHECK(run_dapple("render --dots 20 --dot-shape point -o " + scene("touch.nc") + " --gcode " +
+                     scene("touch.txt"))
+              .status == 0);
+    scene.must_fail(
+        "render --dots 20 --dot-shape cross -o " + scene("cross.nc") + " --gcode " + scene("touch.txt"),
+        "says nothing of lines to draw");
+    scene.must_fail("render -o " + scene("b.nc") + " --pen-up 0 --pen-down 0",
+                    "--pen-down: the pen is up at 0 and down at 0, so it would never be lifted");
+    scene.must_fail("render -o " + scene("b.nc") + " --gcode servo --pen-up 90",
+                    "--pen-up: the pen is up at 90 and down at 90");
     scene.must_fail("render -o " + scene("b.nc") + " --gcode plough",
                     "plough is neither pen, servo nor laser");
     scene.must_fail("render -o " + scene("b.svg") + " --gcode laser", "--gcode: applies to G-code only");

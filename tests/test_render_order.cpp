@@ -109,7 +109,7 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
         run_dapple(from + scene("a.svg") + " --tiles --machine grbl-laser --stats " + scene("s.json"));
     REQUIRE(laser.status == 0);
     CHECK(laser.err.find(" on a laser that runs Grbl: mostly ") != std::string::npos);
-    CHECK(laser.err.find("the layer \"2 Tiles\" has lines") != std::string::npos);
+    CHECK(laser.err.find("the layer \"% Tiles\" has lines") != std::string::npos);
     const nlohmann::json stats = read_json(scene("s.json"));
     CHECK(stats["plotting"]["dots_s"] == 0);  // it follows the circles
     CHECK(stats["plotting"]["drawing_s"] > 100);
@@ -259,7 +259,7 @@ TEST_CASE("near dots, a pen's gap and the layer of tiles are told of a drawing w
     std::string last;
     for (const pugi::xml_node& layer : svg.document.child("svg").children("g"))
         last = layer.attribute("inkscape:label").value();
-    CHECK(told.err.find("the layer \"" + last + "\" has lines that a plotter draws too") !=
+    CHECK(told.err.find("the layer \"" + last + "\" has lines, which AxiDraw's software skips") !=
           std::string::npos);
     CHECK(last.ends_with(" Tiles"));
 }

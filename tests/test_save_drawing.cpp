@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <random>
 #include <string>
@@ -39,6 +40,49 @@ DrawingToSave many_to_save(const Dots& dots) {
 }
 
 }  // namespace
+
+TEST_CASE("no number leaves for a machine that is none, or lies far from the page") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "drawing";
+    put_text(file, "the old drawing");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    // Page units are 100 mm; dots that reach over from beside a small part of a page are not far.
+    const auto saved = [&](DrawingFormat format, float x, float y, float radius, bool as_stroke) {
+        Dots dots;
+        dots.x = {0.05f, x};
+        dots.y = {0.5f, y};
+        dots.radius = {0.01f, radius};
+        dots.threshold = {0.5f, 0.5f};
+        dots.critical = {1, 1};
+        DrawingToSave drawing = many_to_save(dots);
+        drawing.format = format;
+        Strokes strokes{.points = {{1, 1}, {100.0 * x, 100.0 * y}}, .ends = {2}};
+        if (as_stroke) drawing.strokes = stream_of(strokes, 0.3);
+        try {
+            return save_drawing(file, {}, drawing);
+        } catch (const std::runtime_error& error) {
+            CHECK(std::string(error.what()).find("far from its page") != std::string::npos);
+            CHECK(text_of(file) == "the old drawing");
+            return false;
+        }
+    };
+    for (const DrawingFormatName& format : kDrawingFormats) {
+        if (has_pixels(format.format)) continue;
+        for (const bool as_stroke : {false, true}) {
+            if (as_stroke && is_table(format.format)) continue;
+            CAPTURE(std::string(format.word));
+            CAPTURE(as_stroke);
+            for (const float wrong : {nan, INFINITY, -INFINITY, 9e12f, -9e12f, 4.0f}) {
+                CHECK_FALSE(saved(format.format, wrong, 0.5f, 0.01f, as_stroke));
+                CHECK_FALSE(saved(format.format, 0.05f, wrong, 0.01f, as_stroke));
+                if (!as_stroke && format.format != DrawingFormat::hpgl)
+                    CHECK_FALSE(saved(format.format, 0.05f, 0.5f, wrong + 1, false));
+            }
+            CHECK(saved(format.format, -0.3f, 1.3f, 0.3f, as_stroke));
+            put_text(file, "the old drawing");
+        }
+    }
+}
 
 TEST_CASE("the time of G-code is that of its feed, its rests and the machine's acceleration, as by hand") {
     Dots dots;  // two moves of 100 mm

@@ -212,9 +212,19 @@ TEST_CASE("another picture is not saved over the one before") {
     REQUIRE(brings([&] { return session.placed_once(); }));
     session.save(folder / "a.csv");
     REQUIRE(brings([&] { return session.saved_path() == folder / "a.csv"; }));
+    // Nor does redo bring back what was undone of that.
+    session.settings.drawing.placing.count = 321;
+    session.remember(false);
+    session.undo();
+    session.remember(false);
+    REQUIRE(session.redo_words());
     session.open_sample();
     REQUIRE(brings([&] { return session.pictures() == 2; }));
     CHECK(session.saved_path().empty());
+    session.remember(false);
+    CHECK_FALSE(session.redo_words());
+    session.redo();
+    CHECK(session.settings.drawing.placing.count != 321u);
 }
 
 TEST_CASE("a placing that takes too long can be given up: drawing and settings are as before") {

@@ -76,6 +76,20 @@ TEST_CASE("numbers of any size are told in words that can be read") {
     CHECK(in_round_words(1.5e16) == "1.5 x 10^16");
 }
 
+TEST_CASE("lengths are told without powers of ten, and one dot is not many") {
+    CHECK(millimetres_in_words(263.1) == "263 mm");
+    CHECK(millimetres_in_words(0.3142) == "0.31 mm");
+    CHECK(millimetres_in_words(9.96) == "10 mm");
+    CHECK(millimetres_in_words(2e-7) == "0 mm");
+    CHECK(way_in_words(12.34) == "12.3 m");
+    CHECK(way_in_words(0.421) == "42 cm");
+    CHECK(way_in_words(0.0031) == "3.1 mm");
+    CHECK(way_in_words(0) == "0 mm");
+    CHECK(dots_in_words(1) == "1 dot");
+    CHECK(dots_in_words(0) == "0 dots");
+    CHECK(dots_in_words(12'345) == "12,345 dots");
+}
+
 TEST_CASE("what is UTF-8 is told from what is not") {
     CHECK(is_utf8(""));
     CHECK(is_utf8("abc\n \u00e4 \u20ac \U0001f600"));

@@ -197,6 +197,16 @@ TEST_CASE("a path of one's own is read strictly, and its curves are where their 
     CHECK(complaint_about_mark("M0,0 L1,1e99999").find("a number") != std::string::npos);
     CHECK(complaint_about_mark("M0,0 A1,1 0 2 0 1,1").find("flag") != std::string::npos);
     CHECK(complaint_about_mark("M").find("a number") != std::string::npos);
+    // What a machine would be sent far away by.
+    for (const char* const hostile :
+         {"M0,0 A1e-200,1e-200 0 0 1 1,1", "M0,0 A1e-9,1 0 0 1 1,1", "M0,0 A1,1 1e300 0 1 2,2"})
+        CHECK(complaint_about_mark(hostile).find("the path 'M0,0 A1") == 0);
+    for (const char* const hostile :
+         {"M0,0 C1e308,1e308 -1e308,-1e308 1,1", "M0,0 Q1e308,0 1,1 Q-1e308,0 0,0"})
+        CHECK(complaint_about_mark(hostile).find("its box is from 0,0 to 1,1") != std::string::npos);
+    for (const glm::dvec2 p :
+         parse_dot_path("M.5,.5 A1,1 0 0 1 .5,.5000000001 A1e-6,1e-6 30 1 0 .4,.4").points)
+        CHECK((p.x >= -1e-6 && p.x <= 1 + 1e-6 && p.y >= -1e-6 && p.y <= 1 + 1e-6));
     CHECK(text_of(parse_dot_mark("M0,0 L1,1")) == "M0,0 L1,1");
 }
 

@@ -101,8 +101,9 @@ TEST_CASE("an SVG has a background only if asked for") {
     style.background = parse_colour("#fed");
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style);
     const pugi::xml_node first = document.child("svg").first_child();
-    CHECK(first.name() == std::string("rect"));
-    CHECK(first.attribute("fill").value() == std::string("#ffeedd"));
+    CHECK(first.attribute("inkscape:label").value() == std::string("% Background"));
+    CHECK(first.child("rect").attribute("fill").value() == std::string("#ffeedd"));
+    CHECK(!document.child("svg").child("rect"));
 }
 
 TEST_CASE("tiles are the second layer, one colour a level") {
@@ -113,7 +114,7 @@ TEST_CASE("tiles are the second layer, one colour a level") {
     style.tiles = tiles;
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style);
     const pugi::xml_node layer = document.child("svg").child("g").next_sibling("g");
-    CHECK(layer.attribute("inkscape:label").value() == std::string("2 Tiles"));
+    CHECK(layer.attribute("inkscape:label").value() == std::string("% Tiles"));
     std::set<std::string> strokes;
     std::size_t outlines = 0;
     for (const pugi::xml_node& level : layer.children("g")) {

@@ -3,6 +3,7 @@
 // Everything waits until what it did is seen in what the program logs.
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -655,6 +656,35 @@ TEST_CASE("what is not saved is asked about before the window closes: it can sta
     viewer.key("Return");
     CHECK(viewer.wait_for_end() == 0);
     CHECK(json::parse(text_of(folder / "grey.dapple"))["drawing"]["tone"]["invert"] == true);
+}
+
+TEST_CASE("a window that is still saving asks before it goes, and goes once the file is whole") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    // Saving waits for somebody who reads it.
+    REQUIRE(::mkfifo((folder / "grey.svg").c_str(), 0600) == 0);
+    Display display;
+    RunningViewer viewer(folder.path(), {"grey.pgm"});
+    const auto save = [&] {
+        viewer.move(300, 300);
+        viewer.key("ctrl+e");
+        viewer.click("Accept");
+        viewer.click("Replace");
+        REQUIRE(viewer.shows([&] { return viewer.has("Cancel saving"); }));
+    };
+    save();
+    viewer.key("ctrl+q");
+    REQUIRE(viewer.shows([&] { return viewer.has("Quit without it"); }));
+    viewer.key("Escape");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Quit without it"); }));
+    CHECK(viewer.has("Cancel saving"));
+    viewer.key("ctrl+q");
+    viewer.click("Quit once it is saved");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Quit without it"); }));
+    CHECK_FALSE(viewer.has_ended());
+    const std::string drawing = text_of(folder / "grey.svg");  // to its end
+    CHECK(drawing.ends_with("</svg>\n"));
+    CHECK(viewer.wait_for_end() == 0);
 }
 
 TEST_CASE("a drawing that was not saved when the program was killed comes back, and is still to be saved") {

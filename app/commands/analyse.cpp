@@ -10,6 +10,7 @@
 #include "app/analysis/report_json.h"
 #include "app/analysis/report_page.h"
 #include "app/analysis/subject.h"
+#include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
@@ -153,7 +154,6 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
 
 void analyse(const AnalyseOptions& options) {
     const ReportFormat format = report_format(options.output);
-    check_apart(options.output, {{options.input, "what is analysed"}, {options.drawing.tile, "the tile"}});
     check_can_save(options.output);
     const Subject subject = subject_of(options);
     if (subject.points.empty()) {
@@ -220,6 +220,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     command->callback([this, command] {
         check_options(*command, options_.drawing);
         check_that_fit(*command, options_);
+        check_apart(*command, {"--output"}, {{options_.output, "the report"}});
         analyse(options_);
     });
 }

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/commands/render_report.h"
+#include "app/files/atomic_file.h"
 #include "app/progress_line.h"
 #include "app/shown_text.h"
 
@@ -73,12 +74,7 @@ BatchResult render_batch(const RenderOptions& options, const std::vector<fs::pat
     const fs::path& folder = options.output;
     const DrawingFormat format = options.format.value_or(DrawingFormat::svg);
     check_names_differ(pictures, folder, format);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw std::runtime_error(
-            fmt::format("{}: the folder cannot be made: {}", printable(folder.native()), error.message()));
-    }
+    make_folder(folder);
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     const int usual = std::clamp(cores / 2, 1, kMostUsualJobs);
     const std::size_t at_once = std::min<std::size_t>(jobs > 0 ? jobs : usual, pictures.size());

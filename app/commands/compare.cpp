@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/analysis/report_page.h"
+#include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/compare/compare_report.h"
 #include "app/compare/contenders.h"
@@ -101,10 +102,6 @@ std::string in_lines(const std::string& text) {
 void compare(const CompareOptions& options) {
     check_ending(options.json, ".json", ".json", "--json");
     check_ending(options.page, ".html", ".xhtml", "--page");
-    for (const std::optional<fs::path>& file : {options.json, options.page})
-        if (file)
-            for (const fs::path& picture : options.pictures)
-                check_apart(*file, {{std::optional(picture), "a picture that is compared"}});
     const std::vector<Contender> methods =
         options.methods.empty() ? all_contenders() : contenders_named(options.methods);
     CompareRequest request = request_of(options);
@@ -187,7 +184,13 @@ CompareCommand::CompareCommand(CLI::App& program) {
                     "  dapple compare --page compare.html              all of them; takes some minutes\n"
                     "  dapple compare cat.jpg --methods dapple,lloyd,sobol --most 100000\n"
                     "  dapple compare --methods dapple --dots 65536,92672,131072 --json levels.json");
-    command->callback([this] { compare(options_); });
+    command->callback([this, command] {
+        std::vector<FileInUse> written;
+        if (options_.json) written.push_back({*options_.json, "the numbers"});
+        if (options_.page) written.push_back({*options_.page, "the page"});
+        check_apart(*command, {"--json", "--page"}, written);
+        compare(options_);
+    });
 }
 
 }  // namespace dapple

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment_file.h"
@@ -21,11 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReportEndings = ".html, .csv or .svg";
-
-void check_files(const LightsOptions& options) {
-    check_apart(options.output, {{options.map, "the map"}, {options.tile, "the tile"}});
-    check_can_save(options.output);
-}
 
 bool is_report(const fs::path& output) {
     const std::string ending = ending_of(output);
@@ -73,7 +69,7 @@ void lights(const LightsOptions& options) {
         throw std::runtime_error(
             fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
     }
-    check_files(options);
+    check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
     if (!meets_itself(tile.tile())) {
@@ -95,7 +91,7 @@ void compare_lights(const LightsOptions& options) {
         throw std::runtime_error(
             fmt::format("{}: does not end in {}", options.output.string(), kReportEndings));
     }
-    check_files(options);
+    check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
     const LightComparison comparison = compare_samplers(map, tile);
@@ -180,6 +176,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
                                                                     ", such as -o report.html");
             }
             check_that_fit(*command, options_);
+            check_apart(*command, {"--output"}, {{options_.output, "the report"}});
             return compare_lights(options_);
         }
         if (options_.output.empty()) {
@@ -192,6 +189,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
                                        options_.output.string() + " does not end in " + kLightEndings);
         }
         check_that_fit(*command, options_);
+        check_apart(*command, {"--output"}, {{options_.output, "the lights"}});
         lights(options_);
     });
 }

@@ -374,8 +374,9 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         "picture, or auto:N:fineliners for those of a palette that do, each with a width if wanted as in "
         "cmyk:0.3mm; or your own as "
         "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON; or a "
-        "palette by its name, such as fineliners, or one that the window saved. No two dots of any pens "
-        "collide. With a width all dots are that large, and so much larger as the dot gain says "
+        "palette by its name, such as fineliners, or one that the window saved. Dots of all "
+        "pens keep apart, and overlap only where it is dark. With a width all dots are that large, and so "
+        "much larger as the dot gain says "
         "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
         "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
         ->default_str("one");
@@ -439,6 +440,10 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
             name,
             "cannot be given together with two radii: how many dots there are follows from their sizes");
     }
+    if (given("--black") && settings.tone.black && (by_tone || settings.style != DrawingStyle::dots))
+        throw CLI::ValidationError("--black", by_tone ? "has no effect with two radii: such dots grow until "
+                                                        "black is solid; leave it out"
+                                                      : "has no effect on lines; leave it out");
     if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
                                    "the figure8 placer's dots are shown as they are; leave it out");

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
-#include "app/files/atomic_file.h"
 #include "app/files/picture.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
@@ -30,9 +32,6 @@ void show_picture(Pipeline& pipeline, const RecordOptions& options) {
 
 void record(const RecordOptions& options) {
     check_film_path(options.output);
-    check_apart(options.output, {{options.image, "the picture"},
-                                 {options.project, "the project"},
-                                 {options.drawing.tile, "the tile"}});
     const DrawingSettings settings = film_settings(options.drawing, options.film.kind);
     Pipeline pipeline;
     pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
@@ -57,7 +56,6 @@ RecordCommand::RecordCommand(CLI::App& program) {
             return;
         }
         ProjectInput project = read_project_input(file);
-        options_.project = file;
         options_.image = project.picture;
         options_.drawing = std::move(project.drawing);
         // As the window plays it.
@@ -118,6 +116,12 @@ RecordCommand::RecordCommand(CLI::App& program) {
                    {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--relax",
                     "--placer"},
                    "shows in the film of a plot only; give --show plot too");
+        std::vector<FileInUse> written;
+        for (const std::filesystem::path& file : files_of(options_.output, options_.film))
+            written.push_back({file, "the film"});
+        std::vector<FileInUse> read{{options_.drawing.tile, "the tile"}};
+        if (options_.image) read.push_back({*options_.image, "the picture"});
+        check_apart(*command, {"--output"}, written, read);
         record(options_);
     });
 }

@@ -14,9 +14,8 @@ class App;
 namespace dapple {
 
 struct RecordOptions {
-    std::optional<std::filesystem::path> image;    // none: the built-in sample
-    std::optional<std::filesystem::path> project;  // that it was named by
-    std::filesystem::path output;                  // see check_film_path()
+    std::optional<std::filesystem::path> image;  // none: the built-in sample
+    std::filesystem::path output;                // see check_film_path()
     DrawingSettings drawing;
     FilmChoice film;
 };

@@ -82,25 +82,12 @@ class Stages {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void check_files(const RenderOptions& options) {
-    FileInUse picture{options.image, "the picture"}, drawing{options.output, "the drawing"};
-    const FileInUse tile{options.drawing.tile, "the tile"}, project{options.project, "the project"},
-        settings{options.settings_from, "the settings"}, mask{options.mask, "the mask"};
-    if (reads_standard_input(options)) picture.path.reset();
-    if (is_standard_stream(options.output)) {
-        drawing.path.reset();
-        if (is_binary(format_of(options)) && ::isatty(STDOUT_FILENO)) {
-            throw std::runtime_error(
-                "the standard output is a terminal, which cannot show such a drawing; send it to a file or "
-                "a program");
-        }
-    } else {
-        check_apart(options.output, {picture, tile, project, mask});
-        check_can_save(options.output);
-    }
-    if (!options.stats || is_standard_stream(*options.stats)) return;
-    check_apart(*options.stats, {picture, tile, project, settings, mask, drawing});
-    check_stats(options);
+void check_output(const RenderOptions& options) {
+    if (!is_standard_stream(options.output)) return check_can_save(options.output);
+    if (!is_binary(format_of(options)) || !::isatty(STDOUT_FILENO)) return;
+    throw std::runtime_error(
+        "the standard output is a terminal, which cannot show such a drawing; send it to a file or a "
+        "program");
 }
 
 Picture picture_of(const RenderOptions& options) {
@@ -154,10 +141,9 @@ std::vector<std::filesystem::path> pen_files_of(const RenderOptions& options, Dr
     if (is_standard_stream(options.output)) return {};
     auto files = files_of(options.output, format, options.saving, pens);
     std::erase(files, options.output);
-    FileInUse picture{options.image, "the picture"};
-    if (reads_standard_input(options)) picture.path.reset();
-    for (const auto& file : files)
-        check_apart(file, {picture, {options.project, "the project"}, {options.mask, "the mask"}});
+    std::vector<FileInUse> written;
+    for (const auto& file : files) written.push_back({file, "a pen's file"});
+    check_apart(written, options.read);
     return files;
 }
 
@@ -180,7 +166,8 @@ DrawingFormat format_of(const RenderOptions& options) {
 Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     const DrawingSettings& settings = options.drawing;
     const DrawingFormat format = format_of(options);
-    check_files(options);
+    check_output(options);
+    check_stats(options);
     Stages stages(watcher);
     RenderTimes times;
     Pipeline pipeline;

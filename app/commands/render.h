@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/drawing_settings.h"
+#include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
 #include "app/files/picture.h"
 #include "core/output/sheet.h"
@@ -26,6 +28,7 @@ struct RenderOptions {
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     PictureLimit limit = PictureLimit::usual;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
+    std::vector<FileInUse> read = {};            // the picture and all else, which nothing is written over
 };
 
 /// What is written: as --format, or else the output's name, says. Throws std::runtime_error if neither does.

@@ -9,6 +9,7 @@
 #include "app/commands/batch.h"
 #include "app/commands/options.h"
 #include "app/files/drawing_facts.h"
+#include "app/files/gcode_choice.h"
 #include "app/files/save_drawing.h"
 
 namespace dapple {
@@ -143,6 +144,14 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
         refuse(command,
                {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
                "applies to G-code only; " + let_it_end_in(".gcode or .nc"));
+    if (format == DrawingFormat::gcode) {
+        try {
+            check_heights(options.saving);
+        } catch (const std::runtime_error& error) {
+            throw CLI::ValidationError(command.count("--pen-down") > 0 ? "--pen-down" : "--pen-up",
+                                       error.what());
+        }
+    }
     const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
     if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "app/commands/batch.h"
+#include "app/commands/files_in_use.h"
 #include "app/commands/gcode_options.h"
 #include "app/commands/mural.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
 #include "app/commands/render_checks.h"
 #include "app/commands/render_report.h"
+#include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
@@ -61,7 +63,7 @@ void take_folder(RenderOptions& options, std::size_t pictures) {
         throw CLI::ValidationError("--output", options.output.string() +
                                                    " is a folder, where drawings have their pictures' names, "
                                                    "and this picture has none; name a file");
-    std::filesystem::create_directories(options.output);
+    make_folder(options.output);
     options.output = output_in(options.output, *options.image, *options.format);
 }
 
@@ -204,6 +206,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it out");
         take_part(*command, options_);
         check_that_fit(*command, options_);
+        check_apart(*command, options_, pictures_);
         if (pictures_.empty()) {
             if (is_several(options_.drawing.sheets))
                 render_mural(options_);

@@ -43,7 +43,7 @@ void print_pens(const Rendered& drawn) {
     for (const PenFigures& figures : drawn.by_pen) {
         const Pen& pen = drawn.pens[static_cast<std::size_t>(figures.pen)];
         const std::string time = drawn.plotting ? ", " + time_in_words(figures.time.total_s()) : "";
-        fmt::print(stderr, "  {} {}: {} dots{}\n", figures.pen + 1, pen.name, grouped(figures.dots), time);
+        fmt::print(stderr, "  {} {}: {}{}\n", figures.pen + 1, pen.name, dots_in_words(figures.dots), time);
     }
 }
 
@@ -76,9 +76,12 @@ nlohmann::ordered_json pens_json(const Rendered& drawn) {
 }
 
 std::string strokes_in_words(const StrokeFigures& strokes) {
-    if (strokes.drawn_m == 0) return fmt::format("touches the paper {} times", grouped(strokes.strokes));
-    return fmt::format("draws {} {} of {:.1f} m", grouped(strokes.strokes),
-                       strokes.strokes == 1 ? "line" : "lines", strokes.drawn_m);
+    const bool one = strokes.strokes == 1;
+    if (strokes.drawn_m == 0)
+        return one ? "touches the paper once"
+                   : fmt::format("touches the paper {} times", grouped(strokes.strokes));
+    return fmt::format("draws {} {} of {}", grouped(strokes.strokes), one ? "line" : "lines",
+                       way_in_words(strokes.drawn_m));
 }
 
 }  // namespace
@@ -86,31 +89,38 @@ std::string strokes_in_words(const StrokeFigures& strokes) {
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::optional<std::uint64_t> bytes = bytes_written(options, drawn);
     const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
+    // The ways from one pen's dots to the next one's are in one of the two only.
+    const bool shortened =
+        drawn.curve_way_m && drawn.preflight && *drawn.curve_way_m > 1.01 * drawn.preflight->pen_up_m;
     const std::string saved =
-        drawn.curve_way_m ? fmt::format(" ({:.1f} m before its way was shortened)", *drawn.curve_way_m)
+        shortened ? fmt::format(" ({} before its way was shortened)", way_in_words(*drawn.curve_way_m))
         : drawn.plotting && drawn.order == DotOrder::space && !options.saving.order
             ? " (so many dots follow a curve; --order shortest finds a shorter way)"
             : "";
     const bool alike =
         options.drawing.dot_size.sizing != DotSizing::by_tone && drawn.pens.empty() && !drawn.strokes;
     const std::string wide =
-        alike && drawn.dots > 0 ? fmt::format(", {:.2g} mm wide", 2 * drawn.radius_mm) : "";
-    const std::string dots = grouped(drawn.dots) + (drawn.dots == 1 ? " dot" : " dots") + size + wide;
+        alike && drawn.dots > 0 ? fmt::format(", {} wide", millimetres_in_words(2 * drawn.radius_mm)) : "";
+    const std::string dots = dots_in_words(drawn.dots) + size + wide;
     if (drawn.dots == 0)
         fmt::print(stderr, "{}: all of this is bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
-        fmt::print(stderr, "{}; the pen {}, and moves {:.1f} m between them{}\n", dots,
-                   strokes_in_words(*strokes), strokes->pen_up_m,
-                   strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
-                       ? saved
-                       : fmt::format("; from dot to dot {:.1f} m{}", drawn.preflight->pen_up_m, saved));
+        fmt::print(
+            stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes),
+            strokes->strokes > 1 ? fmt::format(", and moves {} between them", way_in_words(strokes->pen_up_m))
+                                 : "",
+            strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
+                ? saved
+                : fmt::format("; from dot to dot {}{}", way_in_words(drawn.preflight->pen_up_m), saved));
     else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
     else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)
-        fmt::print(stderr, "{}; the nearest are {:.2g} mm apart\n", dots, drawn.preflight->nearest_mm);
+        fmt::print(stderr, "{}; the nearest are {} apart\n", dots,
+                   millimetres_in_words(drawn.preflight->nearest_mm));
     else if (drawn.preflight && drawn.dots > 1)
-        fmt::print(stderr, "{}; the pen moves {:.1f} m between them{}; the nearest are {:.2g} mm apart\n",
-                   dots, drawn.preflight->pen_up_m, saved, drawn.preflight->nearest_mm);
+        fmt::print(stderr, "{}; the pen moves {} between them{}; the nearest are {} apart\n", dots,
+                   way_in_words(drawn.preflight->pen_up_m), saved,
+                   millimetres_in_words(drawn.preflight->nearest_mm));
     else
         fmt::print(stderr, "{}\n", dots);
     if (drawn.plotting && drawn.dots > 0) {

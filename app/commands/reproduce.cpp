@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/commands/files_in_use.h"
 #include "app/files/atomic_file.h"
 #include "app/reproduce/figures.h"
 #include "app/shown_text.h"
@@ -19,13 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-        throw std::runtime_error(fmt::format("{}: is a file, not a folder; name a folder", folder.string()));
-    fs::create_directory(folder, error);
-    if (error)
-        throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+fs::path page_in(const fs::path& folder) {
+    return folder / "index.html";
+}
+fs::path numbers_in(const fs::path& folder) {
+    return folder / "numbers.json";
 }
 
 // A difference that is explained is neither good nor bad.
@@ -79,7 +78,7 @@ void check_equal(std::span<const ComparedNumber> rows, const fs::path& page) {
 
 void reproduce(const ReproduceOptions& options) {
     make_folder(options.folder);
-    const fs::path page_file = options.folder / "index.html", numbers_file = options.folder / "numbers.json";
+    const fs::path page_file = page_in(options.folder), numbers_file = numbers_in(options.folder);
     check_can_save(page_file);
     check_can_save(numbers_file);
 
@@ -176,7 +175,11 @@ ReproduceCommand::ReproduceCommand(CLI::App& program) {
         "Examples:\n"
         "  dapple reproduce -o paper\n"
         "  dapple reproduce -o paper --environment hall.hdr venice.hdr");
-    command->callback([this] { reproduce(options_); });
+    command->callback([this, command] {
+        check_apart(*command, {"--output"},
+                    {{page_in(options_.folder), "the page"}, {numbers_in(options_.folder), "the numbers"}});
+        reproduce(options_);
+    });
 }
 
 }  // namespace dapple

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/commands/files_in_use.h"
 #include "app/commands/gcode_options.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
@@ -75,6 +76,7 @@ TestSheetCommand::TestSheetCommand(CLI::App& program) {
                 *command,
                 {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
                 "applies to G-code only; let the name end in .gcode or .nc");
+        check_apart(*command, {"--output"}, {{output_, "the page"}});
         save();
     });
 }

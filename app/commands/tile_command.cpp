@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "app/analysis/black_seams.h"
+#include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
@@ -199,10 +200,10 @@ void TileCommand::add_show(CLI::App& parent) {
     add_tile_name(*command, name_);
     add_output(*command, output_, "The drawing; its name ends in .svg");
     add_ranking(*command, ranking_);
-    command->callback([this] {
+    command->callback([this, command] {
         if (ending_of(output_) != ".svg")
             throw CLI::ValidationError("--output", output_.string() + " does not end in .svg");
-        check_apart(output_, {{name_, "the tile"}});
+        check_apart(*command, {"--output"}, {{output_, "the figure"}});
         check_can_save(output_);
         StoredTile stored = load_tile(name_);
         if (ranking_) stored = ranked(std::move(stored.tile), *ranking_);
@@ -219,8 +220,8 @@ void TileCommand::add_rank(CLI::App& parent) {
                "stays evenest; searched: evener between levels too, takes a minute for 4,096 points; stored: "
                "as in the file");
     add_output(*command, output_, "The tile file");
-    command->callback([this] {
-        check_apart(output_, {{name_, "the tile that is ranked"}});
+    command->callback([this, command] {
+        check_apart(*command, {"--output"}, {{output_, "the tile file"}});
         check_can_save(output_);
         const StoredTile stored = ranked_anew(load_perhaps_unranked(name_), name_, new_ranking_);
         save_tile(output_, stored);

@@ -165,7 +165,7 @@ void search_by_radius(const TileSearchOptions& options, std::ostream& out) {
         options.resume.value_or(fs::path(fmt::format("dapple-search-{}.txt", state.points)));
     if (!options.resume) check_nothing_is_lost(rest);
     if (options.output) {
-        check_apart(*options.output, {{rest, "the search that can be gone on with"}});
+        check_apart({{*options.output, "the tile"}}, {{rest, "the search that can be gone on with"}});
         check_can_save(*options.output);
     }
     check_can_save(rest);

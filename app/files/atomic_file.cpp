@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <chrono>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
@@ -181,29 +183,42 @@ fs::path destination_of(const fs::path& target) {
     return place;
 }
 
-// A path that all names of a file share. Devices and pipes have none: writing to them twice destroys nothing.
-std::optional<fs::path> one_name_of(const fs::path& file) {
+// Of a file that is there its place on the disk, which all its names and links share; else its one name.
+// Nothing of a pipe or a device.
+std::optional<std::string> identity_of(const fs::path& file) {
+    struct stat status;
+    if (::stat(file.c_str(), &status) == 0) {
+        if (!S_ISREG(status.st_mode)) return std::nullopt;
+        return fmt::format("{}:{}", status.st_dev, status.st_ino);
+    }
     std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
     const fs::path absolute = fs::absolute(destination_of(file), error);
     const fs::path canonical = fs::weakly_canonical(absolute, error);
-    return error ? absolute.lexically_normal() : canonical;
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    const std::optional<fs::path> name = one_name_of(a);
-    return name && (name == one_name_of(b) || fs::equivalent(a, b, error));
+    return (error ? absolute.lexically_normal() : canonical).string();
 }
 
 }  // namespace
 
-void check_apart(const fs::path& output, std::initializer_list<FileInUse> in_use) {
-    for (const FileInUse& file : in_use) {
-        if (file.path && same_file(output, *file.path))
-            fail(output, fmt::format("would be written over {}; choose another name", file.what));
+void check_apart(const std::vector<FileInUse>& written, const std::vector<FileInUse>& read) {
+    std::map<std::string, std::string> in_use;
+    for (const FileInUse& file : read)
+        if (const auto identity = identity_of(file.path)) in_use.emplace(*identity, file.what);
+    for (const FileInUse& file : written) {
+        const auto identity = identity_of(file.path);
+        if (!identity) continue;
+        const auto [there, is_new] = in_use.emplace(*identity, file.what);
+        if (!is_new)
+            fail(file.path, fmt::format("would be written over {}; choose another name", there->second));
     }
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    const fs::file_status status = fs::status(folder, error);
+    if (fs::is_directory(status)) return;
+    if (fs::exists(status)) fail(folder, "is a file, not a folder; name a folder");
+    fs::create_directories(folder, error);
+    if (error) fail(folder, fmt::format("the folder cannot be made: {}", error.message()));
 }
 
 void check_can_save(const fs::path& target) {

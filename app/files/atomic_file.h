@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
-#include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace dapple {
 
@@ -29,14 +29,19 @@ void write_to_standard_output(const std::function<void(std::ostream&)>& write);
 /// misspelt folder.
 void check_can_save(const std::filesystem::path& target);
 
-/// A file that a command reads or writes, and what to call it in a sentence: "the picture". No path, none.
+/// Makes a folder that files go into, and those around it, unless it is there. Throws std::runtime_error
+/// naming it and why it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
+/// A file that is read or written, and what to call it in a sentence: "the picture".
 struct FileInUse {
-    std::optional<std::filesystem::path> path;
-    const char* what = "";
+    std::filesystem::path path;
+    std::string what;
 };
 
-/// Throws std::runtime_error if `output` is one of the files in use, however its name is written ("./a.svg"
-/// is "a.svg", and a link is what it leads to): saving it would destroy the other. No file need exist yet.
-void check_apart(const std::filesystem::path& output, std::initializer_list<FileInUse> in_use);
+/// Throws std::runtime_error if one of the files that are written is one of those read, or one written
+/// before it, however its name is written ("./a.svg" is "a.svg", and a link is what it leads to): saving it
+/// would destroy the other. No file need exist yet. Pipes and devices are never in each other's way.
+void check_apart(const std::vector<FileInUse>& written, const std::vector<FileInUse>& read);
 
 }  // namespace dapple

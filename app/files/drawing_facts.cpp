@@ -51,8 +51,8 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
         const double times = 2 * drawing.dot_radius_mm / facts.ink.stroke_width_mm;
         facts.for_tone = {static_cast<double>(facts.dots) * times * times, drawing.dot_radius_mm};
     }
-    if (facts.is_svg && !drawing.tiles.empty())
-        facts.tile_layer = static_cast<int>(std::max<std::size_t>(drawing.pens.size(), 1)) + 1;
+    facts.has_tile_layer = facts.is_svg && !drawing.tiles.empty();
+    facts.has_background = facts.is_svg && settings.background;
     return facts;
 }
 

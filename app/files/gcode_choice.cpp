@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/files/text_file.h"
 #include "app/shown_text.h"
@@ -36,6 +37,19 @@ GcodeStyle gcode_style_of(const SavingChoice& saving) {
             .dwell_s = saving.dwell_s,
             .heights = {saving.pen_up.value_or(usual.up), saving.pen_down.value_or(usual.down)},
             .laser_power = saving.laser_power};
+}
+
+void check_heights(const SavingChoice& saving) {
+    const GcodeStyle style = gcode_style_of(saving);
+    const auto names = [](const std::vector<GcodePiece>& pieces, GcodePiece::Kind kind) {
+        return std::ranges::find(pieces, kind, &GcodePiece::kind) != pieces.end();
+    };
+    const std::vector<GcodePiece>& dot = style.lines.each_dot;
+    if (!names(dot, GcodePiece::Kind::up) || !names(dot, GcodePiece::Kind::down)) return;
+    if (style.heights.up != style.heights.down) return;
+    throw std::runtime_error(fmt::format(
+        "the pen is up at {0:g} and down at {0:g}, so it would never be lifted; give it two heights",
+        style.heights.up));
 }
 
 MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving) {

@@ -13,6 +13,9 @@ namespace dapple {
 /// Reads a template. Throws std::runtime_error naming the file, and the line that is wrong.
 OwnTemplate read_gcode_template(const std::filesystem::path& file);
 
+/// Throws std::runtime_error if the pen is up where it is down: it would draw on its way between dots.
+void check_heights(const SavingChoice& saving);
+
 /// Throws what parse_gcode_template() throws.
 GcodeStyle gcode_style_of(const SavingChoice& saving);
 

@@ -225,7 +225,7 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
                const WritingProgress& progress) {
     write_page(out, dots.count, page, style, progress, [&](PdfPages& pdf, const WritingProgress& gathering) {
         PdfDots drawn(pdf.context());
-        DotsReport report(dots.count, gathering);
+        DotsReport report(dots.count, page, gathering);
         std::uint64_t on_page = 0;
         int pen = -1;
         dots.for_each_piece([&](const Dots& piece) {
@@ -235,10 +235,10 @@ void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, c
                 begin_pen(pdf, style, pen);
             }
             for (std::size_t i = 0; i < piece.size(); ++i) {
-                report.next();
                 const double radius_mm =
                     piece.radius.empty() ? style.dot_radius_mm : piece.radius[i] * page.mm_per_page_unit;
                 const glm::dvec2 at_mm = glm::dvec2(piece.x[i], piece.y[i]) * page.mm_per_page_unit;
+                report.next(at_mm.x, at_mm.y, radius_mm);
                 on_page += lies_on(page, at_mm) ? 1 : 0;
                 drawn.add(at_mm * kPointsPerMm, radius_mm);
             }
@@ -259,7 +259,7 @@ void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& p
         std::size_t waiting = 0;  // points of the path
         std::uint64_t on_page = 0;
         int pen = -1;
-        for_each_stroke(strokes, gathering, [&](std::span<const glm::dvec2> points, int its_pen) {
+        for_each_stroke(strokes, page, gathering, [&](std::span<const glm::dvec2> points, int its_pen) {
             if (!style.pens.empty() && its_pen != pen) {
                 cairo_stroke(context);
                 pen = its_pen;

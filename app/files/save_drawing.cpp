@@ -221,6 +221,7 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                 return pixels([&](const auto&... image) { write_tiff_16(out, image...); }, in_16_bits);
             return pixels([&](const auto&... image) { write_tiff(out, image...); }, in_8_bits);
         case DrawingFormat::gcode: {
+            check_heights(drawing.saving);
             GcodeStyle style = gcode_style_of(drawing.saving);
             std::vector<std::string> comments;  // of a template of one's own they may begin otherwise
             if (drawing.saving.gcode_template.text.empty())

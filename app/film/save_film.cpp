@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
@@ -24,12 +25,16 @@ double share_of(int frame, int frames) {
     return frames > 1 ? static_cast<double>(frame) / (frames - 1) : 1;
 }
 
+fs::path frame_file(const fs::path& folder, int frame) {
+    return folder / fmt::format("frame-{:04}.png", frame + 1);
+}
+
 bool save_frames(const fs::path& folder, const FilmFrame& frame, int frames, const SavingWatch& watch) {
-    fs::create_directories(folder);
+    make_folder(folder);
     for (int i = 0; i < frames; ++i) {
         if (watch.stop.stop_requested()) return false;
         const Grid<glm::u8vec3> pixels = frame(share_of(i, frames));
-        save_atomically(folder / fmt::format("frame-{:04}.png", i + 1), [&](std::ostream& out) {
+        save_atomically(frame_file(folder, i), [&](std::ostream& out) {
             write_png(out, {.width = pixels.width, .height = pixels.height, .dpi = 96},
                       [&](const PixelSink& sink) { sink(pixels); });
         });
@@ -47,6 +52,13 @@ void check_film_path(const fs::path& path) {
     if (is_film(path)) return check_can_save(path);
     throw std::runtime_error(printable(path.string()) +
                              ": a film's name ends in .webp, and in / for a folder of numbered PNG files");
+}
+
+std::vector<fs::path> files_of(const fs::path& path, const FilmChoice& choice) {
+    if (is_film(path)) return {path};
+    std::vector<fs::path> frames;
+    for (int i = 0; i < frames_of(choice); ++i) frames.push_back(frame_file(path, i));
+    return frames;
 }
 
 bool save_film(const fs::path& path, const FilmFrame& frame, const FilmChoice& choice,

@@ -60,7 +60,7 @@ void NamedFiles::save(const std::string& name, const std::string& text) const {
     if (folder.empty())
         throw std::runtime_error(
             fmt::format("there is no home folder to keep {}s in; set HOME to one", what));
-    fs::create_directories(folder);
+    make_folder(folder);
     save_atomically(path_of(name), [&](std::ostream& out) { out << text; });
 }
 

@@ -249,11 +249,22 @@ std::string text_of(const Margins& margins) {
 Crop parse_crop(std::string_view text) {
     Crop crop;
     std::string numbers;
-    const auto percents = std::ranges::count(text, '%');
-    for (const char c : text)
-        if (c != '%') numbers += c;
+    int percents = 0, zeros = 0;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = std::min(rest.find_first_of(",x"), rest.size());
+        std::string_view number = rest.substr(0, end);
+        if (number.ends_with('%')) {
+            ++percents;
+            number.remove_suffix(1);
+        } else if (number_of<double>(number) == 0) {
+            ++zeros;  // the same in either unit
+        }
+        numbers += number;
+        numbers += rest.substr(end, 1);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
     const auto values = numbers_of<double, 4>(numbers, ",,x");
-    if (!values || (percents != 0 && percents != 4)) {
+    if (!values || (percents > 0 && percents + zeros != 4)) {
         throw std::runtime_error(fmt::format(
             "{} is not a part of a picture; write X,Y,WIDTHxHEIGHT in pixels, as in 100,50,640x480, "
             "or in percent, as in 10%,10%,50%x80%",

@@ -182,6 +182,7 @@ class OverlappingDots {
     float density_of(float covered, const AllDots& all, float power) const {
         constexpr int kRounds = 4;
         constexpr float kLeastSlope = 0.2f;  // of the load, where the formula overshoots
+        constexpr float kMostShare = 4;      // where no share covers so much, more and more would be tried
         const float load = ink_.load(all.density), overlap = std::max(load - all.covered, 0.0f);
         if (joined_) return ink_.density(covered);
         if (covered <= 0 || load <= 0) return 0;
@@ -189,7 +190,7 @@ class OverlappingDots {
         for (int round = 0; round < kRounds; ++round) {
             const float twice = overlap * std::pow(share, power - 1);
             const float slope = std::max(load - power * twice, kLeastSlope * load);
-            share += (covered - share * (load - twice)) / slope;
+            share = std::min(share + (covered - share * (load - twice)) / slope, kMostShare);
         }
         return share * all.density;
     }

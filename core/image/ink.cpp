@@ -254,7 +254,7 @@ float InkCurve::load(float density) const {
 }
 
 float InkCurve::coverage(float density) const {
-    const float at = std::clamp(density, 0.0f, 1.0f) * kSteps;
+    const float at = density > 0 ? std::min(density, 1.0f) * kSteps : 0;  // nor is what is not a number
     const int i = std::min(static_cast<int>(at), kSteps - 1);
     return coverage_[i] + (coverage_[i + 1] - coverage_[i]) * (at - static_cast<float>(i));
 }

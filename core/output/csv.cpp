@@ -19,12 +19,12 @@ void write_csv(std::ostream& out, const DotStream& dots, const PageSize& page, c
     TextBuffer text(out);
     text << "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm"
          << (columns.pens.empty() ? "\n" : ",pen\n");
-    DotsReport report(dots.count, progress);
+    DotsReport report(dots.count, page, progress);
     dots.for_each_piece([&](const Dots& piece) {
         assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            report.next();
             const TableRow row = table_row(piece, i, page, columns);
+            report.next(row.x_mm, row.y_mm, row.radius_mm);
             text << row.x_mm << ',' << row.y_mm << ',' << row.radius_mm << ',' << std::int64_t{row.at.level}
                  << ',' << std::int64_t{row.at.rank} << ',' << row.critical_scale << ',' << page.width_mm
                  << ',' << page.height_mm;

@@ -27,13 +27,13 @@ void write_dots_json(std::ostream& out, const DotStream& dots, const PageSize& p
     if (!one_pen) write_pens(text, columns.pens);
     text << R"("columns": ["x_mm", "y_mm", "radius_mm", "level", "rank", "critical_scale")"
          << (one_pen ? "" : ", \"pen\"") << "],\n\"dots\": [";
-    DotsReport report(dots.count, progress);
+    DotsReport report(dots.count, page, progress);
     bool first = true;
     dots.for_each_piece([&](const Dots& piece) {
         assert(piece.threshold.size() == piece.size() && piece.critical.size() == piece.size());
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            report.next();
             const TableRow row = table_row(piece, i, page, columns);
+            report.next(row.x_mm, row.y_mm, row.radius_mm);
             text << (first ? "\n[" : ",\n[") << row.x_mm << ',' << row.y_mm << ',' << row.radius_mm << ','
                  << std::int64_t{row.at.level} << ',' << std::int64_t{row.at.rank} << ','
                  << row.critical_scale;

@@ -22,7 +22,7 @@ bool is_drawn_by_pen(const DrawingFacts& facts) {
 }
 
 std::string dots_that(std::uint64_t count, const char* one, const char* many) {
-    return count == 1 ? fmt::format("1 dot {}", one) : fmt::format("{} dots {}", grouped(count), many);
+    return fmt::format("{} {}", dots_in_words(count), count == 1 ? one : many);
 }
 
 void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -33,6 +33,9 @@ void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
     const bool lifts = facts.plotting.lifting_s > seconds / 2;
     if (facts.ink.as == DotsAs::lines) {
         cure = "fewer dots make a shorter line";
+        amount = 0;
+    } else if (amount < 2) {
+        cure = "shorter rests and faster moves take less";
         amount = 0;
     } else if (lifts)
         cure += ", and one line through all dots lifts the pen once";
@@ -49,28 +52,28 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double own = facts.ink.reach_mm(facts.ink.radius_mm, 0);
     found.push_back({FindingKind::tone,
                      fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
-                     fmt::format("{} dots {:.2g} mm wide would give its tone, or these dots {:.2g} mm wide",
-                                 about(facts.for_tone->dots), 2 * own, 2 * facts.for_tone->radius_mm),
+                     fmt::format("{} dots {} wide would give its tone, or these dots {} wide",
+                                 about(facts.for_tone->dots), millimetres_in_words(2 * own),
+                                 millimetres_in_words(2 * facts.for_tone->radius_mm)),
                      in_two_digits(facts.for_tone->dots)});
 }
 
 void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
     if (facts.ink.as == DotsAs::rings && facts.dots > 0)
-        found.push_back(
-            {FindingKind::rings,
-             fmt::format("a plotter follows the circles' outlines: {:.1f} m of rings", measured.rings_m),
-             "with the dot shape point it touches the paper once for each, and a spiral or a "
-             "hatch fills them"});
+        found.push_back({FindingKind::rings,
+                         fmt::format("a plotter follows the circles' outlines: {} of rings",
+                                     way_in_words(measured.rings_m)),
+                         "with the dot shape point it touches the paper once for each, and a spiral or a "
+                         "hatch fills them"});
     const double share = share_of(measured.overlapping, facts);
     if (is_drawn_by_pen(facts) && share >= kTold) {
         const bool lines = facts.ink.as == DotsAs::lines;
         found.push_back(
             {FindingKind::overlap,
-             fmt::format("{:.0f} % of the dots {}, with ink up to {:.2g} mm wide",
-                         std::ceil(100 * share - 1e-9),
+             fmt::format("{:.0f} % of the dots {}, with ink up to {} wide", std::ceil(100 * share - 1e-9),
                          lines ? "are so near to others that the lines run together" : "overlap others",
-                         2 * facts.ink.reach_mm(facts.ink.radius_mm, 0)),
+                         millimetres_in_words(2 * facts.ink.reach_mm(facts.ink.radius_mm, 0))),
              lines || facts.ink.as == DotsAs::touches
                  ? "fewer dots, a wider page or a finer pen part them"
                  : "fewer dots, a wider page or smaller dots part them"});
@@ -101,15 +104,15 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!facts.is_svg || facts.ink.as == DotsAs::lines) return;
     if (share_of(measured.nearer_than_saxi, facts) <= kTold) return;
     // Distances go with the square root of the room that a dot has; the last of them, a little less.
-    const double wider = 1.03 * kSaxiJoins / measured.first_percentile_mm;
+    const double wider = 1.03 * kSaxiJoins / std::max(measured.first_percentile_mm, 1e-9);
     const double apart =
         facts.whole_page ? in_two_digits(static_cast<double>(facts.dots) / (wider * wider)) : 0;
     found.push_back(
         {FindingKind::joined,
-         fmt::format("{} dots are nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
+         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
                      "than {:g} mm, which AxiDraw's program does",
-                     grouped(measured.nearer_than_saxi), kSaxiJoins, grouped(measured.nearer_than_axidraw),
-                     kAxiDrawJoins),
+                     dots_in_words(measured.nearer_than_saxi), measured.nearer_than_saxi == 1 ? "is" : "are",
+                     kSaxiJoins, grouped(measured.nearer_than_axidraw), kAxiDrawJoins),
          apart >= 1 ? fmt::format("{} dots or a page {:.1f} times as wide part them", about(apart), wider)
                     : std::string("fewer dots or a wider page part them"),
          apart});
@@ -179,7 +182,8 @@ void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
     const double dpi = std::ceil(2 * kMmPerInch / width / 10) * 10;
     found.push_back({FindingKind::fine_pixels,
-                     fmt::format("dots {:.2g} mm wide are finer than a pixel, and come out as greys", width),
+                     fmt::format("dots {} wide are finer than a pixel, and come out as greys",
+                                 millimetres_in_words(width)),
                      fmt::format("{:.0f} dots per inch or more show each", dpi), dpi});
 }
 
@@ -217,13 +221,17 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
     add_travel(found, facts);
     add_numbers(found, facts);
     add_pixels(found, facts);
-    if (facts.tile_layer > 0)
+    if (facts.has_tile_layer)
         found.push_back(
             {FindingKind::tile_layer,
-             fmt::format("the layer \"{} Tiles\" has lines that a plotter draws too", facts.tile_layer),
-             facts.tile_layer == 2 ? std::string("plot layer 1 only, or leave the tile boundaries out")
-                                   : fmt::format("plot layers 1 to {} only, or leave the tile boundaries out",
-                                                 facts.tile_layer - 1)});
+             "the layer \"% Tiles\" has lines, which AxiDraw's software skips and other programs plot",
+             "hide that layer, or leave the tile boundaries out"});
+    if (facts.has_background)
+        found.push_back(
+            {FindingKind::background,
+             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software "
+             "skips and other programs plot",
+             "hide that layer, or leave the background out"});
     return found;
 }
 

@@ -21,7 +21,8 @@ struct DrawingFacts {
     InkedDot ink = {};
     std::optional<Preflight> measured = {};  // none: there are too many dots to look at each
     bool is_svg = false;                     // which programs read path by path, and join near ones
-    int tile_layer = 0;                      // the layer with the tiles' outlines, from 1; 0: there is none
+    bool has_tile_layer = false;             // with the tiles' outlines
+    bool has_background = false;             // a shape as large as the page
     bool whole_page = true;                  // rather than a sheet or a region
     bool has_margins = false;
     PageSize page = {};
@@ -57,11 +58,12 @@ enum class FindingKind {
     too_many,     // for programs that read the file
     not_looked,   // too many to look at each
     fine_pixels,  // dots finer than a pixel
-    tile_layer,   // its lines would be plotted
+    tile_layer,   // its lines might be plotted
+    background,   // its outline might be
 };
 constexpr auto names_of(FindingKind) {
     return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "over_edge", "in_margins",
-                 "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer");
+                 "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer", "background");
 }
 
 struct Finding {

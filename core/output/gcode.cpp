@@ -267,14 +267,14 @@ namespace {
 void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, double width_mm,
                         const GcodeStyle& style) {
     const GcodeTemplate& lines = style.lines;
-    if (lines.line.empty())
-        throw std::runtime_error(
-            "the template for G-code says nothing of lines to draw; add lines that begin with down, line and "
-            "up");
     const auto write = [&](std::span<const GcodePiece> pieces, glm::dvec2 p) {
         write_gcode_pieces(text, pieces, style, {p.x, p.y, width_mm / 2});
     };
     if (points.size() == 1) return write(lines.each_dot, points[0]);
+    if (lines.line.empty())
+        throw std::runtime_error(
+            "the template for G-code says nothing of lines to draw; add lines that begin with down, line and "
+            "up");
     write(lines.move, points[0]);
     write(lines.down, points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) write(lines.line, points[i]);

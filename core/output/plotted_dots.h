@@ -21,12 +21,13 @@ template <class Visit>
 void for_each_plotted_dot(const DotStream& dots, const PageSize& page, double radius_mm,
                           const WritingProgress& progress, const Visit& visit) {
     const double unit = page.mm_per_page_unit;
-    DotsReport report(dots.count, progress);
+    DotsReport report(dots.count, page, progress);
     dots.for_each_piece([&](const Dots& piece) {
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            report.next();
-            visit(PlottedDot{piece.x[i] * unit, page.height_mm - piece.y[i] * unit,
-                             piece.radius.empty() ? radius_mm : piece.radius[i] * unit, piece.pen});
+            const PlottedDot dot{piece.x[i] * unit, page.height_mm - piece.y[i] * unit,
+                                 piece.radius.empty() ? radius_mm : piece.radius[i] * unit, piece.pen};
+            report.next(dot.x_mm, dot.y_mm, dot.radius_mm);
+            visit(dot);
         }
         return true;
     });

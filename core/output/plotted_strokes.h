@@ -13,12 +13,13 @@ namespace dapple {
 
 /// Calls visit(span of points, pen) for each stroke as it is, telling how far it has come.
 template <class Visit>
-void for_each_stroke(const StrokeStream& strokes, const WritingProgress& progress, const Visit& visit) {
+void for_each_stroke(const StrokeStream& strokes, const PageSize& page, const WritingProgress& progress,
+                     const Visit& visit) {
     WritingProgress at_most_all;
     if (progress) at_most_all = [&](double share) { progress(std::min(share, 1.0)); };
-    DotsReport report(std::max<std::uint64_t>(strokes.points, 1), at_most_all);
+    DotsReport report(std::max<std::uint64_t>(strokes.points, 1), page, at_most_all);
     strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
-        for (std::size_t i = 0; i < points.size(); ++i) report.next();
+        for (const glm::dvec2 p : points) report.next(p.x, p.y);
         visit(points, pen);
     });
 }
@@ -28,7 +29,7 @@ template <class Visit>
 void for_each_plotted_stroke(const StrokeStream& strokes, const PageSize& page,
                              const WritingProgress& progress, const Visit& visit) {
     std::vector<glm::dvec2> turned;
-    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points, int pen) {
+    for_each_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int pen) {
         turned.clear();
         for (const glm::dvec2 p : points) turned.emplace_back(p.x, page.height_mm - p.y);
         visit(std::span<const glm::dvec2>(turned), pen);

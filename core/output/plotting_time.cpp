@@ -95,6 +95,8 @@ PlottingTime expected_plotting_time(double dots, double area_mm2, const MachineS
 
 std::string time_in_words(double seconds) {
     if (seconds < 59.5) return fmt::format("about {:.0f} s", std::max(seconds, 1.0));
+    constexpr double kYear = 365.0 * 24 * 3600;
+    if (!(seconds < kYear)) return "years";  // also what is no number
     // To ten minutes from two hours on: it is an estimate.
     const double step = seconds < 2 * 3600 ? 1 : 10;
     const auto minutes = static_cast<long>(std::round(seconds / 60 / step) * step);

@@ -68,7 +68,7 @@ PlottingTime plotting_time(const Dots& dots, double mm_per_page_unit, const Mach
 /// through dots all over a page comes to (Beardwood, Halton and Hammersley 1959 have 0.71 for the shortest).
 PlottingTime expected_plotting_time(double dots, double area_mm2, const MachineSpeeds& speeds);
 
-/// "about 3 h 20 min", "about 12 min", "about 40 s".
+/// "about 3 h 20 min", "about 12 min", "about 40 s"; from a year on "years".
 std::string time_in_words(double seconds);
 
 /// "mostly pen raising and lowering", or what else takes the most.

@@ -161,8 +161,8 @@ void hand_over_bands(const Bands& bands, const std::function<Grid<float>(int ban
 RasterSize raster_size(const PageSize& page, double dpi) {
     const double width = std::round(page.width_mm / kMmPerInch * dpi),
                  height = std::round(page.height_mm / kMmPerInch * dpi);
-    const double shrink =
-        std::min(kLargestSide / std::max(width, height), std::sqrt(kMostPixels / (width * height)));
+    const double shrink = std::min(kLargestSide / std::max({width, height, 1.0}),
+                                   std::sqrt(kMostPixels / std::max(width * height, 1.0)));
     // Written so that what is not a number is refused too.
     if (!(shrink >= 1)) {
         throw std::runtime_error(fmt::format(

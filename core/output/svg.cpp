@@ -22,6 +22,11 @@ int decimals_for(std::uint64_t dots, const PageSize& page) {
     return static_cast<double>(dots) * 4 < area ? 2 : 3;
 }
 
+// Not to be drawn by a plotter: AxiDraw's software skips layers whose names begin so.
+void begin_unplotted_layer(TextBuffer& text, std::string_view name, std::string_view id) {
+    text << R"(<g inkscape:groupmode="layer" inkscape:label="% )" << name << R"(" id=")" << id << '"';
+}
+
 void begin_layer(TextBuffer& text, int number, std::string_view label, PenInk ink = PenInk::opaque) {
     text << R"(<g inkscape:groupmode="layer" inkscape:label=")" << std::int64_t{number} << ' ' << label
          << R"(" id="layer)" << std::int64_t{number} << '"';
@@ -55,7 +60,7 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
     };
     int layer = -1;  // the pen whose layer is open
     if (style.pens.empty()) begin_pen(1, only_pen(style.ink));
-    DotsReport report(dots.count, progress);
+    DotsReport report(dots.count, page, progress);
     dots.for_each_piece([&](const Dots& piece) {
         if (!style.pens.empty() && piece.pen != layer) {
             if (layer >= 0) text << "</g>\n";
@@ -70,13 +75,14 @@ void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, c
             }
         }
         for (std::size_t i = 0; i < piece.size(); ++i) {
-            report.next();
+            const double own_mm = piece.radius.empty() ? 0 : piece.radius[i] * page.mm_per_page_unit;
+            report.next(piece.x[i] * page.mm_per_page_unit, piece.y[i] * page.mm_per_page_unit, own_mm);
             text << R"(<circle cx=")";
             text.fixed(piece.x[i] * px_per_unit, decimals);
             text << R"(" cy=")";
             text.fixed(piece.y[i] * px_per_unit, decimals);
             text << R"(" r=")";
-            text.fixed(piece.radius.empty() ? radius : in_px(piece.radius[i] * page.mm_per_page_unit), 3);
+            text.fixed(piece.radius.empty() ? radius : in_px(own_mm), 3);
             text << "\"/>\n";
         }
         return true;
@@ -98,7 +104,7 @@ void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize
     int layer = -1;  // the pen whose layer is open
     if (style.pens.empty()) begin_pen(0, only_pen(style.ink));
     const auto number = [&](double mm) { text.fixed(mm * kPxPerMm, decimals); };
-    for_each_stroke(strokes, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
+    for_each_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
         if (!style.pens.empty() && its_pen != layer) {
             if (layer >= 0) text << "</g>\n";
             layer = its_pen;
@@ -139,7 +145,7 @@ Rectangle<double> outline_of(const PlacedTile& tile, double px_per_unit) {
 }
 
 void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page,
-                 const Rectangle<double>& area, int layer) {
+                 const Rectangle<double>& area) {
     const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
     // Tiles cover a square, the picture need not be one and a part of it may be on the page: what lies over
     // the edges is cut off, and an outline that lies all around is none.
@@ -152,7 +158,7 @@ void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const Page
             by_level[tile.level].push_back(
                 {glm::max(outline.low, area.low), glm::min(outline.high, area.high)});
     }
-    begin_layer(text, layer, "Tiles");
+    begin_unplotted_layer(text, "Tiles", "tiles");
     text << R"( fill="none" stroke-width="0.3">)" << '\n';
     // Finest first: the coarse ones lie on top, so that every line shows the coarsest level that it bounds.
     for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
@@ -204,11 +210,12 @@ void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& sty
              << style.settings << "</" << kSvgSettingsElement << "></metadata>\n";
     }
     if (style.background) {
-        text << R"(<rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/>\n";
+        begin_unplotted_layer(text, "Background", "background");
+        text << R"(><rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/></g>\n";
     }
     write_ink(text);
-    int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
-    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture), layer++);
+    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture));
+    const int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
     if (!style.cut_marks.empty()) write_cut_marks(text, style.cut_marks, layer);
     text << "</svg>\n";
     text.flush();

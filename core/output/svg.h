@@ -3,8 +3,9 @@
 //
 // The root has its size in millimetres and a viewBox; coordinates are in px of 96 to the inch, so readers
 // that ignore the viewBox are right too. Each pen has a layer, a direct child of the root, numbered first in
-// its label: "1 Black"; one of transparent ink multiplies what lies below it. The tiles' outlines are the
-// layer "2 Tiles". There is no background unless asked for.
+// its label: "1 Black"; one of transparent ink multiplies what lies below it. What no pen is to draw is in
+// layers whose names begin with %, which AxiDraw's software skips: the tiles' outlines in "% Tiles" and,
+// where it is asked for, the background in "% Background".
 
 #include <glm/vec3.hpp>
 #include <optional>

@@ -111,6 +111,11 @@ void check_pen(const Pen& pen) {
         throw std::runtime_error(fmt::format(
             "{} has no width, which its dots are compared with; give one, as in cmyk:0.3 or Sky:#3aa0d8:0.3",
             pen.name));
+    if (pen.width_mm < kFinestTestedMm)
+        throw std::runtime_error(fmt::format(
+            "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width "
+            "of a real pen, {:g} mm or more",
+            pen.name, pen.width_mm, kFinestTestedMm));
     if (pen.width_mm > kWidestTestedMm)
         throw std::runtime_error(fmt::format("{} is {:g} mm wide; a test sheet has room for up to {:g} mm",
                                              pen.name, pen.width_mm, kWidestTestedMm));

@@ -22,7 +22,7 @@
 namespace dapple {
 
 /// What a test sheet has room for.
-inline constexpr double kWidestTestedMm = 2;
+inline constexpr double kFinestTestedMm = 0.02, kWidestTestedMm = 2;
 
 struct TestSheet {
     Strokes strokes;         // one pen's after the other's; a dot is a touch

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -22,6 +23,7 @@ constexpr double kFlatnessMm = 0.005;     // what a curve's chord may lie beside
 constexpr double kTurnFlatnessMm = 0.01;  // within a dot, where the next turn lies over it
 constexpr int kCurveLines = 24;           // of a curve of a path
 constexpr std::size_t kLongestPath = 10'000;
+constexpr double kSmallestArc = 1e-6, kLargestArc = 1000;  // radii, where a path's box is 1 wide
 
 int lines_of_circle(double radius_mm, double flatness_mm = kFlatnessMm) {
     const double half = std::acos(std::max(1 - flatness_mm / radius_mm, 0.5));
@@ -162,7 +164,7 @@ class PathReader {
         end_stroke(strokes_);
         if (strokes_.ends.empty()) throw std::runtime_error("is empty");
         for (const glm::dvec2 p : strokes_.points) {
-            if (std::min(p.x, p.y) < -1e-6 || std::max(p.x, p.y) > 1 + 1e-6) {
+            if (!inside_box(p)) {
                 throw std::runtime_error(
                     fmt::format("reaches to {:.4g},{:.4g}; its box is from 0,0 to 1,1", p.x, p.y));
             }
@@ -171,6 +173,13 @@ class PathReader {
     }
 
  private:
+    // Nor is what is not a number.
+    static bool inside_box(glm::dvec2 p) {
+        constexpr double kRounding = 1e-6;
+        return glm::all(glm::greaterThanEqual(p, glm::dvec2(-kRounding))) &&
+               glm::all(glm::lessThanEqual(p, glm::dvec2(1 + kRounding)));
+    }
+
     void line_to(glm::dvec2 p) {
         if (closed_) strokes_.points.push_back(at_);
         closed_ = false;
@@ -232,9 +241,10 @@ class PathReader {
         const double turned = text_.number('A') * pi / 180;
         const bool large = flag(), clockwise = flag();
         const glm::dvec2 end = text_.point('A');
-        if (!(radii.x > 0) || !(radii.y > 0) || std::max(radii.x, radii.y) > 1000)
-            throw std::runtime_error("A: the two radii have to be over 0 and at most 1000");
-        if (end == at_) return;
+        if (std::min(radii.x, radii.y) < kSmallestArc || std::max(radii.x, radii.y) > kLargestArc)
+            throw std::runtime_error(
+                fmt::format("A: the two radii have to be from {:g} to {:g}", kSmallestArc, kLargestArc));
+        if (glm::distance(at_, end) < kSmallestArc) return line_to(end);
         const Arc arc = arc_between(at_, end, radii, turned, large, clockwise);
         curve(end, [&](glm::dvec2, double t) { return arc.at(t); });
     }

@@ -16,6 +16,21 @@ std::string grouped(std::uint64_t number) {
     return text;
 }
 
+std::string dots_in_words(std::uint64_t dots) {
+    return grouped(dots) + (dots == 1 ? " dot" : " dots");
+}
+
+std::string millimetres_in_words(double mm) {
+    // Never in powers of ten.
+    if (mm >= 9.95) return fmt::format("{:.0f} mm", mm);
+    return fmt::format("{:.2g} mm", mm < 1e-4 ? 0 : mm);
+}
+
+std::string way_in_words(double metres) {
+    if (metres >= 0.95) return fmt::format("{:.1f} m", metres);
+    return metres >= 0.0995 ? fmt::format("{:.0f} cm", 100 * metres) : millimetres_in_words(1000 * metres);
+}
+
 double in_two_digits(double number) {
     const double step = std::pow(10, std::max(std::floor(std::log10(std::max(number, 1.0))) - 1, 0.0));
     return std::round(number / step) * step;

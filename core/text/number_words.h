@@ -9,6 +9,14 @@ namespace dapple {
 /// A number as people write it: 12345 -> "12,345".
 std::string grouped(std::uint64_t number);
 
+/// "1 dot", "12,345 dots".
+std::string dots_in_words(std::uint64_t dots);
+
+/// In two digits, or a whole number from ten on: 0.314 -> "0.31 mm", 263.1 -> "263 mm"; of a way in metres,
+/// in the unit that suits it: "12.3 m", "42 cm", "3.1 mm".
+std::string millimetres_in_words(double mm);
+std::string way_in_words(double metres);
+
 /// As about() says it: 12,345 -> 12,000.
 double in_two_digits(double number);
 

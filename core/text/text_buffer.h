@@ -20,7 +20,8 @@ class TextBuffer {
     TextBuffer& operator<<(float value) { return shortest(value); }
     TextBuffer& operator<<(double value) { return shortest(value); }
 
-    /// Rounded to so many decimals, 0..9, without zeros at the end: 12.5, 3, 0, -0.25. Below 10^9.
+    /// Rounded to so many decimals, 0..9, without zeros at the end: 12.5, 3, 0, -0.25. Throws
+    /// std::range_error unless it is below 10^9, on either side of 0.
     TextBuffer& fixed(double value, int decimals);
 
     /// To be called at the end.

@@ -16,4 +16,8 @@ struct Banner {
     std::string offer{};   // on a button; with one it stays until it is closed
 };
 
+inline bool is_trouble(const Banner& banner) {
+    return banner.kind == BannerKind::error && !banner.message.empty();
+}
+
 }  // namespace dapple

@@ -93,7 +93,7 @@ std::optional<fs::path> save_pasted_picture(const fs::path& folder, const std::s
     if (picture->status != 0 || picture->bytes.empty())
         throw std::runtime_error("The picture on the clipboard could not be had from " + get[0] +
                                  "; copy it again, or save it to a file and open that");
-    fs::create_directories(folder);
+    make_folder(folder);
     fs::path file = new_file(folder, kind->ending);
     save_atomically(file, [&](std::ostream& out) { out << picture->bytes; });
     return file;

@@ -400,6 +400,7 @@ void Session::take(DotsPlaced& event) {
     } else if (event.picture) {
         picture_ = std::move(*event.picture);
         ++pictures_;
+        history_.forget_undone();  // that was of the picture before
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
         saved_path_.clear();                     // it shows another picture
         if (!picture_is_missing()) banner = {};  // whatever it said was about the one before

@@ -13,6 +13,7 @@ namespace dapple {
 namespace {
 
 constexpr float kStays = 6, kFades = 0.7f;  // seconds
+constexpr float kRoomBesideButton = 200;    // at 96 dpi: with less for the message the button is below it
 
 bool stays(const Banner& banner) {
     return banner.kind == BannerKind::error || !banner.offer.empty();
@@ -39,13 +40,18 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     float unit = ImGui::GetTextLineHeight() / 15;
     float cross = ImGui::GetFrameHeight();
     ImVec2 padding{16 * unit, 10 * unit};
-    float widest = std::max(100.0f, std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross);
+    const float room = std::min(size.x - 40 * unit, 620 * unit) - 2 * padding.x - cross - 8 * unit;
+    const float button = banner.offer.empty() ? 0 : ImGui::CalcTextSize(banner.offer.c_str()).x + 24 * unit;
+    const float beside = button > 0 ? button + 12 * unit : 0;
+    const bool below = beside > 0 && room - beside < kRoomBesideButton * unit;
+    const float widest = std::max(100.0f, below ? room : room - beside);
     const std::string lines = in_lines(message, widest);
     ImVec2 text = ImGui::CalcTextSize(lines.c_str(), nullptr, false, widest);
-    const float button = banner.offer.empty() ? 0 : ImGui::CalcTextSize(banner.offer.c_str()).x + 24 * unit;
-    float width = text.x + 2 * padding.x + cross + 8 * unit + (button > 0 ? button + 12 * unit : 0);
+    const float inner = below ? std::max(text.x, button) : text.x + beside;
+    const float width = inner + 2 * padding.x + cross + 8 * unit;
+    const float button_y = below ? padding.y + text.y + 8 * unit : padding.y;
     ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
-    ImGui::SetNextWindowSize({width, std::max(text.y, cross) + 2 * padding.y});
+    ImGui::SetNextWindowSize({width, std::max(padding.y + text.y, button_y + cross) + padding.y});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha,
                         std::clamp((kStays + kFades - banner.shown_for) / kFades, 0.0f, 1.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
@@ -62,7 +68,7 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ImGui::PopTextWrapPos();
     bool taken = false;
     if (button > 0) {
-        ImGui::SetCursorPos({padding.x + text.x + 12 * unit, padding.y});
+        ImGui::SetCursorPos({below ? padding.x : padding.x + text.x + 12 * unit, button_y});
         taken = ImGui::Button(banner.offer.c_str(), {button, cross});
         note_place(banner.offer.c_str());
     }

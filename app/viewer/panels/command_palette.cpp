@@ -44,6 +44,7 @@ void at_the_end_of_the_entry(const char* words) {
 // "Picture, Mask", and whether it is so already.
 std::string where_in_words(const FoundRow& found) {
     std::string words;
+    if (found.row->is_section && found.row->sections.empty()) return "section";
     for (const std::string& section : found.row->sections) words += (words.empty() ? "" : ", ") + section;
     if (found.value >= 0 && found.value == found.row->chosen) words += ", as it is";
     if (found.row->greyed) words += ", greyed";

@@ -22,7 +22,8 @@ void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     request.count.reset();
 }
 
-bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
+// `follows`: how many there are follows from their sizes.
+bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows) {
     bool changed = false;
     const auto most = static_cast<double>(drawn.most_dots);
     const std::string why = fmt::format(
@@ -39,7 +40,7 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn) {
         changed = true;
     }
     if (request.count) {
-        auto count = static_cast<double>(*request.count);
+        auto count = static_cast<double>(follows ? drawn.dots : *request.count);
         SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
         range.grouped = true;
         if (slider_row(setting::count.names.row, count, range)) {
@@ -155,10 +156,10 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUn
     if (!section("Dots")) return false;
     bool changed = false;
     {
-        const Greyed greyed(settings.dot_size.sizing == DotSizing::by_tone
-                                ? "Dots sized by tone are as many as their sizes and the tone ask for."
-                                : nullptr);
-        changed |= draw_amount(settings.placing, drawn);
+        const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
+        const Greyed greyed(follows ? "Dots sized by tone are as many as their sizes and the tone ask for."
+                                    : nullptr);
+        changed |= draw_amount(settings.placing, drawn, follows);
     }
     changed |= draw_size(settings.dot_size, drawn, unit);
     {

@@ -192,6 +192,9 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
         case FindingKind::tile_layer:
             return Cure{"Leave the tile boundaries out",
                         [](ViewerSettings& settings) { settings.drawing.show_tiles = false; }};
+        case FindingKind::background:
+            return Cure{"Leave the background out",
+                        [](ViewerSettings& settings) { settings.drawing.background = false; }};
         default:  // a choice that is the person's
             break;
     }

@@ -70,7 +70,7 @@ bool draw_set(DrawingSettings& settings) {
     int set = static_cast<int>(settings.pens.set);
     if (!choice_row(
             "Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
-            "Several pens, whose colours mix to the picture's; no two dots of any collide. own: pens "
+            "Several pens, whose colours mix to the picture's; dots of all keep apart. own: pens "
             "that you name. automatic: those that suit the picture, of common colours or of your own, as "
             "Palette says."))
         return false;

@@ -41,6 +41,7 @@ constexpr Entry kEntries[] = {
     {In::drawing,
      {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings", "Project...",
       "Saves picture and settings together, to go on another day."}},
+    {In::drawing, {Action::as_lights, "", "Light samples of the picture as an environment map"}},
     {In::map, {Action::back, "", "Back to the drawing that the map was opened from"}},
     {In::both, {Action::undo, "Ctrl+Z", "Undo", "Undo"}},
     {In::both, {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo", "Redo"}},

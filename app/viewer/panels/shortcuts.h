@@ -45,7 +45,8 @@ enum class Action {
     full_screen,
     lighter,
     darker,
-    back,  // from an environment map to the drawing that it was opened from
+    as_lights,  // the picture is an environment map
+    back,       // from an environment map to the drawing that it was opened from
     help,
     palette,
     preferences,

@@ -102,6 +102,9 @@ void SidePanel::draw_rows(Session& session) {
     draw_settings(session, nullptr);
     section("The method");
     draw_method(session, [] {});
+    static_cast<void>(draw_spectrum_panel({}));
+    TilePanelState shown;
+    draw_tile_panel(session.pane().tile(), shown);
 }
 
 OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,

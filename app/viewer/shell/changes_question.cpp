@@ -1,5 +1,6 @@
 #include "app/viewer/shell/changes_question.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <optional>
@@ -26,7 +27,8 @@ bool pressed(const Button& button) {
     return by_mouse || (by_key && key_pressed(*button.key));
 }
 
-ChangesAnswer ask(const char* title, const std::string& sentence, const Button& save, const Button& discard) {
+ChangesAnswer ask(const char* title, const std::string& sentence, const Button& save, const Button& discard,
+                  const std::optional<Button>& next = {}) {
     bool open = true;
     ChangesAnswer answer = ChangesAnswer::none;
     if (const Dialog dialog(title, open); dialog) {
@@ -35,6 +37,10 @@ ChangesAnswer ask(const char* title, const std::string& sentence, const Button& 
         ImGui::SameLine();
         if (pressed(discard)) answer = ChangesAnswer::discard;
         ImGui::SameLine();
+        if (next) {
+            if (pressed(*next)) answer = ChangesAnswer::next;
+            ImGui::SameLine();
+        }
         if (pressed({"Cancel", {}, "Escape"})) answer = ChangesAnswer::cancel;
         if (answer != ChangesAnswer::none) open = false;
     }
@@ -48,9 +54,22 @@ ChangesAnswer ask_about_changes(const std::string& name) {
                {"Save", Key::enter, "As a project.   Return"}, {"Discard", Key::d, "They are lost.   D"});
 }
 
-ChangesAnswer ask_about_kept(const std::string& name) {
-    return ask("Bring the drawing back?", "Dapple ended before the drawing of " + name + " was saved.",
-               {"Bring it back", Key::enter, "Return"}, {"Discard", Key::d, "It is lost.   D"});
+ChangesAnswer ask_about_saving(const std::string& name) {
+    return ask("Quit while a file is being saved?", name + " is not whole yet.",
+               {"Quit once it is saved", Key::enter, "Return"},
+               {"Quit without it", Key::d, "What was at its place stays.   D"});
+}
+
+ChangesAnswer ask_about_kept(const std::string& name, std::size_t others) {
+    std::string sentence = "Dapple ended before the drawing of " + name + " was saved.";
+    std::optional<Button> next;
+    if (others > 0) {
+        sentence += fmt::format("\nThere {} from before.",
+                                others == 1 ? "is one more" : fmt::format("are {} more", others));
+        next = Button{"An older one", Key::o, "This one stays, and the next is asked about.   O"};
+    }
+    return ask("Bring the drawing back?", sentence, {"Bring it back", Key::enter, "Return"},
+               {"Discard", Key::d, "It is lost.   D"}, next);
 }
 
 }  // namespace dapple

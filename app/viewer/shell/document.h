@@ -52,6 +52,13 @@ class Document {
     virtual void find_picture(const std::filesystem::path&) {}
     virtual void save(const std::filesystem::path& file) = 0;
 
+    /// The file that is being saved, by its name, before the window goes; empty: none.
+    virtual std::string saving() const { return {}; }
+    /// Gives up saving it, where that takes long: what was at its place stays.
+    virtual void stop_saving() {}
+    /// Whether there is a sentence about something that went wrong, which nobody has closed yet.
+    virtual bool tells_of_trouble() const = 0;
+
     // What the dialogs for these ask.
     virtual OpenQuestion what_to_open() const = 0;
     /// The tile in use, as tile_named() takes it.

@@ -252,6 +252,8 @@ void DrawingDocument::act(Action action, const Frame&) {
             return film_player_.play(FilmKind::zoom);
         case Action::film_plot:
             return film_player_.play(FilmKind::plot);
+        case Action::as_lights:
+            return show_lights();
         case Action::smaller_brush:
             return resize_brush(session_.brush, -1);
         case Action::larger_brush:
@@ -259,6 +261,28 @@ void DrawingDocument::act(Action action, const Frame&) {
         default:  // the photograph, while its key is held; or of environment maps
             return;
     }
+}
+
+void DrawingDocument::show_lights() {
+    if (session_.picture().looks_like_environment)
+        successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
+    else
+        session_.say(session_.picture().name +
+                     " is no environment map; open one: a picture in HDR, twice as wide as high");
+}
+
+void DrawingDocument::stop_what_takes_long() {
+    Worker& worker = session_.pane().worker();
+    const bool opening = worker.opening().has_value();
+    if (worker.saving()) return worker.cancel_saving();
+    if (opening && session_.placed_once()) return session_.stop_opening();
+    if (!opening && placing_seconds() > kLongPlacing) return session_.stop_placing();
+    if (session_.film) film_player_.stop();
+}
+
+std::string DrawingDocument::saving() const {
+    const auto saving = session_.pane().worker().saving();
+    return saving ? printable(saving->path.filename().native()) : "";
 }
 
 DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
@@ -276,13 +300,7 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
-    const auto opening = session_.pane().worker().opening();
-    if (opening && session_.placed_once() && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed())
-        session_.stop_opening();
-    if (!opening && placing_seconds() > kLongPlacing && !ImGui::GetIO().WantCaptureKeyboard &&
-        escape_pressed())
-        session_.stop_placing();
-    if (session_.film && !ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) film_player_.stop();
+    if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
     session_.take_events(std::chrono::milliseconds(0));
     take_mask();
     film_player_.show();
@@ -352,7 +370,7 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
     if (offer_taken && session_.picture_is_missing())
         act(Action::find_picture);
     else if (offer_taken)
-        successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
+        show_lights();
     Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))

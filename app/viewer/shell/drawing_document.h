@@ -43,6 +43,9 @@ class DrawingDocument : public Document {
     void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
     void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
+    std::string saving() const override;
+    void stop_saving() override { session_.pane().worker().cancel_saving(); }
+    bool tells_of_trouble() const override { return is_trouble(session_.banner); }
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override { session_.say(sentence); }
     std::optional<KeptView> kept_view() const override;
@@ -77,6 +80,9 @@ class DrawingDocument : public Document {
         glm::vec2 player, captions, status;
     };
     Layout layout(const Frame& frame) const;
+    void show_lights();
+    /// By Escape: what began last.
+    void stop_what_takes_long();
     Zoom zoom() const;
     void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
     void draw_split(const CanvasPlace& place);

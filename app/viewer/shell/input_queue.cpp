@@ -82,6 +82,12 @@ int modifiers_after(const InputEvent& event) {
     return event.down ? event.modifiers | own : event.modifiers & ~own;
 }
 
+void InputQueue::forget_typed() {
+    std::erase_if(events_, [](const InputEvent& event) {
+        return event.kind == EventKind::text || (event.kind == EventKind::key && event.down);
+    });
+}
+
 std::vector<InputEvent> InputQueue::take_frame() {
     std::vector<InputEvent> frame;
     while (!events_.empty()) {

@@ -29,6 +29,8 @@ class InputQueue {
  public:
     void push(const InputEvent& event) { events_.push_back(event); }
     bool empty() const { return events_.empty(); }
+    /// Leaves out keys that go down, and letters; keys that go up stay, as they may have gone down before.
+    void forget_typed();
 
     /// Takes the events of the next frame, at least one if there are any. Of those, no key and no button
     /// changes twice, no letter is typed twice, no modifier changes after something it could be for, the

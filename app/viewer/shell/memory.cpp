@@ -97,7 +97,7 @@ std::string text_there_now(const fs::path& file, Settings& settings) {
 
 template <class Settings>
 void write_remembered(const fs::path& file, const std::string& kept, Settings settings) {
-    fs::create_directories(file.parent_path());
+    make_folder(file.parent_path());
     const std::string text = settings_text(kept, {file}, [&](Fields& fields) { describe(fields, settings); });
     if (text != kept) save_atomically(file, [&](std::ostream& out) { out << text; });
 }
@@ -126,7 +126,7 @@ class MemoryLock {
     explicit MemoryLock(const fs::path& folder) {
         constexpr std::chrono::milliseconds kPause(5);
         constexpr int kTries = 200;
-        fs::create_directories(folder);
+        make_folder(folder);
         file_ = Descriptor(::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
         for (int i = 0; file_ && i < kTries && ::flock(file_.get(), LOCK_EX | LOCK_NB) != 0; ++i)
             std::this_thread::sleep_for(kPause);
@@ -152,6 +152,11 @@ Memory::Memory(const fs::path& config_folder, const fs::path& state_folder)
     read_or_move_aside(state_file_, state, trouble_);
     known_preferences_ = preferences;
     known_state_ = state;
+    if (state_folder.empty()) return;
+    start_ = StartMark(state_folder);
+    if (!start_.was_left() || state.view == KeptView{}) return;
+    state.view = {};
+    trouble_ = "Dapple ended before it could draw with the settings of last time: these are the usual ones";
 }
 
 void Memory::opened(const fs::path& file) {

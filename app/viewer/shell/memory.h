@@ -14,6 +14,7 @@
 
 #include "app/drawing_settings.h"
 #include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/shell/start_mark.h"
 #include "app/viewer/widgets/theme.h"
 #include "core/text/names.h"
 
@@ -79,6 +80,10 @@ class Memory {
     Preferences preferences;
     WindowState state;
 
+    /// The window has drawn with what was remembered: if it had not, the next would begin with the usual
+    /// settings, and trouble() say so.
+    void begun() { start_.begun(); }
+
     /// Takes a file into the recent ones; its folder is the last one.
     void opened(const std::filesystem::path& file);
     /// Takes one out that is not there any more.
@@ -98,6 +103,7 @@ class Memory {
     WindowState known_state_;
     std::vector<std::filesystem::path> opened_, forgotten_;  // since the last save
     std::optional<std::string> trouble_;
+    StartMark start_;
 };
 
 }  // namespace dapple

@@ -30,7 +30,8 @@ namespace {
 
 // ImGui answers an event over a few frames.
 constexpr int kFramesAfterEvent = 3;
-constexpr float kPanelWidth = 340;     // at 96 dpi
+constexpr int kUntilSeen = 2;       // frames until a dialog is seen, the first of which ImGui measures it in
+constexpr float kPanelWidth = 340;  // at 96 dpi
 constexpr double kCursorBlinks = 0.3;  // seconds
 constexpr double kRepeats = 0.02;
 constexpr double kKeepsEvery = 10;
@@ -71,8 +72,8 @@ Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::files
     ImGui::GetIO().UserData = &widgets_;
     panels_shown_ = memory_.state.panels_shown;
     window_.set_appearance(memory_.preferences.appearance);
-    if (const auto left = unsaved_.left_behind(); !left.empty()) left_behind_ = left.front();
-    asks_about_left_ = left_behind_.has_value();
+    left_behind_ = unsaved_.left_behind();
+    asks_about_left_ = !left_behind_.empty();
 }
 
 int Shell::run(std::unique_ptr<Document> document) {
@@ -114,7 +115,18 @@ void Shell::go_back(std::unique_ptr<Document>& document) {
 }
 
 bool Shell::may_close(std::unique_ptr<Document>& document) {
+    const bool before_saves = before_ && !before_->saving().empty();
+    if (closes_once_saved_ && !before_saves && document->saving().empty()) {
+        closes_once_saved_ = false;
+        if (!document->tells_of_trouble()) window_.close();
+    }
     if (!window_.should_close()) return false;
+    if (before_saves) go_back(document);
+    if (!document->saving().empty()) {
+        window_.stay_open();
+        asks_about_saving_ = true;
+        return false;
+    }
     if (before_ && !before_->unsaved().empty()) go_back(document);
     if (closing_ || document->unsaved().empty()) return true;
     window_.stay_open();
@@ -148,6 +160,7 @@ void Shell::draw_changes_question(Document& document) {
     }
     switch (ask_about_changes(name)) {
         case ChangesAnswer::none:
+        case ChangesAnswer::next:
             return;
         case ChangesAnswer::cancel:
             return waiting_.reset();
@@ -163,21 +176,45 @@ void Shell::draw_changes_question(Document& document) {
         ask_where_to_save(document.where_to_save_project(), Asked::project);
 }
 
+void Shell::draw_saving_question(Document& document) {
+    const std::string name = document.saving();
+    const ChangesAnswer answer = name.empty() ? ChangesAnswer::save : ask_about_saving(name);
+    if (answer == ChangesAnswer::none) return;
+    if (answer == ChangesAnswer::discard) document.stop_saving();
+    closes_once_saved_ = answer == ChangesAnswer::save || answer == ChangesAnswer::discard;
+    asks_about_saving_ = false;
+}
+
 void Shell::draw_kept_question(Document& document) {
-    switch (ask_about_kept(picture_of_kept(*left_behind_))) {
+    const std::filesystem::path first = left_behind_.front();
+    switch (ask_about_kept(picture_of_kept(first), left_behind_.size() - 1)) {
         case ChangesAnswer::none:
             return;
+        case ChangesAnswer::next:
+            std::ranges::rotate(left_behind_, left_behind_.begin() + 1);
+            return;
         case ChangesAnswer::cancel:
-            left_behind_.reset();
+            left_behind_.clear();
             break;
         case ChangesAnswer::discard:
-            UnsavedDrawings::remove(*left_behind_);
-            left_behind_.reset();
-            break;
+            UnsavedDrawings::remove(first);
+            left_behind_.erase(left_behind_.begin());
+            asks_about_left_ = !left_behind_.empty();
+            return;
         case ChangesAnswer::save:
-            document.bring_back(*left_behind_);
+            left_behind_ = {first};
+            document.bring_back(first);
     }
     asks_about_left_ = false;
+}
+
+bool Shell::draw_questions(Document& document) {
+    const bool waits = waiting_ && !waiting_->saving;
+    const bool about_left = asks_about_left_ && ready_;
+    if (waiting_) draw_changes_question(document);
+    if (!waits && asks_about_saving_) draw_saving_question(document);
+    if (!waits && !asks_about_saving_ && about_left) draw_kept_question(document);
+    return waits || asks_about_saving_ || about_left;
 }
 
 double Shell::seconds_until_kept(const Document& document) const {
@@ -199,7 +236,8 @@ void Shell::keep_unsaved(Document& document) {
         const std::filesystem::path own = unsaved_.own_file();
         if (own.empty()) return;
         document.keep(own);
-        if (left_behind_ && !asks_about_left_) UnsavedDrawings::remove(*std::exchange(left_behind_, {}));
+        if (!left_behind_.empty() && !asks_about_left_)
+            UnsavedDrawings::remove(std::exchange(left_behind_, {}).front());
     } catch (const std::exception& error) {  // as of what is remembered
         std::fprintf(stderr, "dapple: %s; nothing is kept of what is not saved\n", error.what());
     }
@@ -207,6 +245,7 @@ void Shell::keep_unsaved(Document& document) {
 
 void Shell::remember(Document& document) {
     if (!ready_) return;
+    memory_.begun();
     if (const auto trouble = memory_.take_trouble()) document.say(*trouble);
     const std::filesystem::path file = document.file();
     if (file.empty() || file == file_seen_) return;
@@ -248,6 +287,8 @@ void Shell::frame(Document& document) {
     draw_dialogs(document, do_this);
     document.draw(frame);
     window_.end_frame();
+    // What was typed before a question could be seen does not answer it.
+    if (question_frames_ > 0 && question_frames_ <= kUntilSeen) window_.forget_typed();
     report_outside(document);
     remember(document);
     keep_unsaved(before_ ? *before_ : document);
@@ -415,7 +456,9 @@ void Shell::list_export_rows(const SaveQuestion& question, Document& document, s
 }
 
 void Shell::take_row(const ListedRow& row, int value, Document& document) {
-    const std::string outer = row.sections.empty() ? "" : row.sections.front();
+    std::vector<std::string> sections = row.sections;
+    if (row.is_section) sections.push_back(row.label);
+    const std::string outer = sections.empty() ? "" : sections.front();
     if (value >= 0) {
         std::vector<ListedRow> rows;
         list_rows(document, rows, &row, value);
@@ -428,11 +471,12 @@ void Shell::take_row(const ListedRow& row, int value, Document& document) {
     if (outer != kExportRows) {
         panels_shown_ = true;
     } else if (auto question = document.where_to_save()) {
-        const FileFormat& format = *std::ranges::find_if(
-            question->formats, [&](const FileFormat& each) { return each.name == row.sections.back(); });
+        const auto format = std::ranges::find_if(
+            question->formats, [&](const FileFormat& each) { return each.name == sections.back(); });
         const auto begun = format_of(*question, question->start);
-        if (!begun || question->formats[*begun].name != row.sections.back())
-            question->start.replace_extension(format.ending);
+        if (format != question->formats.end() &&
+            (!begun || question->formats[*begun].name != sections.back()))
+            question->start.replace_extension(format->ending);
         question->begins_below = true;
         ask_where_to_save(std::move(question), Asked::drawing);
     }
@@ -446,16 +490,15 @@ void Shell::take_preferences(bool desktop) {
 
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
     // Alone: two dialogs would take turns in each other's place.
-    const bool waits = waiting_ && !waiting_->saving;
-    if (waiting_) draw_changes_question(document);
-    if (!waits && asks_about_left_ && ready_) draw_kept_question(document);
-    if (waits || (asks_about_left_ && ready_)) return;
+    const bool asked = draw_questions(document);
+    question_frames_ = asked ? question_frames_ + 1 : 0;
+    if (asked) return;
     std::vector<ListedRow> rows;
     if (palette_.is_open()) list_rows(document, rows);
-    palette_.draw(document.shortcuts(), act,
-                  {memory_.state.recent,
-                   [&](const std::filesystem::path& file) { open_again(file, document); }},
-                  {rows, [&](const ListedRow& row, int value) { take_row(row, value, document); }});
+    palette_.draw(
+        document.shortcuts(), act,
+        {memory_.state.recent, [&](const std::filesystem::path& file) { open_again(file, document); }},
+        {rows, [&](const ListedRow& row, int value) { take_row(row, value, document); }});
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
     bool desktop = memory_.preferences.dialog == DialogChoice::desktop;

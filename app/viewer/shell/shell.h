@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/model/background.h"
@@ -40,8 +41,12 @@ class Shell {
     void draw_changes_question(Document& document);
     void go_on(Document& document);
     void open_answer(const FileQuestion::Answer& answer, Document& document);
+    /// Whether the window goes while a file is being saved.
+    void draw_saving_question(Document& document);
     /// What windows left that ended unasked.
     void draw_kept_question(Document& document);
+    /// Questions that are answered by keys; none is drawn beside them.
+    bool draw_questions(Document& document);
     /// In case the program ends; at most every ten seconds.
     void keep_unsaved(Document& document);
     double seconds_until_kept(const Document& document) const;
@@ -99,8 +104,11 @@ class Shell {
     };
     std::optional<Waiting> waiting_;
     bool closing_ = false;
+    bool asks_about_saving_ = false, closes_once_saved_ = false;
+    int question_frames_ = 0;  // for how many there has been one
     UnsavedDrawings unsaved_;
-    std::optional<std::filesystem::path> left_behind_;  // asked about, or brought back and not kept since
+    // Asked about one after the other, from the first on; or the first brought back and not kept since.
+    std::vector<std::filesystem::path> left_behind_;
     bool asks_about_left_ = false;
     int changes_kept_ = -1;  // none yet
     std::chrono::steady_clock::time_point kept_{};

@@ -250,6 +250,11 @@ void Window::set_smallest_size() {
                             GLFW_DONT_CARE);
 }
 
+void Window::forget_typed() {
+    glfwPollEvents();
+    input_.forget_typed();
+}
+
 bool Window::input_waits() const {
     return !input_.empty();
 }

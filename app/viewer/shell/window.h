@@ -42,6 +42,8 @@ class Window {
     bool wait_for_events(double seconds);
     /// There is input that the last frame was not given: the next one has to follow at once.
     bool input_waits() const;
+    /// What was typed until now is not for what the next frames show.
+    void forget_typed();
     /// This frame need not be seen, nor drawn: the next follows at once. Where drawing is slow, input would
     /// wait for long otherwise.
     bool frame_is_unseen() const { return unseen_; }

@@ -21,6 +21,7 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
     if (told && told->listed) {
         told->sections.resize(kind == FoldKind::section ? 0
                                                         : std::min<std::size_t>(told->sections.size(), 1));
+        told->listed->push_back({.sections = told->sections, .label = title, .is_section = true});
         told->sections.emplace_back(title);
         return true;
     }
@@ -31,6 +32,11 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
     ImGuiID state = ImGui::GetID("open");
     if (told && told->reveal && std::ranges::count(told->reveal->sections, title) > 0)
         storage->SetBool(state, true);
+    if (told && told->reveal && told->reveal->label == title && told->reveal->is_section) {
+        storage->SetBool(state, true);
+        ImGui::SetScrollHereY(0);
+        told->reveal.reset();
+    }
     bool open = storage->GetBool(state, open_at_first);
     ImVec2 start = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight() + 3 * unit;

@@ -40,6 +40,7 @@ struct ListedRow {
     std::vector<std::string> values{};  // one of which can be chosen; none: it takes more than a choice
     int chosen = -1;                    // of these, at present
     bool greyed = false;
+    bool is_section = false;  // a title that rows stand under
 
     bool operator==(const ListedRow&) const = default;
 };
