@@ -340,8 +340,9 @@ void DrawingDocument::draw(const Frame& frame) {
     canvas_.learn(frame.last_seconds);
     canvas_.show(place, look(place), redraw);
     // What it says of the view is of the one that is seen now.
-    paper_zoom_ = canvas_.camera().pixels_per_unit / session_.pane().page().layout.page.mm_per_page_unit *
-                  kMmPerInch / frame.window.pixels_per_inch();
+    if (session_.placed_once())
+        paper_zoom_ = canvas_.camera().pixels_per_unit / session_.pane().page().layout.page.mm_per_page_unit *
+                      kMmPerInch / frame.window.pixels_per_inch();
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
