@@ -105,7 +105,7 @@ unsigned eighths_for(int enough_side, unsigned longer) {
 
 }  // namespace
 
-void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     JpegReader reader(file);
     jpeg_decompress_struct& jpeg = reader.jpeg();
@@ -130,7 +130,8 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
         describe(static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height), "8-bit",
                  layout.channels, "jpeg");
     // A progressive file is kept whole as it is read, two bytes for each pixel of each channel.
-    before_pixels(std::uint64_t{jpeg.image_width} * jpeg.image_height * layout.count * 3);
+    const std::uint64_t bytes = std::uint64_t{jpeg.image_width} * jpeg.image_height * layout.count;
+    before_pixels({.in_memory = 3 * bytes, .in_all = bytes});
     reader.call(
         [=](jpeg_decompress_struct& j) {
             j.out_color_space = grey ? JCS_GRAYSCALE : JCS_RGB;

@@ -105,7 +105,7 @@ ThumbnailSubject thumbnail_in(png_structp png, png_infop info) {
 
 }  // namespace
 
-void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     PngReader reader(file);
     png_structp const png = reader.png();
@@ -152,7 +152,8 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     const std::size_t row_bytes = png_get_rowbytes(png, info),
                       row_values = static_cast<std::size_t>(width) * channels;
     const std::size_t kept_rows = passes > 1 ? static_cast<std::size_t>(height) : 1;
-    before_pixels(row_bytes * kept_rows + row_values * sizeof(float));
+    before_pixels({.in_memory = row_bytes * kept_rows + row_values * sizeof(float),
+                   .in_all = row_bytes * static_cast<std::size_t>(height)});
     // As calloc() gives it: no memory is taken for rows that never come.
     const std::unique_ptr<unsigned char, decltype(&std::free)> kept(
         static_cast<unsigned char*>(std::calloc(kept_rows, row_bytes)), &std::free);

@@ -38,7 +38,7 @@ DecodeError error_of(const std::string& what, std::string message, const std::st
 
 // Some readers take memory for a whole picture to look at its header: its size is judged before.
 void expect_stated_size(int file, PictureFormat format, const DecodeRequest& request,
-                        BeforePixels before_pixels) {
+                        const BeforePixels& before_pixels) {
     constexpr int kChannels = 4;
     std::array<unsigned char, kFormatBytes> beginning{};
     const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
@@ -46,7 +46,9 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     const auto size = stated_size(format, {beginning.data(), static_cast<std::size_t>(got)});
     if (!size) return;
     check_size(size->width, size->height, kChannels, request);
-    before_pixels(static_cast<std::uint64_t>(size->width * size->height * kChannels));
+    const auto row = static_cast<std::uint64_t>(size->width * kChannels),
+               bytes = row * static_cast<std::uint64_t>(size->height);
+    before_pixels({.in_memory = bytes + row * kBandRows * sizeof(float), .in_all = bytes});
 }
 
 // `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
@@ -177,7 +179,7 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, 
 
 }  // namespace
 
-void decode(int file, PictureFormat format, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
     const std::string name = "/dev/fd/" + std::to_string(file);
@@ -211,7 +213,7 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
     const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
     const int band_rows = std::min(spec.tile_width == 0 ? kBandRows : spec.tile_height, spec.height);
     const std::size_t stored = row_values * spec.height * std::max<std::size_t>(spec.format.size(), 1);
-    before_pixels(stored + row_values * band_rows * sizeof(float));
+    before_pixels({.in_memory = stored + row_values * band_rows * sizeof(float), .in_all = stored});
     std::vector<float> band(row_values * band_rows);
     std::vector<glm::vec3> colours(spec.width);
     for (int begin = 0; begin < spec.height; begin += band_rows) {

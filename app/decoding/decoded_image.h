@@ -29,13 +29,17 @@ struct ImageHeader {
     ThumbnailSubject thumbnail_of = {};
 };
 
+/// Lighter than anything in a picture, and little enough for sums and squares of it to stay numbers.
+inline constexpr float kMostLightOfAPixel = 1e18f;
+
 /// Takes a picture: begin() once, then row() for each row from the top down.
 class ImageSink {
  public:
     virtual ~ImageSink() = default;
 
     virtual void begin(const ImageHeader& header) = 0;
-    /// Linear light, finite, `width` colours.
+    /// Linear light, `width` colours: numbers, none further from 0 than kMostLightOfAPixel. Some are below 0
+    /// in pictures of floats.
     virtual void row(std::span<const glm::vec3> colours) = 0;
 };
 
@@ -56,6 +60,7 @@ struct DamagedFile : DecodeError {
     using DecodeError::DecodeError;
 };
 inline constexpr const char* kTooMuchMemory = "needs more memory to decode than a picture of its size should";
+inline constexpr const char* kTooMuchTime = "takes far longer to decode than a picture of its size should";
 /// It has more pixels than asked for.
 struct TooManyPixels : DecodeError {
     using DecodeError::DecodeError;

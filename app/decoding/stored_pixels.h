@@ -33,7 +33,7 @@ class StoredPixels {
     explicit StoredPixels(const PixelLayout& layout);
 
     /// A row, integers scaled to 0..1, as linear light over white paper. Throws DecodeError if a pixel is
-    /// infinite or not a number.
+    /// not a number, infinite, or lighter than any is.
     void decode(std::span<const float> stored, int y, std::span<glm::vec3> light);
 
  private:
