@@ -24,6 +24,7 @@
 #include "app/decoding/kept_input.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
+#include "tests/png_chunk.h"
 #include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
@@ -89,25 +90,9 @@ void run(const std::string& command) {
     REQUIRE_MESSAGE(std::system(command.c_str()) == 0, command);
 }
 
-std::string big_endian(std::uint32_t number) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
-    return bytes;
-}
-
 std::string little_endian(std::uint32_t number) {
     const std::string bytes = big_endian(number);
     return {bytes.rbegin(), bytes.rend()};
-}
-
-// A piece of a PNG: the checksum is a remainder of polynomials, as the standard's annex D says.
-std::string png_chunk(const std::string& name, const std::string& content) {
-    std::uint32_t remainder = 0xffffffff;
-    for (const char c : name + content) {
-        remainder ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) remainder = remainder >> 1 ^ (remainder % 2 ? 0xedb88320 : 0);
-    }
-    return big_endian(static_cast<std::uint32_t>(content.size())) + name + content + big_endian(~remainder);
 }
 
 // A header of 16-bit colours with alpha, and the beginning of the pixels: nothing, many times over.

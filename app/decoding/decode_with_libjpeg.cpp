@@ -140,8 +140,15 @@ void decode(int file, PictureFormat, const DecodeRequest& request, const BeforeP
             jpeg_start_decompress(&j);
         },
         "the picture is damaged");
-    const ImageHeader header{static_cast<int>(jpeg.output_width), static_cast<int>(jpeg.output_height),
-                             orientation_of(jpeg), grey, description};
+    const bool has_densities = jpeg.saw_JFIF_marker && jpeg.X_density > 0 && jpeg.Y_density > 0;
+    const ImageHeader header{
+        .width = static_cast<int>(jpeg.output_width),
+        .height = static_cast<int>(jpeg.output_height),
+        .orientation = orientation_of(jpeg),
+        .grey = grey,
+        .description = description,
+        .pixel_aspect =
+            has_densities ? static_cast<float>(jpeg.Y_density) / static_cast<float>(jpeg.X_density) : 1};
     StoredPixels decoder(layout);
     std::vector<unsigned char> row(std::size_t{jpeg.output_width} * layout.count);
     std::vector<float> values(row.size());

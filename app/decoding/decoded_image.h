@@ -27,6 +27,7 @@ struct ImageHeader {
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
     bool scene_light = false;   // as it was in front of a camera, where white is not 1
     ThumbnailSubject thumbnail_of = {};
+    float pixel_aspect = 1;  // a pixel's width for its height; where a picture arrives it is always 1
 };
 
 /// Lighter than anything in a picture, and little enough for sums and squares of it to stay numbers.

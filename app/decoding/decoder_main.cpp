@@ -17,6 +17,7 @@
 #include "app/decoding/decoder_limits.h"
 #include "app/decoding/decoder_sandbox.h"
 #include "app/decoding/image_pipe.h"
+#include "app/decoding/square_pixels.h"
 #include "core/text/numbers.h"
 
 int main(int argc, char** argv) {
@@ -37,10 +38,13 @@ int main(int argc, char** argv) {
         limit_decoder_to(pixels);
         pipe.expect(pixels.in_all);
     };
+    ImageSink& as_is = pipe;
     try {
         try {
             enter_sandbox();
-            decode(kPictureFile, *format, request, before_pixels, pipe);
+            // Maps of light around something have no pixels that could be squares.
+            SquarePixels square(pipe);
+            decode(kPictureFile, *format, request, before_pixels, request.over_paper ? square : as_is);
             pipe.finish();
         } catch (const NoSandbox& error) {
             pipe.fail(error.what(), PictureFailure::system);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "app/decoding/decoded_image.h"
 
@@ -78,8 +79,10 @@ glm::vec3 StoredPixels::light_of(const float* pixel, float factor) const {
         return layout_.encoding.light(stored);
     };
     const std::array<int, 3>& colour = layout_.channels.colour;
-    if (layout_.channels.grey()) return glm::vec3(light(colour[0]));
-    return {light(colour[0]), light(colour[1]), light(colour[2])};
+    glm::vec3 seen(light(colour[0]));
+    if (!layout_.channels.grey()) seen = {seen.x, light(colour[1]), light(colour[2])};
+    if (layout_.to_srgb && !layout_.channels.grey()) seen = glm::max(*layout_.to_srgb * seen, 0.0f);
+    return layout_.encoding.kind == Encoding::Kind::hlg ? shown_hlg(seen) : seen;
 }
 
 std::string describe(int width, int height, const std::string& kind, const Channels& channels,
