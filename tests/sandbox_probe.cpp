@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -34,25 +35,31 @@ bool opens(const std::string& file, int flags) {
     return ::open(file.c_str(), flags, 0600) >= 0;
 }
 
+bool raises(decltype(RLIMIT_NOFILE) resource, rlim_t to) {
+    const rlimit more{to, to};
+    return ::setrlimit(resource, &more) == 0;
+}
+
 // As some libraries have, which start them while they are loaded.
 class EarlyThread {
  public:
     ~EarlyThread() { thread_.detach(); }
-    bool opens(const std::string& file) {
-        file_ = file.c_str();
-        for (file_.notify_one(); !done_; std::this_thread::yield()) {
+    /// Whether it can do it.
+    bool does(const std::function<bool()>& act) {
+        act_ = &act;
+        for (act_.notify_one(); !done_; std::this_thread::yield()) {
         }
         errno = error_;
         return error_ == 0;
     }
 
  private:
-    std::atomic<const char*> file_ = nullptr;
+    std::atomic<const std::function<bool()>*> act_ = nullptr;
     std::atomic<bool> done_ = false;
     std::atomic<int> error_ = 0;
     std::thread thread_{[this] {
-        file_.wait(nullptr);
-        if (!::opens(file_.load(), O_RDONLY)) error_ = errno;
+        act_.wait(nullptr);
+        if (!(*act_.load())()) error_ = errno;
         done_ = true;
     }};
 };
@@ -78,11 +85,6 @@ bool becomes_a_shell() {
     return false;
 }
 
-bool raises(decltype(RLIMIT_NOFILE) resource, rlim_t to) {
-    const rlimit more{to, to};
-    return ::setrlimit(resource, &more) == 0;
-}
-
 bool has_threads() {
     int value = 0;
     std::thread([&] { value = 1; }).join();
@@ -92,7 +94,7 @@ bool has_threads() {
 bool tries(std::string_view act, const fs::path& home) {
     const std::string parent = std::to_string(::getppid());
     if (act == "read") return opens(home / "secret", O_RDONLY);
-    if (act == "read-early") return early_thread.opens(home / "secret");
+    if (act == "read-early") return early_thread.does([&] { return opens(home / "secret", O_RDONLY); });
     if (act == "list") return opens(home, O_RDONLY | O_DIRECTORY);
     if (act == "write") return opens(home / "new", O_WRONLY | O_CREAT);
     if (act == "change") return opens(home / "secret", O_RDWR);
@@ -106,6 +108,7 @@ bool tries(std::string_view act, const fs::path& home) {
     if (act == "trace") return ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0;
     if (act == "memory") return opens("/proc/" + parent + "/mem", O_RDONLY);
     if (act == "files") return raises(RLIMIT_NOFILE, 100);
+    if (act == "files-early") return early_thread.does([] { return raises(RLIMIT_NOFILE, 100); });
     if (act == "time") return raises(RLIMIT_CPU, 10'000);
     if (act == "dump") return ::prctl(PR_SET_DUMPABLE, 1, 0, 0, 0) == 0;
     if (act == "environment") return std::getenv("DAPPLE_TEST_TOKEN") != nullptr;

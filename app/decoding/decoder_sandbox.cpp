@@ -11,7 +11,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -26,8 +25,9 @@ namespace dapple {
 
 namespace {
 
-// 0, or why what Landlock should do is not done. By numbers alone: nothing is set up yet where it is written.
-int landlock_error = 0;
+// 0, or why not all is done that is to be done before libraries are initialised. By numbers alone: nothing is
+// set up yet where it is written.
+int early_error = 0;
 
 void allow_reading(int rules, int place, bool folder) {
     landlock_path_beneath_attr rule{};
@@ -44,7 +44,22 @@ void allow_reading(int rules, const char* path, bool folder) {
     ::close(place);
 }
 
-void shut_files_out(int, char**, char**) {
+// Root may raise limits, and more. But root's programs may also read other people's pictures: the kernel
+// looks once more whether they may when a library opens one by the name of its descriptor.
+void drop_privileges() {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct privileges[_LINUX_CAPABILITY_U32S_3]{};
+    if (::syscall(SYS_capget, &header, privileges) != 0) {
+        early_error = errno;
+        return;
+    }
+    constexpr std::uint32_t kReading = 1U << CAP_DAC_READ_SEARCH;
+    privileges[0] = {privileges[0].effective & kReading, privileges[0].permitted & kReading, 0};
+    privileges[1] = {};
+    if (::syscall(SYS_capset, &header, privileges) != 0) early_error = errno;
+}
+
+void shut_files_out() {
     landlock_ruleset_attr handled{};
     handled.handled_access_fs =
         LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_READ_FILE |
@@ -53,41 +68,31 @@ void shut_files_out(int, char**, char**) {
         LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO | LANDLOCK_ACCESS_FS_MAKE_BLOCK |
         LANDLOCK_ACCESS_FS_MAKE_SYM;
     const auto rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0));
-    if (rules < 0) {
-        // ENOSYS: the kernel has it not; EOPNOTSUPP: it is switched off.
-        if (errno != ENOSYS && errno != EOPNOTSUPP) landlock_error = errno;
-        return;
-    }
+    if (rules < 0) return;  // the kernel has it not, or whoever runs this system
     allow_reading(rules, kPictureFile, false);
     for (const char* const file : {"/etc/localtime", "/etc/ld.so.cache"}) allow_reading(rules, file, false);
     for (const char* const folder :
          {"/usr/share/zoneinfo", "/sys/devices/system/cpu", "/sys/devices/system/node", "/usr/lib"})
         allow_reading(rules, folder, true);
-    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || ::syscall(SYS_landlock_restrict_self, rules, 0) != 0)
-        landlock_error = errno;
+    if (::syscall(SYS_landlock_restrict_self, rules, 0) != 0) early_error = errno;
     ::close(rules);
 }
 
+// What binds only the thread that asks for it, and those that it starts.
+void begin_early(int, char**, char**) {
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) early_error = errno;
+    drop_privileges();
+    shut_files_out();
+}
+
 // The system calls these before it initialises any library.
-__attribute__((section(".preinit_array"), used)) void (*const before_libraries)(int, char**,
-                                                                                char**) = &shut_files_out;
+using Early = void (*)(int, char**, char**);
+__attribute__((section(".preinit_array"), used)) const Early before_libraries = &begin_early;
 
 void expect(bool done, int error) {
     if (done) return;
     throw NoSandbox("cannot be read: the system does not shut its decoder in: " +
                     std::generic_category().message(error));
-}
-
-// Root may raise limits, and more. But root's programs may also read other people's pictures: the kernel
-// looks once more whether they may when a library opens one by the name of its descriptor.
-void drop_privileges() {
-    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-    std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> privileges{};
-    expect(::syscall(SYS_capget, &header, privileges.data()) == 0, errno);
-    constexpr std::uint32_t kReading = 1U << CAP_DAC_READ_SEARCH;
-    privileges[0] = {privileges[0].effective & kReading, privileges[0].permitted & kReading, 0};
-    privileges[1] = {};
-    expect(::syscall(SYS_capset, &header, privileges.data()) == 0, errno);
 }
 
 class Filter {
@@ -126,10 +131,8 @@ void end_with_parent(int pipe) {
 }
 
 void enter_sandbox() {
-    expect(landlock_error == 0, landlock_error);
-    expect(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, errno);
+    expect(early_error == 0, early_error);
     expect(::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0, errno);
-    drop_privileges();
 
     Filter filter;
     // As traced of all formats, on Debian 12 and 13; some have other names on processors of 32 bits.
