@@ -8,7 +8,8 @@
 build_packages=(
     cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
     libglib2.0-dev libglm-dev libimgui-dev libjpeg62-turbo-dev libkissfft-dev liblcms2-dev libopenimageio-dev libpng-dev
-    libqpdf-dev libstb-dev libtbb-dev libtiff-dev libwebp-dev ninja-build nlohmann-json3-dev pkg-config zlib1g-dev
+    libqpdf-dev libseccomp-dev libstb-dev libtbb-dev libtiff-dev libwebp-dev ninja-build nlohmann-json3-dev pkg-config
+    zlib1g-dev
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(

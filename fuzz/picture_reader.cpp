@@ -31,7 +31,9 @@ void read_any_picture(PictureFormat format, const std::string& bytes) {
     Forgetful sink;
     try {
         // The side is for the reader of smaller pictures; others give the whole one.
-        decode(file, format, {.most_pixels = kMostPixels, .enough_side = 8}, &limit_decoder_memory, sink);
+        decode(
+            file, format, {.most_pixels = kMostPixels, .enough_side = 8},
+            [](const PixelBytes& pixels) { limit_decoder_memory(pixels.in_memory); }, sink);
     } catch (const std::exception&) {
     }
     ::close(file);

@@ -21,6 +21,8 @@ void write_picture(const std::filesystem::path& path, const PictureFile& picture
         if (path.extension() != ".exr" && !picture.premultiplied) spec.attribute("oiio:UnassociatedAlpha", 1);
     }
     if (picture.channels == 2) spec.channelnames = {"Y", "A"};
+    if (picture.strip > 0) spec.attribute("tiff:RowsPerStrip", picture.strip);
+    if (picture.planes) spec.attribute("planarconfig", "separate");
     if (picture.tile > 0) spec.tile_width = spec.tile_height = picture.tile;
 
     const std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create(path.string());

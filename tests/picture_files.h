@@ -16,6 +16,8 @@ struct PictureFile {
     std::string profile = "";       // ICC's bytes
     int orientation = 1;            // EXIF's
     int tile = 0;                   // side of the file's tiles, 0 for scan lines
+    int strip = 0;                  // rows of a TIFF's strips; 0 leaves it to the format
+    bool planes = false;            // of a TIFF, each channel by itself
     bool premultiplied = false;     // values are colours times alpha already; as EXR always has them
     bool append = false;            // as a further picture of a file that there is
 };

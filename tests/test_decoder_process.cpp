@@ -24,6 +24,7 @@
 #include "app/decoding/kept_input.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
+#include "tests/png_chunk.h"
 #include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"
@@ -89,25 +90,9 @@ void run(const std::string& command) {
     REQUIRE_MESSAGE(std::system(command.c_str()) == 0, command);
 }
 
-std::string big_endian(std::uint32_t number) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
-    return bytes;
-}
-
 std::string little_endian(std::uint32_t number) {
     const std::string bytes = big_endian(number);
     return {bytes.rbegin(), bytes.rend()};
-}
-
-// A piece of a PNG: the checksum is a remainder of polynomials, as the standard's annex D says.
-std::string png_chunk(const std::string& name, const std::string& content) {
-    std::uint32_t remainder = 0xffffffff;
-    for (const char c : name + content) {
-        remainder ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) remainder = remainder >> 1 ^ (remainder % 2 ? 0xedb88320 : 0);
-    }
-    return big_endian(static_cast<std::uint32_t>(content.size())) + name + content + big_endian(~remainder);
 }
 
 // A header of 16-bit colours with alpha, and the beginning of the pixels: nothing, many times over.
@@ -154,7 +139,7 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
     // A header of 4 x 4 pixels, with three texts that are empty, and one row of it.
     CHECK(has(
         Decoder(
-            R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0r0123456789abcdef')")
+            R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0r0123012301230123')")
             .sentence(),
         "without a word"));
     // A picture larger than was asked for.
@@ -170,7 +155,7 @@ TEST_CASE("what a decoder may use is limited") {
     const TemporaryFolder folder;
     const pid_t child = ::fork();
     if (child == 0) {
-        limit_decoder();
+        limit_decoder(kUsualPixels);
         int failed = 0;
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
         constexpr std::size_t kGigabyte = 1 << 30;
@@ -179,7 +164,7 @@ TEST_CASE("what a decoder may use is limited") {
                    MAP_FAILED;
         };
         if (memory(kGigabyte)) failed |= 1;
-        limit_decoder_to(kGigabyte);
+        limit_decoder_to({.in_memory = kGigabyte, .in_all = 60'000'000});
         if (!memory(kGigabyte)) failed |= 2;
         if (memory(3 * kGigabyte)) failed |= 4;
 #endif
@@ -187,13 +172,13 @@ TEST_CASE("what a decoder may use is limited") {
         const int file = ::open((folder / "written").c_str(), O_CREAT | O_WRONLY, 0600);
         if (::write(file, "x", 1) == 1) failed |= 8;
         rlimit seconds{};
-        limit_decoder_to(60'000'000);
+        limit_decoder_to({.in_all = 60'000'000});
         if (::getrlimit(RLIMIT_CPU, &seconds) != 0 || seconds.rlim_cur < 60 || seconds.rlim_cur > 120)
             failed |= 16;
         // A picture that keeps its decoder busy for ever.
         const pid_t busy = ::fork();
         if (busy == 0) {
-            limit_decoder();
+            limit_decoder(kUsualPixels);
             seconds.rlim_cur = 1;
             ::setrlimit(RLIMIT_CPU, &seconds);
             for (std::atomic<int> i = 0;; ++i) {

@@ -9,11 +9,17 @@
 namespace dapple {
 
 struct Encoding {
-    enum class Kind { linear, srgb, power } kind = Kind::srgb;
+    /// PQ and HLG are those of Rec. 2100.
+    enum class Kind { linear, srgb, power, pq, hlg } kind = Kind::srgb;
     float gamma = 1;  // of a power
 
+    /// Of PQ, 1 is 203 cd/m2, the white of a sheet of paper in Rec. BT.2408. Of HLG, what a camera saw: see
+    /// shown_hlg().
     float light(float stored) const;
 };
+
+/// Light of HLG, of sRGB's primaries, as a screen of 1000 cd/m2 shows it: 1 is the same white.
+glm::vec3 shown_hlg(glm::vec3 seen);
 
 class ColourProfile {
  public:

@@ -105,7 +105,7 @@ unsigned eighths_for(int enough_side, unsigned longer) {
 
 }  // namespace
 
-void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     JpegReader reader(file);
     jpeg_decompress_struct& jpeg = reader.jpeg();
@@ -130,7 +130,8 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
         describe(static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height), "8-bit",
                  layout.channels, "jpeg");
     // A progressive file is kept whole as it is read, two bytes for each pixel of each channel.
-    before_pixels(std::uint64_t{jpeg.image_width} * jpeg.image_height * layout.count * 3);
+    const std::uint64_t bytes = std::uint64_t{jpeg.image_width} * jpeg.image_height * layout.count;
+    before_pixels({.in_memory = 3 * bytes, .in_all = bytes});
     reader.call(
         [=](jpeg_decompress_struct& j) {
             j.out_color_space = grey ? JCS_GRAYSCALE : JCS_RGB;
@@ -139,8 +140,15 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
             jpeg_start_decompress(&j);
         },
         "the picture is damaged");
-    const ImageHeader header{static_cast<int>(jpeg.output_width), static_cast<int>(jpeg.output_height),
-                             orientation_of(jpeg), grey, description};
+    const bool has_densities = jpeg.saw_JFIF_marker && jpeg.X_density > 0 && jpeg.Y_density > 0;
+    const ImageHeader header{
+        .width = static_cast<int>(jpeg.output_width),
+        .height = static_cast<int>(jpeg.output_height),
+        .orientation = orientation_of(jpeg),
+        .grey = grey,
+        .description = description,
+        .pixel_aspect =
+            has_densities ? static_cast<float>(jpeg.Y_density) / static_cast<float>(jpeg.X_density) : 1};
     StoredPixels decoder(layout);
     std::vector<unsigned char> row(std::size_t{jpeg.output_width} * layout.count);
     std::vector<float> values(row.size());

@@ -7,10 +7,14 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "app/decoding/code_points.h"
 #include "app/decoding/decode.h"
 #include "app/decoding/exif_orientation.h"
 #include "app/decoding/png_calls.h"
@@ -18,6 +22,8 @@
 
 namespace dapple {
 namespace {
+
+constexpr png_byte kCodePoints[] = "cICP";
 
 // Reads from a file descriptor.
 void read_bytes(png_structp png, png_bytep bytes, png_size_t size) {
@@ -41,6 +47,8 @@ class PngReader {
         constexpr png_alloc_size_t kLargestChunk = 64 << 20;
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
         png_set_chunk_malloc_max(png_, kLargestChunk);
+        // Newer releases of libpng know it, older ones do not.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, kCodePoints, 1);
         png_set_read_fn(png_, &file_, &read_bytes);
     }
     PngReader(const PngReader&) = delete;
@@ -69,6 +77,16 @@ Encoding encoding_of(png_structp png, png_infop info) {
         return {Encoding::Kind::srgb};
     if (std::abs(gamma - 1) < 1e-3) return {Encoding::Kind::linear};
     return {Encoding::Kind::power, static_cast<float>(1 / gamma)};
+}
+
+std::optional<CodePoints> code_points_of(png_structp png, png_infop info) {
+    png_unknown_chunkp chunks = nullptr;
+    const int count = png_get_unknown_chunks(png, info, &chunks);
+    for (const png_unknown_chunk& chunk : std::span(chunks, static_cast<std::size_t>(std::max(count, 0)))) {
+        if (std::ranges::equal(chunk.name, kCodePoints) && chunk.size == 4)
+            return CodePoints{chunk.data[0], chunk.data[1], chunk.data[2], chunk.data[3] == 1};
+    }
+    return std::nullopt;
 }
 
 std::string profile_of(png_structp png, png_infop info) {
@@ -105,7 +123,7 @@ ThumbnailSubject thumbnail_in(png_structp png, png_infop info) {
 
 }  // namespace
 
-void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     PngReader reader(file);
     png_structp const png = reader.png();
@@ -137,14 +155,27 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     layout.encoding = encoding_of(png, info);
     layout.profile = profile_of(png, info);
     layout.eight_bit = !wide;
-    const ImageHeader header{
-        .width = static_cast<int>(width),
-        .height = static_cast<int>(height),
-        .orientation = orientation_of(png, info),
-        .grey = layout.channels.grey(),
-        .description = describe(static_cast<int>(width), static_cast<int>(height),
-                                std::to_string(stored_bits) + "-bit", layout.channels, "png"),
-        .thumbnail_of = thumbnail_in(png, info)};
+    std::string described = describe(static_cast<int>(width), static_cast<int>(height),
+                                     std::to_string(stored_bits) + "-bit", layout.channels, "png");
+    // Counts for more than all else that is said of colours.
+    if (const auto points = code_points_of(png, info)) {
+        if (const auto colours = coded_colours(*points)) {
+            layout.encoding = colours->encoding;
+            layout.to_srgb = colours->to_srgb;
+            layout.profile.clear();
+            described += ", " + colours->name;
+        } else {
+            described += ", whose cICP " + std::to_string(points->primaries) + "/" +
+                         std::to_string(points->transfer) + " is not known here";
+        }
+    }
+    const ImageHeader header{.width = static_cast<int>(width),
+                             .height = static_cast<int>(height),
+                             .orientation = orientation_of(png, info),
+                             .grey = layout.channels.grey(),
+                             .description = std::move(described),
+                             .thumbnail_of = thumbnail_in(png, info),
+                             .pixel_aspect = png_get_pixel_aspect_ratio(png, info)};
     if (!request.over_paper) layout.channels.alpha.reset();
     StoredPixels decoder(layout);
 
@@ -152,7 +183,8 @@ void decode(int file, PictureFormat, const DecodeRequest& request, BeforePixels 
     const std::size_t row_bytes = png_get_rowbytes(png, info),
                       row_values = static_cast<std::size_t>(width) * channels;
     const std::size_t kept_rows = passes > 1 ? static_cast<std::size_t>(height) : 1;
-    before_pixels(row_bytes * kept_rows + row_values * sizeof(float));
+    before_pixels({.in_memory = row_bytes * kept_rows + row_values * sizeof(float),
+                   .in_all = row_bytes * static_cast<std::size_t>(height)});
     // As calloc() gives it: no memory is taken for rows that never come.
     const std::unique_ptr<unsigned char, decltype(&std::free)> kept(
         static_cast<unsigned char*>(std::calloc(kept_rows, row_bytes)), &std::free);

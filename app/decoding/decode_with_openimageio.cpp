@@ -1,4 +1,5 @@
 // Any format but PNG. OpenImageIO's headers come with an fmt of their own: nothing else of it here.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
@@ -8,12 +9,18 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/decoding/bmp_runs.h"
 #include "app/decoding/decode.h"
 #include "app/decoding/stored_pixels.h"
+#include "app/decoding/tiff_doubles.h"
 
 namespace dapple {
 namespace {
@@ -38,7 +45,7 @@ DecodeError error_of(const std::string& what, std::string message, const std::st
 
 // Some readers take memory for a whole picture to look at its header: its size is judged before.
 void expect_stated_size(int file, PictureFormat format, const DecodeRequest& request,
-                        BeforePixels before_pixels) {
+                        const BeforePixels& before_pixels) {
     constexpr int kChannels = 4;
     std::array<unsigned char, kFormatBytes> beginning{};
     const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
@@ -46,13 +53,18 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     const auto size = stated_size(format, {beginning.data(), static_cast<std::size_t>(got)});
     if (!size) return;
     check_size(size->width, size->height, kChannels, request);
-    before_pixels(static_cast<std::uint64_t>(size->width * size->height * kChannels));
+    const auto row = static_cast<std::uint64_t>(size->width * kChannels),
+               bytes = row * static_cast<std::uint64_t>(size->height);
+    before_pixels({.in_memory = bytes + row * kBandRows * sizeof(float), .in_all = bytes});
 }
 
 // `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
-std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format, bool halved) {
+// `from`: what it is read from instead of the file of that name, if there is any.
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format, bool halved,
+                                               OIIO::Filesystem::IOProxy* from) {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(std::string(reader_of(format)));
     if (!input) throw DecodeError("cannot be read: " + OIIO::geterror());
+    if (from) input->set_ioproxy(from);
     OIIO::ImageSpec spec, wishes;
     // Colours as stored: dividing 8-bit colours by alpha again would lose them.
     wishes.attribute("oiio:UnassociatedAlpha", 1);
@@ -164,6 +176,18 @@ void go_to_smaller(OIIO::ImageInput& input, int enough_side) {
     if (found_in < 0 || !input.seek_subimage(found_in, found_level)) throw DecodeError(kWholeOnly);
 }
 
+// How many rows are read at a time: whole tiles or strips where their library has to be asked for them.
+int band_rows_of(const OIIO::ImageSpec& spec, bool whole_strips) {
+    int rows = kBandRows;
+    if (spec.tile_width != 0) {
+        rows = spec.tile_height;
+    } else if (whole_strips) {
+        const int strip = std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", 1), 1, spec.height);
+        rows = strip * std::max(1, kBandRows / strip);
+    }
+    return std::min(rows, spec.height);
+}
+
 // Rows [begin, end) of the file as floats.
 bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* pixels) {
     const int subimage = input.current_subimage(), level = input.current_miplevel();
@@ -175,14 +199,52 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, 
                             spec.z, spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
 }
 
+// In formats of Windows' the fourth byte of a pixel is often of no use, and then 0 everywhere: a picture that
+// is transparent all over nobody would keep.
+void forget_unused_alpha(PixelLayout& layout, const OIIO::ImageSpec& spec, int band_rows,
+                         std::span<const float> band, const std::function<void(int, int)>& read) {
+    if (!layout.channels.alpha) return;
+    const auto alpha = static_cast<std::size_t>(*layout.channels.alpha),
+               count = static_cast<std::size_t>(spec.nchannels);
+    for (int begin = 0; begin < spec.height; begin += band_rows) {
+        const int end = std::min(begin + band_rows, spec.height);
+        read(begin, end);
+        const std::size_t values = count * static_cast<std::size_t>(spec.width) * (end - begin);
+        for (std::size_t i = alpha; i < values; i += count)
+            if (band[i] > 0) return;
+    }
+    layout.channels.alpha.reset();
+    layout.premultiplied = false;
+}
+
+// How wide a pixel is for its height, by the dots that there are across and down, of which JFIF's are read
+// here: of those OpenImageIO keeps some, and others it has the wrong way round.
+float pixel_aspect_of(const OIIO::ImageSpec& spec, int file, PictureFormat format) {
+    std::array<unsigned char, 18> jfif{};
+    if (format == PictureFormat::jpeg && ::pread(file, jfif.data(), jfif.size(), 0) == 18 &&
+        std::string_view(reinterpret_cast<const char*>(jfif.data()) + 6, 4) == "JFIF") {
+        const int across = jfif[14] << 8 | jfif[15], down = jfif[16] << 8 | jfif[17];
+        return across > 0 && down > 0 ? static_cast<float>(down) / static_cast<float>(across) : 1;
+    }
+    const float across = spec.get_float_attribute("XResolution", 0),
+                down = spec.get_float_attribute("YResolution", 0);
+    if (across > 0 && down > 0) return down / across;
+    return format == PictureFormat::jpeg ? 1 : spec.get_float_attribute("PixelAspectRatio", 1);
+}
+
 }  // namespace
 
-void decode(int file, PictureFormat format, const DecodeRequest& request, BeforePixels before_pixels,
+void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
     const std::string name = "/dev/fd/" + std::to_string(file);
     const bool halved = format == PictureFormat::raw && request.enough_side > 0;
-    const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format, halved);
+    std::optional<std::vector<unsigned char>> plain;
+    if (format == PictureFormat::bmp) plain = bmp_without_runs(file);
+    std::optional<OIIO::Filesystem::IOMemReader> from;
+    if (plain) from.emplace(plain->data(), plain->size());
+    const std::unique_ptr<OIIO::ImageInput> input =
+        open_picture(name, format, halved, from ? &*from : nullptr);
     OIIO::ImageSpec whole = input->spec();
     if (halved) {
         if (std::max(whole.width, whole.height) < request.enough_side) throw DecodeError(kWholeOnly);
@@ -196,30 +258,42 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, Before
     if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")
         throw DecodeError("has the inks of a print, which cannot be mixed here; save it as RGB or grey");
 
+    const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
+    const bool in_doubles = format == PictureFormat::tiff && spec.format == OIIO::TypeDesc::DOUBLE;
+    const int band_rows = band_rows_of(spec, in_doubles);
+    const std::size_t stored = row_values * spec.height * std::max<std::size_t>(spec.format.size(), 1);
+    before_pixels({.in_memory = stored + row_values * band_rows * sizeof(float), .in_all = stored});
+    std::vector<float> band(row_values * band_rows);
+    std::optional<TiffDoubles> doubles;
+    // A page is one that OpenImageIO takes for a picture of the file's or for a copy of the first.
+    const int page = input->current_subimage() + input->current_miplevel();
+    if (in_doubles) doubles.emplace(file, page, spec.width, spec.height, spec.nchannels);
+    const auto read = [&](int begin, int end) {
+        if (doubles) return doubles->read(begin, end, band.data());
+        // The JPEG reader goes on after a file ends too early, but says so.
+        if (!read_rows(*input, spec, begin, end, band.data()) || input->has_error())
+            throw error_of("the picture is damaged", input->geterror(), name);
+    };
+
     PixelLayout layout = layout_of(spec);
+    if (format == PictureFormat::bmp || format == PictureFormat::targa)
+        forget_unused_alpha(layout, spec, band_rows, band, read);
     const int orientation = whole.get_int_attribute("Orientation", 1);
     const ImageHeader header{
-        spec.width,
-        spec.height,
-        orientation >= 1 && orientation <= 8 ? orientation : 1,
-        layout.channels.grey(),
-        describe(whole.width, whole.height, kind_of(whole), layout.channels, input->format_name()),
-        spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear};
+        .width = spec.width,
+        .height = spec.height,
+        .orientation = orientation >= 1 && orientation <= 8 ? orientation : 1,
+        .grey = layout.channels.grey(),
+        .description =
+            describe(whole.width, whole.height, kind_of(whole), layout.channels, input->format_name()),
+        .scene_light = spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear,
+        .pixel_aspect = pixel_aspect_of(whole, file, format)};
     if (!request.over_paper) layout.channels.alpha.reset();
     StoredPixels decoder(layout);
-
-    const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
-    const int band_rows = std::min(spec.tile_width == 0 ? kBandRows : spec.tile_height, spec.height);
-    const std::size_t stored = row_values * spec.height * std::max<std::size_t>(spec.format.size(), 1);
-    before_pixels(stored + row_values * band_rows * sizeof(float));
-    std::vector<float> band(row_values * band_rows);
     std::vector<glm::vec3> colours(spec.width);
     for (int begin = 0; begin < spec.height; begin += band_rows) {
         const int end = std::min(begin + band_rows, spec.height);
-        const bool complete = read_rows(*input, spec, begin, end, band.data());
-        // The JPEG reader goes on after a file ends too early, but says so.
-        if (!complete || input->has_error())
-            throw error_of("the picture is damaged", input->geterror(), name);
+        read(begin, end);
         if (begin == 0) sink.begin(header);
         for (int y = begin; y < end; ++y) {
             decoder.decode({band.data() + (y - begin) * row_values, row_values}, y, colours);

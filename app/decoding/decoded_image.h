@@ -27,7 +27,11 @@ struct ImageHeader {
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
     bool scene_light = false;   // as it was in front of a camera, where white is not 1
     ThumbnailSubject thumbnail_of = {};
+    float pixel_aspect = 1;  // a pixel's width for its height; where a picture arrives it is always 1
 };
+
+/// Lighter than anything in a picture, and little enough for sums and squares of it to stay numbers.
+inline constexpr float kMostLightOfAPixel = 1e18f;
 
 /// Takes a picture: begin() once, then row() for each row from the top down.
 class ImageSink {
@@ -35,7 +39,8 @@ class ImageSink {
     virtual ~ImageSink() = default;
 
     virtual void begin(const ImageHeader& header) = 0;
-    /// Linear light, finite, `width` colours.
+    /// Linear light, `width` colours: numbers, none further from 0 than kMostLightOfAPixel. Some are below 0
+    /// in pictures of floats.
     virtual void row(std::span<const glm::vec3> colours) = 0;
 };
 
@@ -56,6 +61,7 @@ struct DamagedFile : DecodeError {
     using DecodeError::DecodeError;
 };
 inline constexpr const char* kTooMuchMemory = "needs more memory to decode than a picture of its size should";
+inline constexpr const char* kTooMuchTime = "takes far longer to decode than a picture of its size should";
 /// It has more pixels than asked for.
 struct TooManyPixels : DecodeError {
     using DecodeError::DecodeError;

@@ -5,13 +5,23 @@
 
 namespace dapple {
 
-/// Memory to look at a file's header with, files to open besides it, and none to write.
-void limit_decoder();
+/// What the pixels of a picture take: memory at a time, and work, which goes by all of them.
+struct PixelBytes {
+    std::uint64_t in_memory = 0, in_all = 0;
+};
 
-/// As many bytes as it takes to look at a header, and as many more twice over.
+/// More than any picture of at most so many pixels has.
+std::uint64_t most_pixel_bytes(std::int64_t most_pixels);
+
+/// Memory and time to look at a file's header with, files to open besides it, and none to write. For good, it
+/// is never more than a picture of at most so many pixels may use.
+void limit_decoder(std::int64_t most_pixels);
+
+/// Once the size is known: memory to look at a header, and twice over what the pixels take; and time by them.
+/// For good: afterwards there is only less.
+void limit_decoder_to(const PixelBytes& pixels);
+
+/// Of these, memory alone, and not for good.
 void limit_decoder_memory(std::uint64_t pixel_bytes);
-
-/// Once the size is known: memory for so many bytes of pixels twice over, and time by them.
-void limit_decoder_to(std::uint64_t pixel_bytes);
 
 }  // namespace dapple

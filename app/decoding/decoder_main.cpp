@@ -2,8 +2,8 @@
 //
 //     dapple-decode READER MOST-PIXELS over-paper|as-is ENOUGH-SIDE
 //
-// reads the file that is its descriptor 3, which is in the format of OpenImageIO's reader of that name, and
-// writes it into standard output as image_pipe.h says.
+// reads the file that is its descriptor kPictureFile, which is in the format of OpenImageIO's reader of that
+// name, and writes it into standard output as image_pipe.h says.
 
 #include <unistd.h>
 
@@ -15,12 +15,14 @@
 
 #include "app/decoding/decode.h"
 #include "app/decoding/decoder_limits.h"
+#include "app/decoding/decoder_sandbox.h"
 #include "app/decoding/image_pipe.h"
+#include "app/decoding/square_pixels.h"
 #include "core/text/numbers.h"
 
 int main(int argc, char** argv) {
     using namespace dapple;
-    constexpr int kFile = 3, kUsage = 2;
+    constexpr int kUsage = 2;
     if (argc != 5) return kUsage;
     const auto format = format_with_reader(argv[1]);
     const auto most_pixels = number_of<long long>(argv[2]);
@@ -29,22 +31,33 @@ int main(int argc, char** argv) {
     const DecodeRequest request{.over_paper = std::string_view(argv[3]) == "over-paper",
                                 .most_pixels = *most_pixels,
                                 .enough_side = *enough_side};
-    limit_decoder();
+    end_with_parent(STDOUT_FILENO);
+    limit_decoder(request.most_pixels);
     ImagePipe pipe(STDOUT_FILENO);
+    const auto before_pixels = [&pipe](const PixelBytes& pixels) {
+        limit_decoder_to(pixels);
+        pipe.expect(pixels.in_all);
+    };
+    ImageSink& as_is = pipe;
     try {
         try {
-            decode(kFile, *format, request, &limit_decoder_to, pipe);
+            enter_sandbox();
+            // Maps of light around something have no pixels that could be squares.
+            SquarePixels square(pipe);
+            decode(kPictureFile, *format, request, before_pixels, request.over_paper ? square : as_is);
             pipe.finish();
+        } catch (const NoSandbox& error) {
+            pipe.fail(error.what(), PictureFailure::system);
         } catch (const TooManyPixels& error) {
-            pipe.fail(error.what(), true);
+            pipe.fail(error.what(), PictureFailure::too_many_pixels);
         } catch (const DecodeError& error) {
-            pipe.fail(error.what(), false);
+            pipe.fail(error.what(), PictureFailure::file);
         } catch (const std::bad_alloc&) {
-            pipe.fail(kTooMuchMemory, false);
+            pipe.fail(kTooMuchMemory, PictureFailure::file);
         } catch (const std::length_error&) {
-            pipe.fail(kTooMuchMemory, false);
+            pipe.fail(kTooMuchMemory, PictureFailure::file);
         } catch (const std::exception& error) {  // of a library
-            pipe.fail(std::string("the picture is damaged (") + error.what() + ")", false);
+            pipe.fail(std::string("the picture is damaged (") + error.what() + ")", PictureFailure::file);
         }
     } catch (const std::exception&) {
         // Whoever asked for the picture has gone.

@@ -13,9 +13,12 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "app/decoding/decoder_sandbox.h"
 #include "app/decoding/image_pipe.h"
 #include "app/decoding/kept_input.h"
 #include "app/decoding/tiff_page.h"
@@ -27,8 +30,6 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kPictureFile = 3;  // where the decoder finds it
 
 std::string reason(int error) {
     return std::generic_category().message(error);
@@ -101,6 +102,19 @@ class Actions {
     posix_spawn_file_actions_t actions_;
 };
 
+// What a decoder is told of ours: where libraries are, what time it is, and in tests what is looked for. The
+// rest is none of its business, least of all what people keep there for other programs to log in with.
+std::vector<char*> decoder_environment() {
+    std::vector<char*> environment;
+    for (char** variable = environ; variable && *variable; ++variable) {
+        const std::string_view text = *variable;
+        for (const std::string_view name : {"LD_LIBRARY_PATH=", "TZ=", "ASAN_OPTIONS="})
+            if (text.starts_with(name)) environment.push_back(*variable);
+    }
+    environment.push_back(nullptr);
+    return environment;
+}
+
 // A decoder at work.
 class Process {
  public:
@@ -122,8 +136,8 @@ class Process {
                     side = std::to_string(request.enough_side);
         std::array<char*, 6> arguments{name.data(), format.data(), most.data(),
                                        over.data(), side.data(),   nullptr};
-        const int error =
-            ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
+        const int error = ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(),
+                                        decoder_environment().data());
         if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
     }
     Process(const Process&) = delete;
@@ -156,8 +170,10 @@ class Process {
 [[noreturn]] void fail_by(int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        if (signal == SIGXCPU)
-            throw DecodeError("takes far longer to decode than a picture of its size should");
+        if (signal == SIGXCPU) throw DecodeError(kTooMuchTime);
+        if (signal == SIGSYS)
+            throw DecodeError(
+                "cannot be read: its decoder asked the system for what no picture needs, and was ended");
         if (signal == SIGINT || signal == SIGTERM || signal == SIGKILL)
             throw DecodeError("cannot be read: its decoder was stopped");
         throw DamagedFile(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
@@ -194,13 +210,14 @@ fs::path decoder_named(const char* name) {
 }
 
 void decode_open(const Descriptor& file, PictureFormat format, const fs::path& decoder,
-                 const DecodeRequest& request, ImageSink& sink, const std::stop_token& stop = {}) {
+                 const DecodeRequest& request, ImageSink& sink, const std::stop_token& stop = {},
+                 const DecoderPatience& patience = {}) {
     Process process(decoder, std::string(reader_of(format)).c_str(), request, file);
     bool complete = false;
     {
         // Gone before the process is waited for: its number may then be another's.
         const std::stop_callback ending(stop, [&process] { process.end(); });
-        complete = receive_image(process.output(), request, sink);
+        complete = receive_image(process.output(), request, sink, patience);
     }
     if (complete) return;
     if (stop.stop_requested()) throw DecodeError("was not read to its end: it was stopped");
@@ -233,9 +250,9 @@ void decode_file_smaller(const fs::path& path, const DecodeRequest& request, Ima
 }
 
 void decode_file_by(const fs::path& decoder, const fs::path& path, const DecodeRequest& request,
-                    ImageSink& sink) {
+                    ImageSink& sink, const DecoderPatience& patience) {
     const Descriptor file = open_file(path);
-    decode_open(file, format_in(file), decoder, request, sink);
+    decode_open(file, format_in(file), decoder, request, sink, {}, patience);
 }
 
 }  // namespace dapple

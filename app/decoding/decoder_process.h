@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "app/decoding/decoded_image.h"
+#include "app/decoding/image_pipe.h"
 #include "app/decoding/picture_format.h"
 
 namespace dapple {
@@ -27,6 +28,6 @@ void decode_file_smaller(const std::filesystem::path& path, const DecodeRequest&
 
 /// The same by a given decoder, run as decoder_main.cpp says.
 void decode_file_by(const std::filesystem::path& decoder, const std::filesystem::path& path,
-                    const DecodeRequest& request, ImageSink& sink);
+                    const DecodeRequest& request, ImageSink& sink, const DecoderPatience& patience = {});
 
 }  // namespace dapple

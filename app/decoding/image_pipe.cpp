@@ -1,69 +1,187 @@
 #include "app/decoding/image_pipe.h"
 
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 
+#include "app/decoding/decoder_limits.h"
+#include "app/shown_text.h"
+
 namespace dapple {
 namespace {
 
+using std::chrono::milliseconds;
+
 constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::size_t kLongestText = 1 << 12;
-constexpr char kPicture = 'p', kRow = 'r', kError = 'e', kTooManyPixels = 'm';
+constexpr char kSize = 's', kPicture = 'p', kRow = 'r', kDamaged = 'e', kTooManyPixels = 'm', kSystem = 'x';
 
 struct Numbers {
     std::int32_t width, height, orientation, grey, scene_light;
 };
 
+// The pipe has no more.
+struct Ended {};
+
+[[noreturn]] void fail_nonsense(const std::string& what) {
+    throw DecodeError("its decoder says what cannot be: " + what);
+}
+
 class Reader {
  public:
-    explicit Reader(int descriptor) : descriptor_(descriptor), buffer_(kBufferBytes) {}
+    Reader(int descriptor, const DecoderPatience& patience)
+        : descriptor_(descriptor),
+          at_first_(patience.at_first),
+          per_megabyte_(patience.per_megabyte),
+          buffer_(kBufferBytes) {}
 
-    // False at the end.
-    bool get(void* to, std::size_t size) {
+    void wait_for(std::uint64_t pixel_bytes) {
+        constexpr std::uint64_t kMegabyte = 1'000'000;
+        const milliseconds all =
+            at_first_ + per_megabyte_ * static_cast<std::int64_t>(pixel_bytes / kMegabyte);
+        patience_ = std::max(patience_, all);
+    }
+
+    void get(void* to, std::size_t size) {
         char* next = static_cast<char*>(to);
         while (size > 0) {
-            if (at_ == filled_ && !fill()) return false;
+            if (at_ == filled_) fill();
             const std::size_t part = std::min(size, filled_ - at_);
             std::memcpy(next, buffer_.data() + at_, part);
             next += part, at_ += part, size -= part;
         }
-        return true;
+    }
+
+    template <class Value>
+    Value get() {
+        Value value{};
+        get(&value, sizeof value);
+        return value;
     }
 
     std::string text() {
-        std::uint32_t size = 0;
-        if (!get(&size, sizeof size) || size > kLongestText) return "";
+        const auto size = get<std::uint32_t>();
+        if (size > kLongestText) fail_nonsense("a text of " + grouped(size) + " bytes");
         std::string text(size, '\0');
-        return get(text.data(), size) ? text : "";
+        get(text.data(), size);
+        return text;
+    }
+
+    bool at_end() {
+        try {
+            get<char>();
+        } catch (const Ended&) {
+            return true;
+        }
+        return false;
     }
 
  private:
-    bool fill() {
-        ssize_t got = 0;
-        do got = ::read(descriptor_, buffer_.data(), buffer_.size());
-        while (got < 0 && errno == EINTR);
+    void fill() {
+        ssize_t got = -1;
+        do {
+            wait();
+            got = ::read(descriptor_, buffer_.data(), buffer_.size());
+        } while (got < 0 && errno == EINTR);
+        if (got <= 0) throw Ended();
         at_ = 0;
-        filled_ = got > 0 ? static_cast<std::size_t>(got) : 0;
-        return got > 0;
+        filled_ = static_cast<std::size_t>(got);
+    }
+
+    // Until there is something to read. What passes while this process is stopped itself counts for little.
+    void wait() {
+        constexpr milliseconds kLookAgain(1000);
+        for (;;) {
+            if (waited_ >= patience_) throw DecodeError(kTooMuchTime);
+            const milliseconds part = std::min(kLookAgain, patience_ - waited_);
+            pollfd waiting{.fd = descriptor_, .events = POLLIN, .revents = 0};
+            const auto before = std::chrono::steady_clock::now();
+            const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
+            const auto passed = std::chrono::steady_clock::now() - before;
+            waited_ += ready == 0 ? part : std::min(part, std::chrono::ceil<milliseconds>(passed));
+            if (ready > 0 || (ready < 0 && errno != EINTR)) return;
+        }
     }
 
     int descriptor_;
+    milliseconds at_first_, per_megabyte_, patience_ = at_first_, waited_{0};
     std::vector<char> buffer_;
     std::size_t at_ = 0, filled_ = 0;
 };
 
 [[noreturn]] void fail(Reader& reader, char kind) {
-    const std::string sentence = reader.text();
+    if (kind != kDamaged && kind != kTooManyPixels && kind != kSystem)
+        throw DecodeError("its decoder says nothing that can be understood");
+    const std::string sentence = printable(reader.text());
+    if (sentence.empty()) fail_nonsense("an error without a word");
     if (kind == kTooManyPixels) throw TooManyPixels(sentence);
-    if (kind != kError) throw DecodeError("its decoder says nothing that can be understood");
-    if (sentence == kTooMuchMemory) throw DecodeError(sentence);
+    if (kind == kSystem || sentence == kTooMuchMemory) throw DecodeError(sentence);
     throw DamagedFile(sentence);
 }
 
+bool yes_or_no(std::int32_t number, const char* of_what) {
+    if (number != 0 && number != 1) fail_nonsense(std::to_string(number) + " for " + of_what);
+    return number == 1;
+}
+
+ImageHeader get_header(Reader& reader, const DecodeRequest& request) {
+    const auto numbers = reader.get<Numbers>();
+    check_size(numbers.width, numbers.height, 1, request);
+    if (numbers.orientation < 1 || numbers.orientation > 8)
+        fail_nonsense("orientation " + std::to_string(numbers.orientation));
+    // In braces, each is read after the one before.
+    return {.width = numbers.width,
+            .height = numbers.height,
+            .orientation = numbers.orientation,
+            .grey = yes_or_no(numbers.grey, "grey"),
+            .description = printable(reader.text()),
+            .scene_light = yes_or_no(numbers.scene_light, "light of a scene"),
+            .thumbnail_of = {.uri = reader.text(), .modified = reader.text()}};
+}
+
+void check_light(std::span<const float> values, int y) {
+    bool light = true;  // which what is no number is not either
+    for (const float value : values) light &= std::abs(value) <= kMostLightOfAPixel;
+    if (!light) fail_nonsense("a row " + std::to_string(y) + " with values that are no light");
+}
+
+void get_picture(Reader& reader, const DecodeRequest& request, ImageSink& sink) {
+    constexpr int kMostSizes = 4;
+    auto kind = reader.get<char>();
+    for (int sizes = 0; kind == kSize && sizes < kMostSizes; ++sizes) {
+        reader.wait_for(std::min(reader.get<std::uint64_t>(), most_pixel_bytes(request.most_pixels)));
+        kind = reader.get<char>();
+    }
+    if (kind != kPicture) fail(reader, kind);
+    const ImageHeader header = get_header(reader, request);
+    sink.begin(header);
+    std::vector<glm::vec3> colours(static_cast<std::size_t>(header.width));
+    std::vector<float> values(colours.size() * (header.grey ? 1 : 3));
+    for (int y = 0; y < header.height; ++y) {
+        kind = reader.get<char>();
+        if (kind != kRow) fail(reader, kind);
+        reader.get(values.data(), values.size() * sizeof(float));
+        check_light(values, y);
+        if (header.grey)
+            std::ranges::transform(values, colours.begin(), [](float grey) { return glm::vec3(grey); });
+        else
+            std::memcpy(colours.data(), values.data(), values.size() * sizeof(float));
+        sink.row(colours);
+    }
+    if (!reader.at_end()) fail_nonsense("something after the last row");
+}
+
 }  // namespace
+
+void ImagePipe::expect(std::uint64_t pixel_bytes) {
+    put(&kSize, 1);
+    put(&pixel_bytes, sizeof pixel_bytes);
+    flush();
+}
 
 void ImagePipe::begin(const ImageHeader& header) {
     header_ = header;
@@ -92,8 +210,11 @@ void ImagePipe::finish() {
     flush();
 }
 
-void ImagePipe::fail(const std::string& sentence, bool too_many_pixels) {
-    put(too_many_pixels ? &kTooManyPixels : &kError, 1);
+void ImagePipe::fail(const std::string& sentence, PictureFailure by) {
+    put(by == PictureFailure::too_many_pixels ? &kTooManyPixels
+        : by == PictureFailure::system        ? &kSystem
+                                              : &kDamaged,
+        1);
     put_text(sentence);
     flush();
 }
@@ -119,35 +240,13 @@ void ImagePipe::flush() {
     buffer_.clear();
 }
 
-bool receive_image(int descriptor, const DecodeRequest& request, ImageSink& sink) {
-    Reader reader(descriptor);
-    char kind = 0;
-    if (!reader.get(&kind, 1)) return false;
-    if (kind != kPicture) fail(reader, kind);
-    Numbers numbers{};
-    if (!reader.get(&numbers, sizeof numbers)) return false;
-    // In braces, each is read after the one before.
-    const ImageHeader header{.width = numbers.width,
-                             .height = numbers.height,
-                             .orientation = numbers.orientation,
-                             .grey = numbers.grey != 0,
-                             .description = reader.text(),
-                             .scene_light = numbers.scene_light != 0,
-                             .thumbnail_of = {.uri = reader.text(), .modified = reader.text()}};
-    check_size(header.width, header.height, 1, request);
-    sink.begin(header);
-    std::vector<glm::vec3> colours(static_cast<std::size_t>(header.width));
-    std::vector<float> greys(header.grey ? colours.size() : 0);
-    for (int y = 0; y < header.height; ++y) {
-        if (!reader.get(&kind, 1)) return false;
-        if (kind != kRow) fail(reader, kind);
-        if (header.grey) {
-            if (!reader.get(greys.data(), greys.size() * sizeof(float))) return false;
-            for (std::size_t i = 0; i < greys.size(); ++i) colours[i] = glm::vec3(greys[i]);
-        } else if (!reader.get(colours.data(), colours.size() * sizeof(glm::vec3))) {
-            return false;
-        }
-        sink.row(colours);
+bool receive_image(int descriptor, const DecodeRequest& request, ImageSink& sink,
+                   const DecoderPatience& patience) {
+    Reader reader(descriptor, patience);
+    try {
+        get_picture(reader, request, sink);
+    } catch (const Ended&) {
+        return false;
     }
     return true;
 }

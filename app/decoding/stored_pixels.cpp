@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "app/decoding/decoded_image.h"
 
 namespace dapple {
 namespace {
 
-[[noreturn]] void fail_not_finite(std::span<const float> row, int channels, int y) {
-    const auto bad = std::ranges::find_if(row, [](float v) { return !std::isfinite(v); });
-    const bool is_nan = bad == row.end() || std::isnan(*bad);
-    throw DecodeError("pixel " + std::to_string((bad - row.begin()) / channels) + ", " + std::to_string(y) +
-                      " is " + (is_nan ? "not a number (NaN)" : "infinite") +
+// False for what is not a number, too.
+bool is_light(float value) {
+    return std::abs(value) <= kMostLightOfAPixel;
+}
+
+[[noreturn]] void fail_at(std::size_t x, int y, std::span<const float> pixel) {
+    const auto bad = std::ranges::find_if(pixel, [](float v) { return !std::isfinite(v); });
+    const std::string place = "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is ";
+    if (bad == pixel.end()) throw DecodeError(place + "lighter than any light; divide its values first");
+    throw DecodeError(place + (std::isnan(*bad) ? "not a number (NaN)" : "infinite") +
                       "; repair the picture first, for example with oiiotool --fixnan box3");
 }
 
@@ -29,7 +35,8 @@ void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::v
     const auto count = static_cast<std::size_t>(layout_.count);
     for (std::size_t i = 0; i < light.size(); ++i) {
         light[i] = over_paper(stored.data() + i * count);
-        if (!std::isfinite(light[i].x + light[i].y + light[i].z)) fail_not_finite(stored, layout_.count, y);
+        if (!is_light(light[i].x) || !is_light(light[i].y) || !is_light(light[i].z))
+            fail_at(i, y, stored.subspan(i * count, count));
     }
 }
 
@@ -72,8 +79,10 @@ glm::vec3 StoredPixels::light_of(const float* pixel, float factor) const {
         return layout_.encoding.light(stored);
     };
     const std::array<int, 3>& colour = layout_.channels.colour;
-    if (layout_.channels.grey()) return glm::vec3(light(colour[0]));
-    return {light(colour[0]), light(colour[1]), light(colour[2])};
+    glm::vec3 seen(light(colour[0]));
+    if (!layout_.channels.grey()) seen = {seen.x, light(colour[1]), light(colour[2])};
+    if (layout_.to_srgb && !layout_.channels.grey()) seen = glm::max(*layout_.to_srgb * seen, 0.0f);
+    return layout_.encoding.kind == Encoding::Kind::hlg ? shown_hlg(seen) : seen;
 }
 
 std::string describe(int width, int height, const std::string& kind, const Channels& channels,

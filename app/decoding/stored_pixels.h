@@ -2,6 +2,7 @@
 // From the numbers that a file stores to linear light.
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -23,8 +24,9 @@ struct PixelLayout {
     Channels channels;
     int count = 1;  // channels of a pixel
     Encoding encoding;
-    std::string profile{};       // ICC's bytes, which count for more; empty: none
-    bool premultiplied = false;  // colours by alpha
+    std::string profile{};               // ICC's bytes, which count for more; empty: none
+    std::optional<glm::mat3> to_srgb{};  // of light, from other primaries
+    bool premultiplied = false;          // colours by alpha
     bool eight_bit = false;
 };
 
@@ -33,7 +35,7 @@ class StoredPixels {
     explicit StoredPixels(const PixelLayout& layout);
 
     /// A row, integers scaled to 0..1, as linear light over white paper. Throws DecodeError if a pixel is
-    /// infinite or not a number.
+    /// not a number, infinite, or lighter than any is.
     void decode(std::span<const float> stored, int y, std::span<glm::vec3> light);
 
  private:

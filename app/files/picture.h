@@ -53,10 +53,11 @@ struct NoPicture : std::runtime_error {
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise, of
-/// integers by an ICC profile first. Luminance has Rec. 709 weights. Transparent parts show white paper.
+/// integers by an ICC profile first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent parts show
+/// white paper. Pixels that are no squares are made so.
 /// Memory: 4 bytes a value of the light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
-/// time.
+/// time, which on Linux can do nothing else.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
 /// damaged, too large, has pixels that are NaN or infinite, or reading was stopped; NoPicture if a decoder

@@ -10,10 +10,11 @@
 
 namespace dapple {
 
-/// How a camera was held: the EXIF orientation, 1..8. 1 is upright; 5..8 swap width and height.
+/// How a camera was held: the EXIF orientation, 1..8. 1 is upright, as is what is none; 5..8 swap width and
+/// height.
 struct ExifOrientation {
     int value = 1;
-    bool swaps_sides() const { return value >= 5; }
+    bool swaps_sides() const { return value >= 5 && value <= 8; }
 };
 
 class PictureBuilder {
