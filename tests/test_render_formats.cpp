@@ -232,6 +232,38 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
     scene.must_fail("render -o " + scene("b.dxf") + " --dpi 100", "--dpi: only a PNG or a TIFF has pixels");
 }
 
+TEST_CASE(
+    "ezdxf reads lines of a DXF in millimetres, through the dots in their order, and touches as points") {
+    require_program("/usr/bin/python3 -c 'import ezdxf'");
+    const Scene scene;
+    draw_to(scene, "a.dxf", "--style line");
+    draw_to(scene, "a.gcode", "--style line");
+    draw_to(scene, "b.dxf", "--dot-shape point --pens 'Ink:#000:0.3,Red:#f00:0.3'");
+    put_text(scene("read.py"),
+             "import ezdxf, sys\n"
+             "for name in sys.argv[1:]:\n"
+             "    drawing = ezdxf.readfile(name)\n"
+             "    audit = drawing.audit()\n"
+             "    assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
+             "    assert drawing.units == ezdxf.units.MM and drawing.header['$MEASUREMENT'] == 1\n"
+             "    for each in drawing.modelspace():\n"
+             "        assert each.dxftype() == ('LWPOLYLINE' if each.dxf.layer == 'Lines' else 'POINT')\n"
+             "        if each.dxftype() == 'POINT': continue\n"
+             "        for x, y in each.get_points('xy'): print(x, y)\n");
+    const Outcome read =
+        run_in_shell("/usr/bin/python3 " + scene("read.py") + " " + scene("a.dxf") + " " + scene("b.dxf"));
+    CAPTURE(read.err);
+    REQUIRE(read.status == 0);
+    std::istringstream in(read.out);
+    std::vector<glm::dvec2> places;
+    for (glm::dvec2 at{}; in >> at.x >> at.y;) places.push_back(at);
+    const Plotted machine = plotted_gcode(text_of(scene("a.gcode")), Lines::drawn);
+    REQUIRE(machine.lines.size() == 1);
+    REQUIRE(places.size() == machine.lines[0].size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        REQUIRE(glm::distance(places[i], machine.lines[0][i]) < 1e-6);
+}
+
 TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots") {
     require_program("/usr/bin/python3 -c 'import ezdxf'");
     const Scene scene;
@@ -242,6 +274,8 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
              "drawing = ezdxf.readfile(sys.argv[1])\n"
              "audit = drawing.audit()\n"
              "assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
+             "assert drawing.dxfversion == 'AC1015' and drawing.units == ezdxf.units.MM\n"
+             "assert drawing.header['$MEASUREMENT'] == 1\n"
              "for each in drawing.modelspace():\n"
              "    assert each.dxftype() == 'CIRCLE' and each.dxf.layer == 'Dots'\n"
              "    print(each.dxf.center.x, each.dxf.center.y, each.dxf.radius)\n");
