@@ -661,8 +661,13 @@ TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and 
     std::istringstream numbers(path);
     for (glm::dvec2 p; numbers >> p.x >> p.y;) line.push_back(p * 25.4 / 96.0);
     REQUIRE(line.size() == 2000);
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    double length = 0, longest = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        length += glm::distance(line[i - 1], line[i]);
+        longest = std::max(longest, glm::distance(line[i - 1], line[i]));
+    }
+    CHECK(read_json(scene("a.json"))["strokes"]["longest_mm"] == doctest::Approx(longest).epsilon(0.01));
+    CHECK(told.err.find(" mm at most from dot to dot") != std::string::npos);
     CHECK(std::abs(length / 1000 - std::stod(told.err.substr(told.err.find("line of ") + 8))) < 0.06);
     // The shortest of all is about 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006), and
     // less where they crowd.

@@ -316,6 +316,7 @@ TEST_CASE("a line is drawn from rest to rest; it stops at a right angle and hard
     const StrokeFigures figures = figures_of(stream_of(two, 0.3), speeds_of(Machine::axidraw_v3));
     CHECK(figures.strokes == 2);
     CHECK(figures.drawn_m == doctest::Approx(glm::distance(two.points[0], two.points[1]) / 1000));
+    CHECK(figures.longest_mm == doctest::Approx(glm::distance(two.points[0], two.points[1])));
     CHECK(figures.pen_up_m == doctest::Approx(glm::distance(two.points[1], two.points[2]) / 1000));
 }
 

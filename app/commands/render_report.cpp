@@ -75,10 +75,15 @@ nlohmann::ordered_json pens_json(const Rendered& drawn) {
     return all;
 }
 
-std::string strokes_in_words(const StrokeFigures& strokes) {
+std::string strokes_in_words(const StrokeFigures& strokes, DrawingStyle style) {
     if (strokes.drawn_m == 0) return fmt::format("touches the paper {} times", grouped(strokes.strokes));
-    return fmt::format("draws {} {} of {:.1f} m", grouped(strokes.strokes),
-                       strokes.strokes == 1 ? "line" : "lines", strokes.drawn_m);
+    const int decimals = strokes.longest_mm < 10 ? 1 : 0;
+    const std::string longest =
+        style == DrawingStyle::line
+            ? fmt::format(", {:.{}f} mm at most from dot to dot", strokes.longest_mm, decimals)
+            : "";
+    return fmt::format("draws {} {} of {:.1f} m{}", grouped(strokes.strokes),
+                       strokes.strokes == 1 ? "line" : "lines", strokes.drawn_m, longest);
 }
 
 }  // namespace
@@ -100,7 +105,7 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
         fmt::print(stderr, "{}: all of this is bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
         fmt::print(stderr, "{}; the pen {}, and moves {:.1f} m between them{}\n", dots,
-                   strokes_in_words(*strokes), strokes->pen_up_m,
+                   strokes_in_words(*strokes, options.drawing.style), strokes->pen_up_m,
                    strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
                        ? saved
                        : fmt::format("; from dot to dot {:.1f} m{}", drawn.preflight->pen_up_m, saved));
@@ -196,6 +201,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     if (drawn.strokes)
         strokes = {{"count", drawn.strokes->strokes},
                    {"drawn_m", drawn.strokes->drawn_m},
+                   {"longest_mm", drawn.strokes->longest_mm},
                    {"pen_up_m", drawn.strokes->pen_up_m}};
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},
