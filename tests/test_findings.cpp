@@ -53,6 +53,16 @@ TEST_CASE("of a drawing with which all is well nothing is said, and of one witho
     CHECK(kinds_of(none).empty());
 }
 
+TEST_CASE("a line that goes straight over bare paper is told from a tenth of the page on") {
+    DrawingFacts facts = good_facts();
+    facts.ink.as = DotsAs::lines;
+    facts.longest_link_mm = 14.9;
+    CHECK(kinds_of(facts).empty());
+    facts.longest_link_mm = 15.1;
+    CHECK(kinds_of(facts) == Kinds{FindingKind::long_link});
+    CHECK(sentences_of(facts).starts_with("the line goes 15 mm straight over bare paper"));
+}
+
 TEST_CASE("dots that run into others are told from one in a hundred on, however a pen draws them") {
     for (const DotsAs as : {DotsAs::touches, DotsAs::shapes, DotsAs::lines}) {
         DrawingFacts facts = good_facts();

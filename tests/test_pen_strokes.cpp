@@ -165,7 +165,7 @@ TEST_CASE("a DXF has each pen's strokes and marks on its layer") {
         return found;
     };
     for (const char* layer : {"1_Sand", "2_Night"})
-        CHECK(count(std::string("\nPOLYLINE\n  8\n") + layer + "\n") == 8 + 2 * 60);
+        CHECK(count(std::string("\n100\nAcDbEntity\n  8\n") + layer + "\n100\nAcDbPolyline\n") == 8 + 2 * 60);
 }
 
 TEST_CASE("each pen's pixels are those of its strokes alone") {

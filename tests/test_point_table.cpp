@@ -21,6 +21,33 @@ TEST_CASE("a table's fields may be apart by commas, semicolons, tabs or spaces")
                             "1, 2.5, 7\n-3e-2 , 4, 8") == wanted);
 }
 
+TEST_CASE("decimals may follow a comma where tabs, semicolons, blanks or quotes part the fields") {
+    const Points wanted{{1.5, 2.5}, {-3, 0.25}};
+    CHECK(parse_point_table("1,5;2,5\n-3;0,25\n") == wanted);
+    CHECK(parse_point_table("1,5\t2,5\n-3\t2,5e-1\n") == wanted);
+    CHECK(parse_point_table("1,5 2,5\n-3 0,25\n") == wanted);
+    CHECK(parse_point_table("\"1,5\",\"2,5\"\n\"-3\",\"0,25\"\n") == wanted);
+    CHECK(parse_point_table("x;y;page_width_mm;page_height_mm\n1,5;2,5;9,5;8\n-3;0,25;9,5;8\n") == wanted);
+    CHECK(page_of_table("x;y;page_width_mm;page_height_mm\n1,5;2,5;9,5;8\n") == glm::dvec2(9.5, 8));
+    CHECK(parse_point_table("x y\n1.5,2.5\n-3,0.25\n") == wanted);  // the header is parted otherwise
+}
+
+TEST_CASE("a table is read as R, a spreadsheet or pandas writes it, with quotes and names of rows") {
+    const Points wanted{{0.5, 0.25}, {0.75, 1}};
+    // write.csv(), write.table(), write.csv2() of a data frame, and with row.names = FALSE.
+    CHECK(parse_point_table("\"\",\"x\",\"y\"\n\"1\",0.5,0.25\n\"2\",0.75,1\n") == wanted);
+    CHECK(parse_point_table("\"x\" \"y\"\n\"1\" 0.5 0.25\n\"2\" 0.75 1\n") == wanted);
+    CHECK(parse_point_table("\"\";\"x\";\"y\"\n\"1\";0,5;0,25\n\"2\";0,75;1\n") == wanted);
+    CHECK(parse_point_table("\"x\",\"y\"\n0.5,0.25\n0.75,1\n") == wanted);
+    CHECK(parse_point_table("x,y\nmy first,0.5,0.25\n\"a, b\",0.75,1\n") == wanted);
+    // pandas' to_csv(), and a spreadsheet's with all fields in quotes, or a separator behind the last.
+    CHECK(parse_point_table(",X,Y,Note\n0,0.5,0.25,\"a \"\"b\"\", c\"\n1,0.75,1,\n") == wanted);
+    CHECK(parse_point_table("\"Y\",\"X\"\r\n\"0.25\",\"0.5\"\r\n\"1\",\"0.75\"\r\n") == wanted);
+    CHECK(parse_point_table("X,Y\n0.5,0.25,\n0.75,1,\n") == wanted);
+    CHECK(page_of_table("\"page_width_mm\" \"PAGE_HEIGHT_MM\" \"x\" \"y\"\n\"1\" 20 10 1 2\n") ==
+          glm::dvec2(20, 10));
+}
+
 TEST_CASE("a header says which columns the places are in") {
     const Points wanted{{1, 2}};
     CHECK(parse_point_table("x,y\n1,2\n") == wanted);
@@ -72,6 +99,21 @@ TEST_CASE("a malformed table is refused with its name, its line and what is wron
     CHECK(message("1,1e999\n") == "dots.csv, line 1: \"1e999\" is not a number");
     CHECK(message("place,size\n1,2\n") ==
           "dots.csv, line 1: \"place\" is neither a number nor a header with x_mm and y_mm, or x and y");
+    CHECK(message("1,5;2,5\n1.5;2\n") ==
+          "dots.csv, line 2: \"1.5\" has its decimals after a point, numbers before it after a comma");
+    CHECK(message("x,y\n1,5,2,5\n") ==
+          "dots.csv, line 2: there are 4 fields, and the header names 2; with commas before decimals, "
+          "semicolons have to part the fields");
+    CHECK(message("1,500,000;2\n") ==
+          "dots.csv, line 1: \"1,500,000\" is neither a number nor a header with "
+          "x_mm and y_mm, or x and y");
+    CHECK(message("1;2\n1,234.5;2\n") == "dots.csv, line 2: \"1,234.5\" is not a number");
+    CHECK(message("1;2\n3;,5\n") == "dots.csv, line 2: \",5\" is not a number");
+    CHECK(message("1 2\n3, 4\n") == "dots.csv, line 2: \"3,\" is not a number");
+    CHECK(message("\"1,2\n") ==
+          "dots.csv, line 1: \"\"1,2\" is neither a number nor a header with x_mm and y_mm, "
+          "or x and y");
+    CHECK(message("1,2\n\"3\"4,5\n") == "dots.csv, line 2: \"\"3\"4\" is not a number");
     CHECK(message("1,2\nx,y\n3,4\n") == "dots.csv, line 2: \"x\" is not a number");
 }
 

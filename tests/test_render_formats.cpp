@@ -244,6 +244,38 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
     scene.must_fail("render -o " + scene("b.dxf") + " --dpi 100", "--dpi: only a PNG or a TIFF has pixels");
 }
 
+TEST_CASE(
+    "ezdxf reads lines of a DXF in millimetres, through the dots in their order, and touches as points") {
+    require_program("/usr/bin/python3 -c 'import ezdxf'");
+    const Scene scene;
+    draw_to(scene, "a.dxf", "--style line");
+    draw_to(scene, "a.gcode", "--style line");
+    draw_to(scene, "b.dxf", "--dot-shape point --pens 'Ink:#000:0.3,Red:#f00:0.3'");
+    put_text(scene("read.py"),
+             "import ezdxf, sys\n"
+             "for name in sys.argv[1:]:\n"
+             "    drawing = ezdxf.readfile(name)\n"
+             "    audit = drawing.audit()\n"
+             "    assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
+             "    assert drawing.units == ezdxf.units.MM and drawing.header['$MEASUREMENT'] == 1\n"
+             "    for each in drawing.modelspace():\n"
+             "        assert each.dxftype() == ('LWPOLYLINE' if each.dxf.layer == 'Lines' else 'POINT')\n"
+             "        if each.dxftype() == 'POINT': continue\n"
+             "        for x, y in each.get_points('xy'): print(x, y)\n");
+    const Outcome read =
+        run_in_shell("/usr/bin/python3 " + scene("read.py") + " " + scene("a.dxf") + " " + scene("b.dxf"));
+    CAPTURE(read.err);
+    REQUIRE(read.status == 0);
+    std::istringstream in(read.out);
+    std::vector<glm::dvec2> places;
+    for (glm::dvec2 at{}; in >> at.x >> at.y;) places.push_back(at);
+    const Plotted machine = plotted_gcode(text_of(scene("a.gcode")), Lines::drawn);
+    REQUIRE(machine.lines.size() == 1);
+    REQUIRE(places.size() == machine.lines[0].size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        REQUIRE(glm::distance(places[i], machine.lines[0][i]) < 1e-6);
+}
+
 TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots") {
     require_program("/usr/bin/python3 -c 'import ezdxf'");
     const Scene scene;
@@ -254,6 +286,8 @@ TEST_CASE("ezdxf finds nothing wrong with the DXF, and circles that are the dots
              "drawing = ezdxf.readfile(sys.argv[1])\n"
              "audit = drawing.audit()\n"
              "assert not audit.errors and not audit.fixes, (audit.errors, audit.fixes)\n"
+             "assert drawing.dxfversion == 'AC1015' and drawing.units == ezdxf.units.MM\n"
+             "assert drawing.header['$MEASUREMENT'] == 1\n"
              "for each in drawing.modelspace():\n"
              "    assert each.dxftype() == 'CIRCLE' and each.dxf.layer == 'Dots'\n"
              "    print(each.dxf.center.x, each.dxf.center.y, each.dxf.radius)\n");
@@ -639,8 +673,13 @@ TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and 
     std::istringstream numbers(path);
     for (glm::dvec2 p; numbers >> p.x >> p.y;) line.push_back(p * 25.4 / 96.0);
     REQUIRE(line.size() == 2000);
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    double length = 0, longest = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        length += glm::distance(line[i - 1], line[i]);
+        longest = std::max(longest, glm::distance(line[i - 1], line[i]));
+    }
+    CHECK(read_json(scene("a.json"))["strokes"]["longest_mm"] == doctest::Approx(longest).epsilon(0.01));
+    CHECK(told.err.find(" mm at most from dot to dot") != std::string::npos);
     CHECK(std::abs(length / 1000 - std::stod(told.err.substr(told.err.find("line of ") + 8))) < 0.06);
     // The shortest of all is about 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006), and
     // less where they crowd.

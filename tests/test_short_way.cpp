@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "bench/plain_two_opt.h"
 #include "core/placing/dot_order.h"
@@ -59,6 +61,56 @@ double length_of_greedy_links(const Dots& dots) {
         std::ranges::replace(piece, std::size_t{piece[pair.a]}, std::size_t{piece[pair.b]});
     }
     return length;
+}
+
+// Pairs of a way's links that cross inside both, by comparing all pairs whose ranges from left to right meet.
+std::size_t crossings(const Dots& dots, std::span<const std::uint32_t> way) {
+    struct Link {
+        double left, right, ax, ay, bx, by;
+    };
+    std::vector<Link> links;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double ax = dots.x[way[i - 1]], ay = dots.y[way[i - 1]], bx = dots.x[way[i]],
+                     by = dots.y[way[i]];
+        links.push_back({std::min(ax, bx), std::max(ax, bx), ax, ay, bx, by});
+    }
+    std::ranges::sort(links, {}, &Link::left);
+    const auto parts = [](const Link& link, const Link& other) {
+        const auto side = [&](double x, double y) {
+            return (link.bx - link.ax) * (y - link.ay) - (link.by - link.ay) * (x - link.ax);
+        };
+        const double one = side(other.ax, other.ay), two = side(other.bx, other.by);
+        return (one > 0 && two < 0) || (one < 0 && two > 0);
+    };
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < links.size(); ++i)
+        for (std::size_t k = i + 1; k < links.size() && links[k].left <= links[i].right; ++k)
+            count += parts(links[i], links[k]) && parts(links[k], links[i]);
+    return count;
+}
+
+double longest_link(const Dots& dots, std::span<const std::uint32_t> way) {
+    double longest = 0;
+    for (std::size_t i = 1; i < way.size(); ++i)
+        longest = std::max(longest, std::hypot(double(dots.x[way[i]]) - dots.x[way[i - 1]],
+                                               double(dots.y[way[i]]) - dots.y[way[i - 1]]));
+    return longest;
+}
+
+// Dark lumps on pale ground, as a photograph has them.
+Dots uneven_way_dots(std::size_t count, unsigned seed) {
+    Dots dots;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place;
+    while (dots.size() < count) {
+        const float x = place(random), y = place(random);
+        const double dark = 0.02 + std::pow(0.5 + 0.5 * std::sin(20 * x + 3 * std::sin(9 * y)), 6);
+        if (place(random) > dark) continue;
+        dots.x.push_back(x);
+        dots.y.push_back(y);
+    }
+    sort_dots(dots, DotOrder::space);
+    return dots;
 }
 
 }  // namespace
@@ -122,6 +174,45 @@ TEST_CASE("the way through a hundred thousand dots is within 5.2 % of the shorte
     CHECK(is_permutation_of_all(order, dots.size()));
     // 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006).
     CHECK(way_length(dots.x, dots.y, order) < 1.052 * 0.7124 * std::sqrt(100'000.0));
+}
+
+TEST_CASE("no two links of a way cross, and none is long where there are dots") {
+    const auto check = [](const Dots& dots) {
+        const std::vector<std::uint32_t> way = short_way(dots.x, dots.y);
+        CHECK(is_permutation_of_all(way, dots.size()));
+        CHECK(crossings(dots, way) == 0);
+        return way;
+    };
+    for (const std::size_t count : {4, 5, 30, 300, 2000})
+        for (const unsigned seed : {1u, 2u, 3u}) {
+            check(uneven_way_dots(count, seed));
+            const Dots dots = random_way_dots(count, seed);
+            CHECK(longest_link(dots, check(dots)) < 6 / std::sqrt(double(count)));
+        }
+    // Several windows of consecutive dots, whose borders were crossed.
+    const Dots many = random_way_dots(12'000, 8);
+    CHECK(longest_link(many, check(many)) < 6 / std::sqrt(12'000.0));
+    check(uneven_way_dots(12'000, 9));
+}
+
+TEST_CASE("where many dots lie on one line, or in one place, links do not cross either") {
+    Dots lattice;
+    for (int i = 0; i < 900; ++i) {
+        lattice.x.push_back(0.03f * float(i % 30));
+        lattice.y.push_back(0.03f * float(i / 30));
+    }
+    Dots doubled = lattice;
+    append(doubled, lattice);
+    for (int i = 0; i < 40; ++i) doubled.x.push_back(0.5f), doubled.y.push_back(0.5f);
+    Dots row = random_way_dots(500, 2);
+    std::ranges::fill(row.y, 0.25f);
+    for (Dots* dots : {&lattice, &doubled, &row}) {
+        sort_dots(*dots, DotOrder::space);
+        const std::vector<std::uint32_t> way = short_way(dots->x, dots->y);
+        CHECK(is_permutation_of_all(way, dots->size()));
+        CHECK(crossings(*dots, way) == 0);
+    }
+    CHECK(way_length(row.x, row.y, short_way(row.x, row.y)) == doctest::Approx(1).epsilon(0.01));
 }
 
 TEST_CASE("a way is the same with any number of threads, and its progress never goes back") {

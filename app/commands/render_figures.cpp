@@ -43,6 +43,7 @@ void add_plotting(Rendered& rendered, DrawingFacts& facts, const SavedDrawing& s
     } else if (const auto strokes = strokes_of(options.drawing, saved.drawing, saved.from.file.format)) {
         rendered.strokes = figures_of(*strokes, speeds);
         facts.plotting = rendered.strokes->time;
+        if (options.drawing.style == DrawingStyle::line) facts.longest_link_mm = rendered.strokes->longest_mm;
     } else {
         facts.plotting = time_of(one_after_the_other(*saved.by_pen), facts.ink, page, speeds);
     }

@@ -75,13 +75,17 @@ nlohmann::ordered_json pens_json(const Rendered& drawn) {
     return all;
 }
 
-std::string strokes_in_words(const StrokeFigures& strokes) {
+std::string strokes_in_words(const StrokeFigures& strokes, DrawingStyle style) {
     const bool one = strokes.strokes == 1;
     if (strokes.drawn_m == 0)
         return one ? "touches the paper once"
                    : fmt::format("touches the paper {} times", grouped(strokes.strokes));
-    return fmt::format("draws {} {} of {}", grouped(strokes.strokes), one ? "line" : "lines",
-                       way_in_words(strokes.drawn_m));
+    const std::string longest =
+        style == DrawingStyle::line
+            ? fmt::format(", {} at most from dot to dot", millimetres_in_words(strokes.longest_mm))
+            : "";
+    return fmt::format("draws {} {} of {}{}", grouped(strokes.strokes), one ? "line" : "lines",
+                       way_in_words(strokes.drawn_m), longest);
 }
 
 }  // namespace
@@ -106,7 +110,7 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
         fmt::print(stderr, "{}: all of this is bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
         fmt::print(
-            stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes),
+            stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes, options.drawing.style),
             strokes->strokes > 1 ? fmt::format(", and moves {} between them", way_in_words(strokes->pen_up_m))
                                  : "",
             strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
@@ -206,6 +210,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     if (drawn.strokes)
         strokes = {{"count", drawn.strokes->strokes},
                    {"drawn_m", drawn.strokes->drawn_m},
+                   {"longest_mm", drawn.strokes->longest_mm},
                    {"pen_up_m", drawn.strokes->pen_up_m}};
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
                                       {"exposure", drawn.tone.exposure},

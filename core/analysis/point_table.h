@@ -11,12 +11,16 @@
 
 namespace dapple {
 
-/// A line a point, its fields apart by comma, semicolon, tab or space. A first line of words names the
-/// columns, of which x_mm and y_mm count, or x and y; without one the first two columns do. Blank lines and
+/// A line a point. What parts its fields is what does so in the first row: tabs, or else semicolons, commas
+/// or blanks. Decimals follow a point, or a comma where commas part nothing, "1,5;2,5": one of them in the
+/// whole table. Fields may be in quotes. A first line of words names the columns, of which x_mm and y_mm
+/// count, or x and y, in small or capital letters; without one the first two columns do. Where rows have one
+/// field more than there are names, each begins with a name of its own, as R writes them. Blank lines and
 /// lines that begin with # count for nothing. `name` says in messages where the text is from.
 ///
-/// Throws std::runtime_error with the number of the line if a field is missing or is no finite number, or if
-/// a header names no x and y; without a number if there is no point.
+/// Throws std::runtime_error with the number of the line if a field is missing or is no finite number, if
+/// there are more fields than the header names, if decimals follow now a point and now a comma, or if a
+/// header names no x and y; without a number if there is no point.
 std::vector<glm::dvec2> parse_point_table(std::string_view text, const std::string& name = "points");
 
 /// What the points fill, where a first line of words names page_width_mm and page_height_mm: as this

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,16 +23,76 @@ namespace {
 constexpr int kDxfDecimals = 3;
 constexpr double kLeastDxfRadiusMm = 0.001;
 
-// Each value stands on a line of its own, below the number of its group, which says what it is.
+// Each value stands on a line of its own, below the number of its group, which says what it is. What has a
+// name or is drawn has a handle, a hexadecimal number (group 5), by which it is told whose another is (330)
+// and what another has (340, 350). Here they are those that AutoCAD gives. Layers and entities go on from so
+// far that all their handles have as many digits, up to 15 million.
+constexpr std::int64_t kFirstDxfHandle = 0x100000;
+
 constexpr const char* kDxfTablesBegin =
     "  0\nSECTION\n  2\nTABLES\n"
-    "  0\nTABLE\n  2\nLTYPE\n 70\n1\n"
-    "  0\nLTYPE\n  2\nCONTINUOUS\n 70\n0\n  3\nSolid line\n 72\n65\n 73\n0\n 40\n0.0\n"
+    "  0\nTABLE\n  2\nVPORT\n  5\n8\n330\n0\n100\nAcDbSymbolTable\n 70\n0\n"
     "  0\nENDTAB\n"
-    "  0\nTABLE\n  2\nLAYER\n 70\n";  // the number of layers
+    "  0\nTABLE\n  2\nLTYPE\n  5\n5\n330\n0\n100\nAcDbSymbolTable\n 70\n3\n"
+    "  0\nLTYPE\n  5\n14\n330\n5\n100\nAcDbSymbolTableRecord\n100\nAcDbLinetypeTableRecord\n"
+    "  2\nByBlock\n 70\n0\n  3\n\n 72\n65\n 73\n0\n 40\n0.0\n"
+    "  0\nLTYPE\n  5\n15\n330\n5\n100\nAcDbSymbolTableRecord\n100\nAcDbLinetypeTableRecord\n"
+    "  2\nByLayer\n 70\n0\n  3\n\n 72\n65\n 73\n0\n 40\n0.0\n"
+    "  0\nLTYPE\n  5\n16\n330\n5\n100\nAcDbSymbolTableRecord\n100\nAcDbLinetypeTableRecord\n"
+    "  2\nContinuous\n 70\n0\n  3\nSolid line\n 72\n65\n 73\n0\n 40\n0.0\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nLAYER\n  5\n2\n330\n0\n100\nAcDbSymbolTable\n 70\n";  // the number of layers
 constexpr const char* kDxfTablesEnd =
     "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nSTYLE\n  5\n3\n330\n0\n100\nAcDbSymbolTable\n 70\n1\n"
+    "  0\nSTYLE\n  5\n11\n330\n3\n100\nAcDbSymbolTableRecord\n100\nAcDbTextStyleTableRecord\n"
+    "  2\nStandard\n 70\n0\n 40\n0.0\n 41\n1.0\n 50\n0.0\n 71\n0\n 42\n2.5\n  3\ntxt\n  4\n\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nVIEW\n  5\n6\n330\n0\n100\nAcDbSymbolTable\n 70\n0\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nUCS\n  5\n7\n330\n0\n100\nAcDbSymbolTable\n 70\n0\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nAPPID\n  5\n9\n330\n0\n100\nAcDbSymbolTable\n 70\n1\n"
+    "  0\nAPPID\n  5\n12\n330\n9\n100\nAcDbSymbolTableRecord\n100\nAcDbRegAppTableRecord\n"
+    "  2\nACAD\n 70\n0\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nDIMSTYLE\n  5\nA\n330\n0\n100\nAcDbSymbolTable\n 70\n1\n"
+    "100\nAcDbDimStyleTable\n"
+    "  0\nDIMSTYLE\n105\n27\n330\nA\n100\nAcDbSymbolTableRecord\n100\nAcDbDimStyleTableRecord\n"
+    "  2\nStandard\n 70\n0\n"
+    "  0\nENDTAB\n"
+    "  0\nTABLE\n  2\nBLOCK_RECORD\n  5\n1\n330\n0\n100\nAcDbSymbolTable\n 70\n2\n"
+    "  0\nBLOCK_RECORD\n  5\n1F\n330\n1\n100\nAcDbSymbolTableRecord\n100\nAcDbBlockTableRecord\n"
+    "  2\n*Model_Space\n340\n22\n"
+    "  0\nBLOCK_RECORD\n  5\n1B\n330\n1\n100\nAcDbSymbolTableRecord\n100\nAcDbBlockTableRecord\n"
+    "  2\n*Paper_Space\n340\n1E\n"
+    "  0\nENDTAB\n"
     "  0\nENDSEC\n";
+constexpr const char* kDxfBlocks =
+    "  0\nSECTION\n  2\nBLOCKS\n"
+    "  0\nBLOCK\n  5\n20\n330\n1F\n100\nAcDbEntity\n  8\n0\n100\nAcDbBlockBegin\n"
+    "  2\n*Model_Space\n 70\n0\n 10\n0.0\n 20\n0.0\n 30\n0.0\n  3\n*Model_Space\n  1\n\n"
+    "  0\nENDBLK\n  5\n21\n330\n1F\n100\nAcDbEntity\n  8\n0\n100\nAcDbBlockEnd\n"
+    "  0\nBLOCK\n  5\n1C\n330\n1B\n100\nAcDbEntity\n 67\n1\n  8\n0\n100\nAcDbBlockBegin\n"
+    "  2\n*Paper_Space\n 70\n0\n 10\n0.0\n 20\n0.0\n 30\n0.0\n  3\n*Paper_Space\n  1\n\n"
+    "  0\nENDBLK\n  5\n1D\n330\n1B\n100\nAcDbEntity\n 67\n1\n  8\n0\n100\nAcDbBlockEnd\n"
+    "  0\nENDSEC\n";
+// An empty dictionary of groups, and the two layouts that a file of that release has: the space that is drawn
+// in, and a sheet of paper.
+constexpr const char* kDxfObjects =
+    "  0\nSECTION\n  2\nOBJECTS\n"
+    "  0\nDICTIONARY\n  5\nC\n330\n0\n100\nAcDbDictionary\n281\n1\n"
+    "  3\nACAD_GROUP\n350\nD\n  3\nACAD_LAYOUT\n350\n1A\n"
+    "  0\nDICTIONARY\n  5\nD\n330\nC\n100\nAcDbDictionary\n281\n1\n"
+    "  0\nDICTIONARY\n  5\n1A\n330\nC\n100\nAcDbDictionary\n281\n1\n"
+    "  3\nModel\n350\n22\n  3\nLayout1\n350\n1E\n"
+    "  0\nLAYOUT\n  5\n22\n330\n1A\n100\nAcDbPlotSettings\n  1\n\n  2\nnone_device\n  4\n\n  6\n\n"
+    " 70\n1024\n 72\n1\n 73\n0\n 74\n5\n  7\n\n 75\n16\n"
+    "100\nAcDbLayout\n  1\nModel\n 70\n1\n 71\n0\n330\n1F\n"
+    "  0\nLAYOUT\n  5\n1E\n330\n1A\n100\nAcDbPlotSettings\n  1\n\n  2\nnone_device\n  4\n\n  6\n\n"
+    " 70\n0\n 72\n1\n 73\n0\n 74\n5\n  7\n\n 75\n16\n"
+    "100\nAcDbLayout\n  1\nLayout1\n 70\n1\n 71\n1\n330\n1B\n"
+    "  0\nENDSEC\n  0\nEOF\n";
 
 struct DxfLayer {
     std::string name;
@@ -71,7 +134,7 @@ int nearest_dxf_colour(glm::vec3 colour) {
     return nearest;
 }
 
-// Names of layers have letters, digits, - and _ in that release, 31 at most.
+// Of letters, digits, - and _, 31 at most, as the names of layers in older programs are.
 DxfLayer layer_of(std::size_t number, const Pen& pen) {
     std::string name = std::to_string(number + 1) + '_' + pen.name.substr(0, 28);
     const auto is_allowed = [](char c) { return std::string_view(" .()").find(c) == std::string_view::npos; };
@@ -87,58 +150,94 @@ std::vector<DxfLayer> layers_of(std::span<const Pen> pens, const char* single) {
     return layers;
 }
 
-void write_layer(TextBuffer& text, const DxfLayer& layer) {
-    text << "  0\nLAYER\n  2\n"
-         << std::string_view(layer.name) << "\n 70\n0\n 62\n"
-         << std::int64_t{layer.colour} << "\n  6\nCONTINUOUS\n";
-}
+class DxfText {
+ public:
+    explicit DxfText(std::ostream& out) : text_(out) {}
 
-// Up to the first of the entities, which are on those layers.
-void begin_dxf(TextBuffer& text, const PageSize& page, std::span<const DxfLayer> layers) {
-    text << "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n"
-         << "  9\n$EXTMIN\n 10\n0.0\n 20\n0.0\n 30\n0.0\n"
-         << "  9\n$EXTMAX\n 10\n";
-    text.fixed(page.width_mm, kDxfDecimals) << "\n 20\n";
-    text.fixed(page.height_mm, kDxfDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
-    text << kDxfTablesBegin << static_cast<std::int64_t>(layers.size() + 1) << '\n';
-    write_layer(text, {"0"});
-    for (const DxfLayer& layer : layers) write_layer(text, layer);
-    text << kDxfTablesEnd << "  0\nSECTION\n  2\nENTITIES\n";
-}
-
-void begin_entity(TextBuffer& text, const char* kind, const DxfLayer& layer) {
-    text << "  0\n" << std::string_view(kind) << "\n  8\n" << std::string_view(layer.name) << '\n';
-}
-
-void write_place(TextBuffer& text, glm::dvec2 p) {
-    text << " 10\n";
-    text.fixed(p.x, kDxfDecimals) << "\n 20\n";
-    text.fixed(p.y, kDxfDecimals) << "\n 30\n0.0\n";
-}
-
-void write_polyline(TextBuffer& text, std::span<const glm::dvec2> points, const DxfLayer& layer) {
-    begin_entity(text, "POLYLINE", layer);
-    text << " 66\n1\n";
-    write_place(text, {0, 0});
-    for (const glm::dvec2 p : points) {
-        begin_entity(text, "VERTEX", layer);
-        write_place(text, p);
+    // Up to the first of the entities, which are on those layers.
+    void begin(const PageSize& page, std::span<const DxfLayer> layers) {
+        text_ << "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1015\n"
+              << "  9\n$DWGCODEPAGE\n  3\nANSI_1252\n"
+              << "  9\n$HANDSEED\n  5\nFFFFFFFF\n"  // above all handles
+              << "  9\n$INSUNITS\n 70\n4\n"         // millimetres
+              << "  9\n$MEASUREMENT\n 70\n1\n"      // metric
+              << "  9\n$EXTMIN\n 10\n0.0\n 20\n0.0\n 30\n0.0\n"
+              << "  9\n$EXTMAX\n 10\n";
+        text_.fixed(page.width_mm, kDxfDecimals) << "\n 20\n";
+        text_.fixed(page.height_mm, kDxfDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
+        text_ << kDxfTablesBegin << static_cast<std::int64_t>(layers.size() + 1) << '\n';
+        text_ << "  0\nLAYER\n  5\n10\n";
+        end_layer({"0"});
+        for (const DxfLayer& layer : layers) {
+            text_ << "  0\nLAYER\n";
+            write_handle();
+            end_layer(layer);
+        }
+        text_ << kDxfTablesEnd << kDxfBlocks << "  0\nSECTION\n  2\nENTITIES\n";
     }
-    begin_entity(text, "SEQEND", layer);
-}
+
+    void circle(glm::dvec2 middle, double radius, const DxfLayer& layer) {
+        begin_entity("CIRCLE", layer, "AcDbCircle");
+        place(middle);
+        text_ << " 30\n0.0\n 40\n";
+        text_.fixed(std::max(radius, kLeastDxfRadiusMm), kDxfDecimals) << '\n';
+    }
+
+    void point(glm::dvec2 at, const DxfLayer& layer) {
+        begin_entity("POINT", layer, "AcDbPoint");
+        place(at);
+        text_ << " 30\n0.0\n";
+    }
+
+    void polyline(std::span<const glm::dvec2> points, const DxfLayer& layer) {
+        begin_entity("LWPOLYLINE", layer, "AcDbPolyline");
+        text_ << " 90\n" << static_cast<std::int64_t>(points.size()) << "\n 70\n0\n";
+        for (const glm::dvec2 p : points) place(p);
+    }
+
+    void end() {
+        text_ << "  0\nENDSEC\n" << kDxfObjects;
+        text_.flush();
+    }
+
+ private:
+    void write_handle() {
+        std::array<char, 16> digits;
+        char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), next_handle_++, 16).ptr;
+        for (char* digit = digits.data(); digit < end; ++digit)
+            if (*digit >= 'a') *digit = static_cast<char>(*digit - 'a' + 'A');
+        text_ << "  5\n" << std::string_view(digits.data(), end) << '\n';
+    }
+
+    void end_layer(const DxfLayer& layer) {
+        text_ << "330\n2\n100\nAcDbSymbolTableRecord\n100\nAcDbLayerTableRecord\n  2\n"
+              << std::string_view(layer.name) << "\n 70\n0\n 62\n"
+              << std::int64_t{layer.colour} << "\n  6\nContinuous\n";
+    }
+
+    void begin_entity(std::string_view kind, const DxfLayer& layer, std::string_view as) {
+        text_ << "  0\n" << kind << '\n';
+        write_handle();
+        text_ << "100\nAcDbEntity\n  8\n" << std::string_view(layer.name) << "\n100\n" << as << '\n';
+    }
+
+    void place(glm::dvec2 p) {
+        text_ << " 10\n";
+        text_.fixed(p.x, kDxfDecimals) << "\n 20\n";
+        text_.fixed(p.y, kDxfDecimals) << '\n';
+    }
+
+    TextBuffer text_;
+    std::int64_t next_handle_ = kFirstDxfHandle;
+};
 
 // On each pen's layer.
-void write_marks_of(TextBuffer& text, const PageSize& page, std::span<const DxfLayer> layers,
+void write_marks_of(DxfText& text, const PageSize& page, std::span<const DxfLayer> layers,
                     std::span<const CutMark> marks) {
     const auto turned = [&](glm::dvec2 p) { return glm::dvec2(p.x, page.height_mm - p.y); };
     for (const DxfLayer& layer : layers)
         for (const CutMark& mark : marks)
-            write_polyline(text, std::array{turned(mark.from), turned(mark.to)}, layer);
-}
-
-void end_dxf(TextBuffer& text) {
-    text << "  0\nENDSEC\n  0\nEOF\n";
-    text.flush();
+            text.polyline(std::array{turned(mark.from), turned(mark.to)}, layer);
 }
 
 }  // namespace
@@ -146,36 +245,32 @@ void end_dxf(TextBuffer& text) {
 void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, double dot_radius_mm,
                std::span<const Pen> pens, const WritingProgress& progress,
                std::span<const CutMark> registration) {
-    TextBuffer text(out);
+    DxfText text(out);
     const std::vector<DxfLayer> layers = layers_of(pens, "Dots");
-    begin_dxf(text, page, layers);
+    text.begin(page, layers);
     if (!pens.empty()) write_marks_of(text, page, layers, registration);
     for_each_plotted_dot(dots, page, dot_radius_mm, progress, [&](const PlottedDot& dot) {
         const std::size_t pen = pens.empty() ? 0 : static_cast<std::size_t>(dot.pen);
-        text << "  0\nCIRCLE\n  8\n" << std::string_view(layers[pen].name) << "\n 10\n";
-        text.fixed(dot.x_mm, kDxfDecimals) << "\n 20\n";
-        text.fixed(dot.y_mm, kDxfDecimals) << "\n 30\n0.0\n 40\n";
-        text.fixed(std::max(dot.radius_mm, kLeastDxfRadiusMm), kDxfDecimals) << '\n';
+        text.circle({dot.x_mm, dot.y_mm}, dot.radius_mm, layers[pen]);
     });
-    end_dxf(text);
+    text.end();
 }
 
 void write_dxf(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                std::span<const Pen> pens, const WritingProgress& progress,
                std::span<const CutMark> registration) {
-    TextBuffer text(out);
+    DxfText text(out);
     const std::vector<DxfLayer> layers = layers_of(pens, "Lines");
-    begin_dxf(text, page, layers);
+    text.begin(page, layers);
     if (!pens.empty()) write_marks_of(text, page, layers, registration);
     for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int pen) {
         const DxfLayer& layer = layers[pens.empty() ? 0 : static_cast<std::size_t>(pen)];
-        if (points.size() == 1) {
-            begin_entity(text, "POINT", layer);
-            return write_place(text, points[0]);
-        }
-        write_polyline(text, points, layer);
+        if (points.size() == 1)
+            text.point(points[0], layer);
+        else
+            text.polyline(points, layer);
     });
-    end_dxf(text);
+    text.end();
 }
 
 }  // namespace dapple

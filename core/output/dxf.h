@@ -13,17 +13,17 @@
 
 namespace dapple {
 
-/// ASCII DXF of release 12, which all programs read: a CIRCLE for each dot on the layer "Dots", in the order
-/// given. Circles rather than POINTs: they keep the dots' radii, and many lasers' programs leave points out.
-/// In millimetres with three decimals, although no DXF of that release can say so; the origin is the page's
-/// lower left corner. Where several pens draw, each has a layer of its own instead, "1_Cyan", in the nearest
-/// of the 255 colours that a DXF knows. A radius is 0.001 mm at least, as readers refuse 0. Needs the memory
-/// of a piece and a buffer.
+/// ASCII DXF of AutoCAD 2000 (AC1015), the first release whose files name their unit: a CIRCLE for each dot
+/// on the layer "Dots", in the order given. Circles rather than POINTs: they keep the dots' radii, and many
+/// lasers' programs leave points out. In millimetres ($INSUNITS 4) with three decimals; the origin is the
+/// page's lower left corner. Where several pens draw, each has a layer of its own instead, "1_Cyan", in the
+/// nearest of the 255 colours that a DXF knows. A radius is 0.001 mm at least, as readers refuse 0. Needs the
+/// memory of a piece and a buffer.
 void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, double dot_radius_mm,
                std::span<const Pen> pens = {}, const WritingProgress& progress = {},
                std::span<const CutMark> registration = {});
 
-/// The same of strokes: a polyline each, on the layer "Lines"; a touch is a point.
+/// The same of strokes: an LWPOLYLINE each, on the layer "Lines"; a touch is a point.
 void write_dxf(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                std::span<const Pen> pens = {}, const WritingProgress& progress = {},
                std::span<const CutMark> registration = {});

@@ -118,6 +118,15 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
          apart});
 }
 
+void add_long_link(std::vector<Finding>& found, const DrawingFacts& facts) {
+    if (facts.longest_link_mm < kLongLink * std::min(facts.page.width_mm, facts.page.height_mm)) return;
+    if (facts.ink.as == DotsAs::listed || facts.dots < 100) return;
+    found.push_back({FindingKind::long_link,
+                     fmt::format("the line goes {:.0f} mm straight over bare paper from one dot to another",
+                                 facts.longest_link_mm),
+                     "more dots, or less white in the lightest parts, lead it there in short steps"});
+}
+
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (facts.ink.as == DotsAs::listed) return;
     const Preflight& measured = *facts.measured;
@@ -218,6 +227,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
         add_joined(found, facts);
         add_edges(found, facts);
     }
+    add_long_link(found, facts);
     add_travel(found, facts);
     add_numbers(found, facts);
     add_pixels(found, facts);

@@ -42,6 +42,7 @@ struct DrawingFacts {
         double radius_mm = 0;  // and the radius that would with these dots
     };
     std::optional<Tone> for_tone = {};  // of round dots with a fixed radius
+    double longest_link_mm = 0;         // from dot to dot of one line through all; 0: there is none
 };
 
 enum class FindingKind {
@@ -52,6 +53,7 @@ enum class FindingKind {
     gap,          // a pen's dots are nearer than its smallest gap
     few,          // a pen has hardly any dots
     joined,       // programs draw a line between near dots
+    long_link,    // the line crosses bare paper
     over_edge,    // dots reach over the page's edge
     in_margins,   // or into the margins
     too_large,    // a page that the machine or the file's numbers do not reach
@@ -62,8 +64,9 @@ enum class FindingKind {
     background,   // its outline might be
 };
 constexpr auto names_of(FindingKind) {
-    return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "over_edge", "in_margins",
-                 "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer", "background");
+    return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "long_link", "over_edge",
+                 "in_margins", "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer",
+                 "background");
 }
 
 struct Finding {
@@ -79,6 +82,10 @@ std::string sentence_of(const Finding& finding);
 
 /// From this many seconds on plotting is said to take long.
 inline constexpr double kLongPlottingS = 2 * 3600;
+
+/// From this share of the page's shorter side on a line from dot to dot is told: it is seen as a line where
+/// the others are seen as a tone.
+inline constexpr double kLongLink = 0.1;
 
 /// So many elements, and no more, are read by librsvg, which rsvg-convert and many desktops show an SVG by
 /// ("cannot load more than 1000000 XML elements"); and by libxml2 no attribute longer than ten million

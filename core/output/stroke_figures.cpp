@@ -54,8 +54,11 @@ StrokeFigures figures_of(const StrokeStream& strokes, const MachineSpeeds& speed
             result.time.dots_s += speeds.dot_s;
         else
             result.time.drawing_s += drawing_time(points, speeds);
-        for (std::size_t i = 1; i < points.size(); ++i)
-            result.drawn_m += glm::distance(points[i - 1], points[i]) / 1000;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double way = glm::distance(points[i - 1], points[i]);
+            result.drawn_m += way / 1000;
+            result.longest_mm = std::max(result.longest_mm, way);
+        }
         if (last) {
             const double way = glm::distance(*last, points[0]);
             result.pen_up_m += way / 1000;

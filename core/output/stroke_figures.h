@@ -10,8 +10,9 @@
 namespace dapple {
 
 struct StrokeFigures {
-    double drawn_m = 0;   // with the pen down, in metres
-    double pen_up_m = 0;  // from each stroke's end to the next one's begin
+    double drawn_m = 0;     // with the pen down, in metres
+    double pen_up_m = 0;    // from each stroke's end to the next one's begin
+    double longest_mm = 0;  // straight on with the pen down, as between two dots of a line through them
     std::uint64_t strokes = 0;
     PlottingTime time;
 

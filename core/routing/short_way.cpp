@@ -10,6 +10,8 @@
 
 #include "core/routing/greedy_way.h"
 #include "core/routing/near_dots.h"
+#include "core/routing/tour.h"
+#include "core/routing/uncross.h"
 
 namespace dapple {
 namespace {
@@ -24,8 +26,16 @@ constexpr int kLongestRow = 3;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
 constexpr std::size_t kLongestChain = 6;
 constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};
+// Of all the time, what windows take.
+constexpr double kInWindows = 0.6;
 // Guards against a search that never ends; how near real drawings come to it has not been measured.
 constexpr std::size_t kLooksPerDot = 200;
+
+std::vector<std::uint32_t> as_they_come(std::uint32_t dots) {
+    std::vector<std::uint32_t> way(dots);
+    std::iota(way.begin(), way.end(), 0u);
+    return way;
+}
 
 // A closed tour through the dots of a window and one more stop, which joins the way's two ends and costs
 // nothing, so that an open way's moves are a closed one's.
@@ -41,15 +51,9 @@ class Window {
           joint_(static_cast<std::uint32_t>(x_.size())),
           first_(holds_first ? 0 : joint_),
           last_(holds_last ? joint_ - 1 : joint_),
-          tour_(stops_),
-          place_(stops_),
+          tour_(anew ? joined(greedy_way(x_, y_, near_, holds_first, holds_last))
+                     : joined(as_they_come(joint_))),
           waits_(stops_) {
-        if (anew)
-            std::ranges::copy(greedy_way(x_, y_, near_, holds_first, holds_last), tour_.begin());
-        else
-            std::iota(tour_.begin(), tour_.end(), 0u);
-        tour_[joint_] = joint_;
-        for (std::uint32_t place = 0; place < stops_; ++place) place_[tour_[place]] = place;
         near_length_.resize(near_.size());
         for (std::size_t i = 0; i < near_.size(); ++i)
             near_length_[i] = distance(static_cast<std::uint32_t>(i / kNearDots), near_[i]);
@@ -78,7 +82,7 @@ class Window {
         }
     }
 
-    std::vector<std::uint32_t> all() const { return {tour_.begin(), tour_.end() - 1}; }
+    std::vector<std::uint32_t> all() const { return tour_.opened_at(joint_); }
     // The dots before that one which have a near one from it on, and the other way round.
     std::vector<std::uint32_t> along_seam(std::uint32_t seam) const {
         std::vector<std::uint32_t> dots;
@@ -92,9 +96,7 @@ class Window {
 
     // The dots from the first to the last.
     std::vector<std::uint32_t> way() const {
-        std::vector<std::uint32_t> result;
-        result.reserve(joint_);
-        for (std::uint32_t dot = after(joint_); dot != joint_; dot = after(dot)) result.push_back(dot);
+        std::vector<std::uint32_t> result = tour_.opened_at(joint_);
         // A window that was turned as a whole; with both ends free either way is as good.
         const bool turned =
             (first_ != joint_ && result.front() != first_) || (last_ != joint_ && result.back() != last_);
@@ -103,16 +105,6 @@ class Window {
     }
 
  private:
-    std::uint32_t after(std::uint32_t dot) const {
-        const std::uint32_t place = place_[dot] + 1;
-        return tour_[place == stops_ ? 0 : place];
-    }
-    std::uint32_t before(std::uint32_t dot) const {
-        const std::uint32_t place = place_[dot];
-        return tour_[place == 0 ? stops_ - 1 : place - 1];
-    }
-    std::uint32_t beside(std::uint32_t dot, bool forward) const { return forward ? after(dot) : before(dot); }
-
     double distance(std::uint32_t a, std::uint32_t b) const {
         if (a == joint_ || b == joint_) {
             const std::uint32_t dot = a == joint_ ? b : a;
@@ -128,45 +120,18 @@ class Window {
         queue_.push_back(dot);
     }
 
-    // Turns the stops at these places round, or all the others, which is the same tour.
-    void turn(std::uint32_t from, std::uint32_t to) {
-        const auto count = static_cast<std::uint32_t>(stops_);
-        std::uint32_t length = (to + count - from) % count + 1;
-        if (2 * length > count) {
-            std::swap(from, to);
-            from = from + 1 == count ? 0 : from + 1;
-            to = to == 0 ? count - 1 : to - 1;
-            length = count - length;
-        }
-        for (std::uint32_t swaps = length / 2; swaps > 0; --swaps) {
-            std::swap(tour_[from], tour_[to]);
-            place_[tour_[from]] = from;
-            place_[tour_[to]] = to;
-            from = from + 1 == count ? 0 : from + 1;
-            to = to == 0 ? count - 1 : to - 1;
-        }
-    }
-
-    // In place of a-b and c-d there will be a-c and b-d; b follows a as d follows c, on either way round.
-    void exchange(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        if (after(a) == b)
-            turn(place_[b], place_[c]);
-        else
-            turn(place_[a], place_[d]);
-    }
-
     bool turn_part_at(std::uint32_t a) {
         for (const bool forward : {true, false}) {
-            const std::uint32_t b = beside(a, forward);
+            const std::uint32_t b = tour_.beside(a, forward);
             const double a_b = distance(a, b);
             for (std::size_t k = 0; k < kNearDots; ++k) {
                 const std::uint32_t c = near_[a * kNearDots + k];
                 const double a_c = near_length_[a * kNearDots + k];
                 if (a_c >= a_b) break;
-                const std::uint32_t d = beside(c, forward);
+                const std::uint32_t d = tour_.beside(c, forward);
                 if (c == b || d == a) continue;
                 if (a_b + distance(c, d) - a_c - distance(b, d) <= least_gain_) continue;
-                exchange(a, b, c, d);
+                tour_.exchange(a, b, c, d);
                 for (const std::uint32_t dot : {a, b, c, d}) look_again(dot);
                 return true;
             }
@@ -178,12 +143,12 @@ class Window {
     bool carry_row_from(std::uint32_t a) {
         for (const bool forward : {true, false}) {
             std::uint32_t end = a;
-            const std::uint32_t left = beside(a, !forward);
+            const std::uint32_t left = tour_.beside(a, !forward);
             const double left_a = distance(left, a);
             for (int length = 1; length <= kLongestRow; ++length) {
-                if (length > 1) end = beside(end, forward);
+                if (length > 1) end = tour_.beside(end, forward);
                 if (end == joint_) break;
-                const std::uint32_t right = beside(end, forward);
+                const std::uint32_t right = tour_.beside(end, forward);
                 if (right == left || end == left) break;
                 const double saved = left_a + distance(end, right) - distance(left, right);
                 if (saved <= least_gain_) continue;
@@ -194,7 +159,7 @@ class Window {
     }
 
     bool is_in_row(std::uint32_t dot, std::uint32_t a, int length, bool forward) const {
-        for (std::uint32_t row = a; length > 0; --length, row = beside(row, forward)) {
+        for (std::uint32_t row = a; length > 0; --length, row = tour_.beside(row, forward)) {
             if (row == dot) return true;
         }
         return false;
@@ -209,15 +174,15 @@ class Window {
             if (c == a || is_in_row(c, a, length, forward)) continue;
             for (const bool on : {true, false}) {
                 // Between c and d; seen in the row's direction, d follows c or goes before it.
-                const std::uint32_t d = beside(c, on == forward);
+                const std::uint32_t d = tour_.beside(c, on == forward);
                 if (is_in_row(d, a, length, forward)) continue;
                 if (saved - a_c - distance(end, d) + distance(c, d) <= least_gain_) continue;
                 const std::uint32_t u = on ? c : d, v = on ? d : c;
                 // left [a..end] right .. u v: first the row turned between u and v, as in
                 // left right .. u [end..a] v.
-                exchange(left, a, u, v);
-                exchange(left, u, right, end);
-                if (on) exchange(u, end, a, v);
+                tour_.exchange(left, a, u, v);
+                tour_.exchange(left, u, right, end);
+                if (on) tour_.exchange(u, end, a, v);
                 for (const std::uint32_t dot : {a, end, left, right, c, d}) look_again(dot);
                 return true;
             }
@@ -230,12 +195,12 @@ class Window {
     // only thought of, as stretches of places, until one is worth it.
     bool chain_from(std::uint32_t a) {
         for (const bool forward : {true, false}) {
-            const std::uint32_t b = beside(a, forward);
+            const std::uint32_t b = tour_.beside(a, forward);
             if (a == joint_ || b == joint_) continue;
             turns_.clear();
             if (!lengthen_chain(a, b, distance(a, b))) continue;
             for (const Turn& turn : turns_) {
-                exchange(a, turn.b, turn.c, turn.d);
+                tour_.exchange(a, turn.b, turn.c, turn.d);
                 for (const std::uint32_t dot : {turn.b, turn.c, turn.d}) look_again(dot);
             }
             look_again(a);
@@ -257,7 +222,7 @@ class Window {
             const std::uint32_t d = near_[b * kNearDots + k];
             const double left = freed - near_length_[b * kNearDots + k];
             if (left <= least_gain_) break;
-            // exchange() asks that b follows a as d follows c, and turns change which way that is.
+            // tour_.exchange() asks that b follows a as d follows c, and turns change which way that is.
             const std::uint32_t c = thought_beside(d, !follows);
             if (d == a || c == b || c == joint_) continue;
             const Choice choice{left + distance(c, d), c, d};
@@ -298,7 +263,7 @@ class Window {
     }
     // Where a dot is, and which is beside it, after the chain's turns.
     std::uint32_t thought_place(std::uint32_t dot) const {
-        std::uint32_t place = place_[dot];
+        std::uint32_t place = tour_.place(dot);
         for (const Turn& turn : turns_) place = turn.moved(place, static_cast<std::uint32_t>(stops_));
         return place;
     }
@@ -310,7 +275,7 @@ class Window {
         else
             place = (place == 0 ? stops : place) - 1;
         for (auto turn = turns_.rbegin(); turn != turns_.rend(); ++turn) place = turn->moved(place, stops);
-        return tour_[place];
+        return tour_.at(place);
     }
 
     std::vector<float> x_, y_;
@@ -319,7 +284,7 @@ class Window {
     std::vector<Turn> turns_;          // of the chain being tried
     std::size_t stops_;
     std::uint32_t joint_, first_, last_;  // the ends that are held, or the joint
-    std::vector<std::uint32_t> tour_, place_;
+    Tour tour_;
     std::vector<char> waits_;  // in the queue
     std::vector<std::uint32_t> queue_;
     double least_gain_ = 0, held_ = 0;
@@ -343,8 +308,7 @@ double way_length(std::span<const float> x, std::span<const float> y, std::span<
 
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
                                      const RoutingWatch& watch) {
-    std::vector<std::uint32_t> order(x.size());
-    std::iota(order.begin(), order.end(), 0u);
+    std::vector<std::uint32_t> order = as_they_come(static_cast<std::uint32_t>(x.size()));
     if (order.size() < 3) return order;
     const int rounds = order.size() > kWindow ? kPasses : 1;
     std::size_t done = 0;  // dots, over all rounds
@@ -377,9 +341,14 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
                 for (std::size_t i = 0; i < way.size(); ++i) order[first + i] = dots[way[i]];
             const std::scoped_lock lock(telling);
             done += dots.size();
-            if (watch.progress) watch.progress(double(done) / (double(rounds) * double(order.size())));
+            if (watch.progress)
+                watch.progress(kInWindows * double(done) / (double(rounds) * double(order.size())));
         });
     }
+    if (watch.stop.stop_requested()) return order;
+    uncross(x, y, order, {.stop = watch.stop, .progress = [&](double share) {
+                              if (watch.progress) watch.progress(kInWindows + (1 - kInWindows) * share);
+                          }});
     return order;
 }
 

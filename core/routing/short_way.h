@@ -2,20 +2,13 @@
 // A short way for a pen through all dots: an open path, the travelling salesman's without the way home.
 
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/placing/dots.h"
+#include "core/routing/routing_watch.h"
 
 namespace dapple {
-
-/// For someone who waits. May be called from several threads, but not at the same time.
-struct RoutingWatch {
-    std::stop_token stop;                        // asks to give up
-    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
-};
 
 /// The dots' indices in an order whose way is never longer than the one given. The dots should be sorted
 /// along a Hilbert curve (core/placing/dot_order.h), so that consecutive ones are near each other.
@@ -27,10 +20,12 @@ struct RoutingWatch {
 /// and McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
 ///
 /// Many dots are improved in windows of consecutive ones, side by side in threads, and then those along the
-/// windows' borders again, in windows half a step on. The result depends on the dots alone: not on time, nor
-/// on the number of threads, so that window and command, and every machine, write the same file. That is why
-/// there is no limit in seconds: whoever cannot wait stops it. Throws nothing of its own; when stopped, what
-/// was reached is returned.
+/// windows' borders again, in windows half a step on. What is then left, above all long links, is improved as
+/// a whole until no two links cross (uncross.h).
+///
+/// The result depends on the dots alone: not on time, nor on the number of threads, so that window and
+/// command, and every machine, write the same file. That is why there is no limit in seconds: whoever cannot
+/// wait stops it. Throws nothing of its own; when stopped, what was reached is returned.
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
                                      const RoutingWatch& watch = {});
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <glm/vec4.hpp>
 #include <random>
 #include <span>
 #include <vector>
@@ -106,6 +107,14 @@ std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const Pag
     return pens;
 }
 
+// In page units, as it is shown.
+double longest_line(const ShownStrokes& strokes) {
+    double longest = 0;
+    for (const glm::vec4& line : strokes.lines)
+        longest = std::max(longest, std::hypot(double(line.z) - line.x, double(line.w) - line.y));
+    return longest;
+}
+
 void add_time(PlottingTime& sum, const PlottingTime& time, double times, double times_lifting) {
     sum.moving_s += times * time.moving_s;
     sum.lifting_s += times_lifting * time.lifting_s;
@@ -199,6 +208,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         info_.way_m = plotting.way_m;
         if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;
     }
+    if (settings.drawing.style == DrawingStyle::line)
+        drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;
     if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm};
     if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
     if (drawn.measured && !drawing.pens.empty()) drawn.pens = pens_of(drawing, page);
