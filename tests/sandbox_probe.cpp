@@ -97,6 +97,8 @@ bool tries(std::string_view act, const fs::path& home) {
     if (act == "read-early") return early_thread.does([&] { return opens(home / "secret", O_RDONLY); });
     if (act == "list") return opens(home, O_RDONLY | O_DIRECTORY);
     if (act == "write") return opens(home / "new", O_WRONLY | O_CREAT);
+    if (act == "write-early")
+        return early_thread.does([&] { return opens(home / "new", O_WRONLY | O_CREAT); });
     if (act == "change") return opens(home / "secret", O_RDWR);
     if (act == "empty") return opens(home / "secret", O_RDONLY | O_TRUNC);
     if (act == "remove") return ::unlink((home / "secret").c_str()) == 0;

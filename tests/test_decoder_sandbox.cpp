@@ -72,8 +72,8 @@ bool has_landlock() {
 }  // namespace
 
 TEST_CASE("a decoder that a file took over is ended at what no picture needs, which else can be done") {
-    for (const char* const act : {"write", "change", "empty", "remove", "rename", "connect", "fork", "shell",
-                                  "signal", "trace", "dump"}) {
+    for (const char* const act : {"write", "write-early", "change", "empty", "remove", "rename", "connect",
+                                  "fork", "shell", "signal", "trace", "dump"}) {
         CAPTURE(std::string(act));
         const Home home, other;
         CHECK(home.said_by(SANDBOXED_PROBE, act) == kEnded);
