@@ -70,6 +70,14 @@ TEST_CASE("a drawing grows by the same factor in each second, from thirty dots t
     CHECK(grown_dots(0.5, 1) == 1);
 }
 
+TEST_CASE("the dots of a film settle when all have come, and rest before its end") {
+    CHECK(settling_steps(0.5, 20) == 0);
+    CHECK(settling_steps(kFilmEnd, 20) == 0);
+    CHECK(settling_steps(0.925, 20) == 10);
+    for (const double share : {0.95, 0.99, 1.0}) CHECK(settling_steps(share, 20) == 20);
+    CHECK(settling_steps(1, 0) == 0);
+}
+
 TEST_CASE("each level is shown for as long, and the zoom grows by the same factor in each second") {
     int shown[4] = {};
     for (int i = 0; i < 900; ++i) ++shown[level_shown(i / 1000.0, 3)];

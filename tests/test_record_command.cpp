@@ -37,15 +37,59 @@ TEST_CASE("a film into a folder is numbered pictures; the last one is what rende
         for ([[maybe_unused]] const auto& file : std::filesystem::directory_iterator(scene("new"))) ++count;
         CHECK(count == 3);
     }
-    // 50.8 mm are 2 inches.
+    // 50.8 mm are 2 inches. The dots have settled.
     const Outcome drawn =
-        run_dapple("render " + scene("cat.png") + " -o " + scene("a.png") + " --dpi 100 --relax 0" + options);
+        run_dapple("render " + scene("cat.png") + " -o " + scene("a.png") + " --dpi 100" + options);
     CAPTURE(drawn.err);
     REQUIRE(drawn.status == 0);
     const Picture last = read_picture(scene("new/frame-0003.png")), whole = read_picture(scene("a.png"));
     CHECK(last.light.width == 200);
     CHECK(last.light.values == whole.light.values);
     CHECK(read_picture(scene("new/frame-0001.png")).light.values != whole.light.values);
+}
+
+TEST_CASE("a film of growth adds dots that stay, lets them settle, and ends on what render draws") {
+    const Scene scene;
+    // The page's shape; with --relax 0 it would end on other dots.
+    const std::string options = " --dots 300 --width 50.8 --dot-radius 0.3";
+    const auto film = [&](const std::string& folder, const std::string& more) {
+        const Outcome made = run_dapple("record " + scene("cat.png") + " -o " + scene(folder) +
+                                        " --seconds 4 --fps 10 --size 200" + options + more);
+        CAPTURE(made.err);
+        REQUIRE(made.status == 0);
+    };
+    const auto picture = [&](const std::string& name) { return read_picture(scene(name)).light.values; };
+    const auto drawn = [&](const std::string& name, const std::string& more) {
+        const Outcome outcome =
+            run_dapple("render " + scene("cat.png") + " -o " + scene(name) + " --dpi 100" + options + more);
+        REQUIRE(outcome.status == 0);
+        return picture(name);
+    };
+    film("film/", "");
+    film("placed/", " --relax 0");
+    CHECK(picture("film/frame-0040.png") == drawn("a.png", ""));
+    CHECK(picture("placed/frame-0040.png") == drawn("b.png", " --relax 0"));
+    CHECK(picture("film/frame-0040.png") != picture("placed/frame-0040.png"));
+    // Of 40 pictures the 36th is the last before all dots are there: no dot of one is missing in the next.
+    for (const char* const pair : {"0010 0020", "0020 0030", "0030 0036"}) {
+        const std::vector<float> before = picture(std::string("film/frame-") + std::string(pair, 4) + ".png"),
+                                 after = picture(std::string("film/frame-") + (pair + 5) + ".png");
+        std::size_t paler = 0;
+        for (std::size_t i = 0; i < before.size(); ++i) paler += after[i] > before[i] + 0.1f;
+        CHECK(paler == 0);
+    }
+}
+
+TEST_CASE(
+    "the line for ffmpeg that help prints makes what players take: even sides, the film's rate, 4:2:0") {
+    const std::string help = run_dapple("record --help").out;
+    const std::size_t at = help.find("ffmpeg ");
+    REQUIRE(at != std::string::npos);
+    const std::string line = help.substr(at, help.find('\n', at) - at);
+    CHECK(line.find(" -framerate 25 -i ") != std::string::npos);  // before what it is of
+    CHECK(line.find(" -pix_fmt yuv420p ") != std::string::npos);
+    CHECK(line.find("crop=trunc(iw/2)*2:trunc(ih/2)*2") != std::string::npos);
+    CHECK(help.find("25") < at);
 }
 
 TEST_CASE("what cannot be filmed is said in a sentence, and nothing is written") {
@@ -55,6 +99,8 @@ TEST_CASE("what cannot be filmed is said in a sentence, and nothing is written")
     scene.must_fail(cat + scene("none/a.webp"), "none");
     scene.must_fail(cat + scene("a.webp") + " --depth 5", "--depth: is of a zoom");
     scene.must_fail(cat + scene("a.webp") + " --style line", "--style: shows in the film of a plot only");
+    scene.must_fail(cat + scene("a.webp") + " --show zoom --relax 3",
+                    "--relax: shows in the films of growth");
     scene.must_fail(cat + scene("a.webp") + " --seconds 0", "--seconds");
     scene.must_fail(cat + scene("a.webp") + " --size 5000", "--size");
     scene.must_fail("record " + scene("none.png") + " -o " + scene("a.webp"), "none.png");

@@ -38,6 +38,7 @@ TEST_CASE("Space plays how the drawing grows and lets it rest, and Escape brings
     viewer.point_at("Moment", 0.999);
     viewer.press();
     CHECK(viewer.shows([&] { return viewer.dots() == 40'000; }));
+    CHECK(viewer.shows([&] { return viewer.status()["steps"] > 0; }));  // it ends with the drawing
     viewer.release();
     viewer.key("Escape");
     REQUIRE(viewer.shows([&] { return !viewer.status().contains("film"); }));

@@ -100,8 +100,11 @@ RecordCommand::RecordCommand(CLI::App& program) {
     add_page_options(*command, options_.drawing);
     command->footer(
         "Films other than plot show dots as placed: round, in one ink, not relaxed, and at most 2,000,000 of "
-        "them.\n"
-        "To make a video of numbered files, for example: ffmpeg -i frames/frame-%04d.png film.mp4.\n\n"
+        "them; those of growth settle at its end.\n"
+        "To make a video of numbered files, which players take if its sides are even, for example, 25 being "
+        "--fps:\n"
+        "  ffmpeg -framerate 25 -i frames/frame-%04d.png -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2' "
+        "-pix_fmt yuv420p film.mp4\n\n"
         "Examples:\n"
         "  dapple record cat.jpg -o cat.webp                       from a few dots to 40,000\n"
         "  dapple record cat.jpg -o zoom.webp --show zoom --depth 1000 --seconds 12\n"
@@ -113,9 +116,10 @@ RecordCommand::RecordCommand(CLI::App& program) {
         if (kind != FilmKind::zoom) refuse(*command, {"--depth"}, "is of a zoom; give --show zoom too");
         if (kind != FilmKind::plot)
             refuse(*command,
-                   {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--relax",
-                    "--placer"},
+                   {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--placer"},
                    "shows in the film of a plot only; give --show plot too");
+        if (kind != FilmKind::plot && kind != FilmKind::growth)
+            refuse(*command, {"--relax"}, "shows in the films of growth and of a plot only");
         std::vector<FileInUse> written;
         for (const std::filesystem::path& file : files_of(options_.output, options_.film))
             written.push_back({file, "the film"});

@@ -21,6 +21,11 @@ std::uint64_t grown_dots(double share, std::uint64_t dots) {
     return std::min(static_cast<std::uint64_t>(std::lround(now)), dots);
 }
 
+int settling_steps(double share, int steps) {
+    const double settled = (share - kFilmEnd) / (0.5 * (1 - kFilmEnd));
+    return static_cast<int>(std::lround(std::clamp(settled, 0.0, 1.0) * steps));
+}
+
 int level_shown(double share, int deepest) {
     return std::min(static_cast<int>(done(share) * (deepest + 1)), deepest);
 }

@@ -12,7 +12,7 @@
 namespace dapple {
 
 enum class FilmKind {
-    growth,  // the scale rises: from a few dots to all of them, none of which ever moves or goes
+    growth,  // the scale rises: from a few dots to all, none of which moves or goes before they settle
     levels,  // the subdivision: one level of tiles after the other, each in its colour
     zoom,    // towards the middle, where dots come in between as fast as the others part
     plot,    // stroke by stroke, as a machine draws it
@@ -26,6 +26,10 @@ inline constexpr double kFilmEnd = 0.9;
 
 /// growth: how many of so many dots. As many times more in each second.
 std::uint64_t grown_dots(double share, std::uint64_t dots);
+
+/// growth: how often they have been relaxed, of so many times. They begin when all are there, and have
+/// settled half-way through what is left.
+int settling_steps(double share, int steps);
 
 /// levels: the deepest that is shown, where `deepest` is the last one that has dots. Each takes as long.
 int level_shown(double share, int deepest);

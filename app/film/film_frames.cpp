@@ -50,10 +50,16 @@ Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmCh
     return stage;
 }
 
-Grid<glm::u8vec3> grown(Pipeline& pipeline, const Stage& stage, std::uint64_t dots) {
-    DrawingRequest request = stage.request;
-    request.placing.count = dots;
-    const DrawingPlan plan = pipeline.plan(request, stage.terms);
+// The first dots of the whole drawing's density, so that each stays where it is; once all are there, they
+// settle.
+Grid<glm::u8vec3> grown(Pipeline& pipeline, const Stage& stage, double share, std::uint64_t all) {
+    const std::uint64_t dots = grown_dots(share, all);
+    DrawingPlan plan = stage.plan;
+    plan.steps = settling_steps(share, plan.steps);
+    if (dots < all) {
+        plan.placing.count = dots;
+        plan.placing.cut.reset();
+    }
     const DotStream stream = pipeline.stream(plan, stage.page.part);
     return page_pixels(stage.settings, stage.drawing(stream, plan.radius(stream.scale)));
 }
@@ -166,7 +172,7 @@ DrawingSettings film_settings(DrawingSettings settings, FilmKind kind) {
     if (kind == FilmKind::plot) return settings;
     if (settings.dot_size.sizing == DotSizing::by_tone) settings.dot_size.sizing = DotSizing::automatic;
     settings.placer = PlacerKind::exact;
-    settings.relax = 0;
+    if (kind != FilmKind::growth) settings.relax = 0;
     settings.pens = {};
     settings.style = DrawingStyle::dots;
     settings.mark = {};
@@ -190,7 +196,7 @@ FilmFrame film_frames(Pipeline& pipeline, const DrawingSettings& settings, const
     }
     const std::uint64_t all = pipeline.stream(stage.plan).count;
     return [&pipeline, stage = std::move(stage), all](double share) {
-        return grown(pipeline, stage, grown_dots(share, all));
+        return grown(pipeline, stage, share, all);
     };
 }
 

@@ -13,7 +13,8 @@
 namespace dapple {
 
 /// How a film changes what is drawn: growth, levels and zoom are the placer's own, so they show dots as
-/// placed, round and in one ink, and at most kMostFilmDots of them. A plot is the drawing as it is saved.
+/// placed, round and in one ink, and at most kMostFilmDots of them; those of growth then settle, so that it
+/// ends with the drawing. A plot is the drawing as it is saved.
 DrawingSettings film_settings(DrawingSettings settings, FilmKind kind);
 
 /// Draws a film's picture at a share of it, 0..1; all are as large.

@@ -25,6 +25,7 @@ DotsRequest film_request(const ViewerSettings& settings, const PlayedFilm& film)
         filmed.deepest_level = level_shown(film.share, film.deepest);
     } else if (film.kind == FilmKind::growth) {
         filmed.drawing.placing.count = grown_dots(film.share, film.dots);
+        if (film.share < kFilmEnd) filmed.drawing.relax = 0;  // then they settle, as they do in the window
         filmed.deepest_level = kDeepestStep;
     }
     DotsRequest request = dots_request(filmed);
