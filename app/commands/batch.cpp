@@ -44,19 +44,6 @@ class BatchProgress {
     ProgressLine line_;
 };
 
-void check_names_differ(const std::vector<fs::path>& pictures, const fs::path& folder, DrawingFormat format) {
-    std::map<fs::path, fs::path> by_output;
-    for (const fs::path& picture : pictures) {
-        const fs::path output = output_in(folder, picture, format);
-        const auto [there, is_new] = by_output.emplace(output, picture);
-        if (!is_new) {
-            throw std::runtime_error(fmt::format("{} and {} would both become {}; draw them into two folders",
-                                                 printable(there->second.native()),
-                                                 printable(picture.native()), printable(output.native())));
-        }
-    }
-}
-
 }  // namespace
 
 bool is_output_folder(const fs::path& output) {
@@ -70,10 +57,22 @@ fs::path output_in(const fs::path& folder, const fs::path& picture, DrawingForma
     return folder / picture.filename().stem().concat(ending);
 }
 
+void check_names_differ(const std::vector<fs::path>& pictures, const fs::path& folder, DrawingFormat format) {
+    std::map<fs::path, fs::path> by_output;
+    for (const fs::path& picture : pictures) {
+        const fs::path output = output_in(folder, picture, format);
+        const auto [there, is_new] = by_output.emplace(output, picture);
+        if (!is_new) {
+            throw std::runtime_error(fmt::format("{} and {} would both become {}; draw them into two folders",
+                                                 printable(there->second.native()),
+                                                 printable(picture.native()), printable(output.native())));
+        }
+    }
+}
+
 BatchResult render_batch(const RenderOptions& options, const std::vector<fs::path>& pictures, int jobs) {
     const fs::path& folder = options.output;
     const DrawingFormat format = options.format.value_or(DrawingFormat::svg);
-    check_names_differ(pictures, folder, format);
     make_folder(folder);
     const auto cores = static_cast<int>(std::thread::hardware_concurrency());
     const int usual = std::clamp(cores / 2, 1, kMostUsualJobs);

@@ -18,6 +18,10 @@ bool is_output_folder(const std::filesystem::path& output);
 std::filesystem::path output_in(const std::filesystem::path& folder, const std::filesystem::path& picture,
                                 DrawingFormat format);
 
+/// Throws std::runtime_error if two pictures' drawings would have the same name.
+void check_names_differ(const std::vector<std::filesystem::path>& pictures,
+                        const std::filesystem::path& folder, DrawingFormat format);
+
 struct BatchResult {
     struct Failure {
         std::filesystem::path picture;
@@ -30,8 +34,7 @@ struct BatchResult {
 
 /// Draws each picture as `options` say, into the folder options.output, which is made if it is not there. So
 /// many are drawn at a time, and no more in memory; 0: one for each two cores, 4 at most. Throws
-/// std::runtime_error before anything is drawn if two drawings would have the same name, or the folder cannot
-/// be made.
+/// std::runtime_error before anything is drawn if the folder cannot be made.
 BatchResult render_batch(const RenderOptions& options, const std::vector<std::filesystem::path>& pictures,
                          int jobs);
 

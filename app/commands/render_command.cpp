@@ -206,6 +206,10 @@ RenderCommand::RenderCommand(CLI::App& program) {
         if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it out");
         take_part(*command, options_);
         check_that_fit(*command, options_);
+        if (!pictures_.empty() && is_several(options_.drawing.sheets))
+            throw CLI::ValidationError("--sheets",
+                                       "is for one picture; draw the others' sheets by themselves");
+        check_names_differ(pictures_, options_.output, format_of(options_));
         check_apart(*command, options_, pictures_);
         if (pictures_.empty()) {
             if (is_several(options_.drawing.sheets))
@@ -214,9 +218,6 @@ RenderCommand::RenderCommand(CLI::App& program) {
                 render(options_);
             return;
         }
-        if (is_several(options_.drawing.sheets))
-            throw CLI::ValidationError("--sheets",
-                                       "is for one picture; draw the others' sheets by themselves");
         const BatchResult result = render_batch(options_, pictures_, jobs_);
         const std::string summary = batch_summary(result, options_.output);
         fmt::print(stderr, "{}\n", summary);
