@@ -191,7 +191,7 @@ void Shell::draw_kept_question(Document& document) {
         case ChangesAnswer::none:
             return;
         case ChangesAnswer::next:
-            std::ranges::rotate(left_behind_, left_behind_.begin() + 1);
+            std::rotate(left_behind_.begin(), left_behind_.begin() + 1, left_behind_.end());
             return;
         case ChangesAnswer::cancel:
             left_behind_.clear();
