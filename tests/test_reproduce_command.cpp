@@ -268,7 +268,7 @@ TEST_CASE("a folder that cannot be, and a map that is none, are refused in words
         CHECK(outcome.err.find(words) != std::string::npos);
     };
     refuses("-o " + (folder / "file").string(), "is a file, not a folder");
-    refuses("-o " + (folder / "a/b").string(), "cannot be made");
+    refuses("-o " + (folder / "file/b").string(), "the folder cannot be made");
     refuses("", "--output");
     CHECK(text_of(folder / "file") == "x");
 }
