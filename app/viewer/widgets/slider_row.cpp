@@ -172,6 +172,7 @@ bool value_box(double& value, const SliderRange& range, const Row& row, float wi
 }  // namespace
 
 double track_position(double value, const SliderRange& range) {
+    if (!(range.max > range.min)) return 0;  // there is but one value
     if (range.curve == SliderCurve::linear)
         return std::clamp((value - range.min) / (range.max - range.min), 0.0, 1.0);
     if (value <= range.min) return 0;
