@@ -220,6 +220,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     command->callback([this, command] {
         check_options(*command, options_.drawing);
         check_that_fit(*command, options_);
+        static_cast<void>(report_format(options_.output));  // that its name says none is told first
         check_apart(*command, {"--output"}, {{options_.output, "the report"}});
         analyse(options_);
     });

@@ -21,9 +21,13 @@ namespace fs = std::filesystem;
 // What sentences call a file that an option names.
 std::string called(const CLI::Option& option, const fs::path& file) {
     using Called = std::pair<std::string_view, const char*>;
-    constexpr std::array kCalled{Called{"--tile", "the tile"}, Called{"--mask", "the mask"},
-                                 Called{"--settings-from", "the settings"}, Called{"map", "the map"},
-                                 Called{"tile", "the tile"}};
+    constexpr std::array kCalled{Called{"--tile", "the tile"},
+                                 Called{"--mask", "the mask"},
+                                 Called{"--settings-from", "the settings"},
+                                 Called{"map", "the map"},
+                                 Called{"tile", "the tile"},
+                                 Called{"input", "what is analysed"},
+                                 Called{"pictures", "a picture that is compared"}};
     const std::string name = option.get_single_name();
     if (name == "image") return file.extension() == ".dapple" ? "the project" : "the picture";
     for (const auto& [its_name, what] : kCalled)
