@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/output/gcode.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
 
@@ -192,6 +193,22 @@ void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
                      fmt::format("{:.0f} dots per inch or more show each", dpi), dpi});
 }
 
+void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const double rest = grbl_rest_s(facts.dwell_s);
+    if (rest > 1.01 * facts.dwell_s)
+        found.push_back(
+            {FindingKind::dwell,
+             fmt::format("Grbl rests {:g} s where {:g} s are asked for, as it rounds up to {:g} s", rest,
+                         facts.dwell_s, kGrblRestStepS),
+             fmt::format("a dwell of {:g} s says what it does", rest), rest});
+    if (facts.burst_s > 0)
+        found.push_back(
+            {FindingKind::dwell,
+             fmt::format("bursts of {:g} s are burned by M4 along {:g} mm, as no G4 is that short",
+                         facts.burst_s, kBurstMm),
+             "Grbl needs its laser mode for that, which $32=1 turns on"});
+}
+
 }  // namespace
 
 std::string sentence_of(const Finding& finding) {
@@ -234,6 +251,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
              facts.tile_layer == 2 ? std::string("plot layer 1 only, or leave the tile boundaries out")
                                    : fmt::format("plot layers 1 to {} only, or leave the tile boundaries out",
                                                  facts.tile_layer - 1)});
+    add_dwell(found, facts);
     return found;
 }
 
