@@ -307,7 +307,9 @@ inline constexpr Setting dwell{
     .usual = 0.1,
     .track = {0, 1},
     .value = "SECONDS",
-    .help = "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds"};
+    .help = "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds",
+    .more = "; Grbl rounds each rest up to 0.05 s, and a laser's shorter bursts are moves by M4. Marlin reads P "
+            "as milliseconds: a template of your own says G4 S{dwell}"};
 inline constexpr Setting acceleration{
     .names = {"acceleration_mm_per_s2", "Accel., mm/s2", "--acceleration"},
     .range = {1, 1e5},
@@ -339,7 +341,7 @@ inline constexpr Setting laser_power{
     .track = {0, 1000},
     .format = "%.0f",
     .value = "S",
-    .help = "G-code: the S of a laser's M3; Grbl comes with 1000 for full power ($30)"};
+    .help = "G-code: the S of a laser's M3 or M4; Grbl comes with 1000 for full power ($30)"};
 
 }  // namespace setting
 }  // namespace dapple

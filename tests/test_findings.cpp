@@ -53,6 +53,26 @@ TEST_CASE("of a drawing with which all is well nothing is said, and of one witho
     CHECK(kinds_of(none).empty());
 }
 
+TEST_CASE("it is told where Grbl rests for longer than it is asked to, or needs its laser mode") {
+    DrawingFacts facts = good_facts();
+    for (const double kept : {0.0, 0.05, 0.1, 0.15, 0.55, 1.0}) {
+        facts.dwell_s = kept;
+        CHECK(kinds_of(facts).empty());
+    }
+    facts.dwell_s = 0.01;
+    CHECK(sentences_of(facts) ==
+          "Grbl rests 0.05 s where 0.01 s are asked for, as it rounds up to 0.05 s; a dwell of 0.05 s says "
+          "what it does\n");
+    facts.dwell_s = 0.12;
+    CHECK(findings_of(facts).at(0).amount == doctest::Approx(0.15));
+    facts.dwell_s = 0;
+    facts.burst_s = 0.01;
+    CHECK(
+        sentences_of(facts) ==
+        "bursts of 0.01 s are burned by M4 along 0.05 mm, as no G4 is that short; Grbl needs its laser mode "
+        "for that, which $32=1 turns on\n");
+}
+
 TEST_CASE("a line that goes straight over bare paper is told from a tenth of the page on") {
     DrawingFacts facts = good_facts();
     facts.ink.as = DotsAs::lines;

@@ -108,7 +108,7 @@ TEST_CASE(
     CHECK(text_of(scene("a.gcode")).find("\nM3 S800\n") != std::string::npos);
     draw_to(scene, "a.gcode", "--pen-up 5 --pen-down -0.5");
     CHECK(text_of(scene("a.gcode")).find("\nG1 Z-0.5 F3000\nG4 P0.1\nG0 Z5\n") != std::string::npos);
-    draw_to(scene, "a.gcode", "--gcode laser --dwell 0.00025");
+    draw_to(scene, "a.gcode", "--dwell 0.00025");
     CHECK(text_of(scene("a.gcode")).find("G4 P0.00025\n") != std::string::npos);
     draw_to(scene, "a.nc");
     draw_to(scene, "b.gcode", "--gcode pen");
@@ -117,6 +117,29 @@ TEST_CASE(
     draw_to(scene, "a.plt");
     CHECK(farthest_off(table, plotted_hpgl(text_of(scene("a.hpgl"))).dots) < 0.018);
     CHECK(text_of(scene("a.hpgl")) == text_of(scene("a.plt")));
+}
+
+TEST_CASE("short bursts of a laser are moves with the beam on, for as long as the dwell says, and no rests") {
+    const Scene scene;
+    const std::vector<TableDot> table = table_of(scene);
+    for (const double dwell : {0.0005, 0.01, 0.049}) {
+        CAPTURE(dwell);
+        draw_to(scene, "a.gcode", "--gcode laser --laser-power 300 --dwell " + std::to_string(dwell));
+        const std::string text = text_of(scene("a.gcode"));
+        CHECK(text.find("G4") == text.npos);
+        CHECK(text.find("M4 S300\n") != text.npos);
+        const Plotted plot = plotted_gcode(text);
+        CHECK(farthest_off(table, plot.dots) < 0.026);
+        REQUIRE(plot.bursts_s.size() == table.size());
+        for (const double seconds : plot.bursts_s) REQUIRE(seconds == doctest::Approx(dwell).epsilon(0.001));
+    }
+    draw_to(scene, "a.gcode", "--gcode laser --dwell 0.05");
+    CHECK(plotted_gcode(text_of(scene("a.gcode"))).bursts_s.empty());
+    // Of lines it has no part.
+    draw_to(scene, "a.gcode", "--gcode laser --dwell 0.01 --style line");
+    const Plotted line = plotted_gcode(text_of(scene("a.gcode")), Lines::drawn);
+    CHECK(line.lines.size() == 1);
+    CHECK(line.bursts_s.empty());
 }
 
 TEST_CASE("a file for a machine says at its head what is in it and how long it takes, as the command does") {

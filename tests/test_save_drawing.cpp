@@ -109,6 +109,20 @@ TEST_CASE("the time of G-code is that of its feed, its rests and the machine's a
     CHECK(time().lifting_s == doctest::Approx(3 * 2 * 2 * std::sqrt(8 / 1000.0)));
     saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\ndot G4 P{dwell}\ndot G4 P{dwell}\n";
     CHECK(time().dots_s == 3 * 3 * 2);
+    // Grbl rounds each G4 up to 0.05 s, and knows no other word of a template's.
+    saving.dwell_s = 0.01;
+    CHECK(time().dots_s == doctest::Approx(3 * 3 * 0.05));
+    saving.gcode_template.text = "move G1 X{x} Y{y}\ndot M10 P{dwell}\n";
+    CHECK(time().dots_s == doctest::Approx(3 * 0.01));
+    saving.gcode_template.text.clear();
+    CHECK(time().dots_s == doctest::Approx(3 * 0.05));
+    saving.tool = GcodeTool::servo;
+    CHECK(time().lifting_s == doctest::Approx(3 * 2 * 0.05));
+    // A laser moves by 0.05 mm: at 5 mm/s, for which 1000 mm/s2 take 0.005 s, and as long to stop.
+    saving.tool = GcodeTool::laser;
+    CHECK(time().dots_s == doctest::Approx(3 * (0.05 / 5 + 0.005)));
+    saving.dwell_s = 0.12;
+    CHECK(time().dots_s == doctest::Approx(3 * 0.15));
     // What is no G-code goes as the machine's own program has it.
     CHECK(time(DrawingFormat::svg) == plotting_time(dots, 200, speeds_of(Machine::axidraw_v3)));
 }

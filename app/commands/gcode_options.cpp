@@ -35,7 +35,7 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
         .add_option_function<std::string>(
             "--gcode", [&saving](const std::string& text) { take_tool(saving, text); },
             "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
-            "M3; laser: a burst by M3; or a template of your own, see below")
+            "M3; laser: a burst by M3, a short one by M4; or a template of your own, see below")
         ->type_name("pen|servo|laser|FILE")
         ->default_str("pen")
         ->group("G-code");
@@ -55,7 +55,8 @@ const char* gcode_help() {
            "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand "
            "for the "
            "dot's place in mm from the lower left corner, {radius} for its radius, {feed}, {dwell}, {up}, "
-           "{down} and {power} for the options. For lines to draw, lines that begin with down, line and up "
+           "{down} and {power} for the options, {burn} for the feed at which 0.05 mm take as long as the "
+           "dwell. For lines to draw, lines that begin with down, line and up "
            "say what begins one, leads "
            "to each "
            "next point, and ends it. A pen that a servo turns:\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/output/gcode.h"
 #include "core/output/hpgl.h"
 
 namespace dapple {
@@ -45,6 +46,14 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
     if (has_pixels(format)) facts.dpi = drawing.saving.dpi;
     if (format == DrawingFormat::hpgl) facts.reach_mm = kHpglReachMm;
     if (is_plotted(format)) facts.machine = saving.machine.value_or(usual_machine(format, saving.tool));
+    if (format == DrawingFormat::gcode) {
+        const bool built_in = saving.gcode_template.text.empty();
+        const bool touches = facts.ink.as == DotsAs::touches;
+        if (built_in && touches && bursts_move(saving.tool, saving.dwell_s))
+            facts.burst_s = saving.dwell_s;
+        else if (built_in && (touches || saving.tool == GcodeTool::servo))
+            facts.dwell_s = saving.dwell_s;
+    }
     // Dots of a size for the picture's tone, touched by a pen of another.
     const bool automatic = settings.dot_size.sizing == DotSizing::automatic && !draws_strokes(settings);
     if (automatic && facts.ink.as == DotsAs::touches && facts.ink.widths_mm.empty()) {

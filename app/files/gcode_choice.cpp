@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +13,21 @@
 #include "app/shown_text.h"
 
 namespace dapple {
+
+namespace {
+
+// Of {dwell} after G4 P, which Grbl rounds, and after other words, which it does not know.
+double rests_s(std::span<const GcodePiece> lines, double dwell_s) {
+    double seconds = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].kind != GcodePiece::Kind::dwell) continue;
+        const bool rounded = i > 0 && lines[i - 1].text.ends_with("G4 P");
+        seconds += rounded ? grbl_rest_s(dwell_s) : dwell_s;
+    }
+    return seconds;
+}
+
+}  // namespace
 
 OwnTemplate read_gcode_template(const std::filesystem::path& file) {
     constexpr TextKind kTemplate{"template", 64'000};  // far more than a machine needs
@@ -29,8 +44,9 @@ OwnTemplate read_gcode_template(const std::filesystem::path& file) {
 }
 
 GcodeStyle gcode_style_of(const SavingChoice& saving) {
-    const std::string_view text =
-        saving.gcode_template.text.empty() ? gcode_template_of(saving.tool) : saving.gcode_template.text;
+    const std::string_view text = saving.gcode_template.text.empty()
+                                      ? gcode_template_of(saving.tool, saving.dwell_s)
+                                      : saving.gcode_template.text;
     const GcodeHeights usual = usual_heights(saving.tool);
     return {.lines = parse_gcode_template(text),
             .feed_mm_per_min = saving.feed_mm_per_min,
@@ -58,8 +74,7 @@ MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoi
     const GcodeStyle style = gcode_style_of(saving);
     speeds.top_speed = speeds.drawing_speed = saving.feed_mm_per_min / 60;
     speeds.acceleration = speeds.drawing_acceleration = saving.acceleration_mm_per_s2;
-    const auto rests = std::ranges::count(style.lines.each_dot, GcodePiece::Kind::dwell, &GcodePiece::kind);
-    speeds.dot_s = static_cast<double>(rests) * saving.dwell_s;
+    speeds.dot_s = rests_s(style.lines.each_dot, saving.dwell_s);
     if (!saving.gcode_template.text.empty()) return speeds;
     switch (saving.tool) {
         case GcodeTool::pen:
@@ -67,11 +82,17 @@ MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoi
                 move_time(std::abs(style.heights.up - style.heights.down), speeds);
             break;
         case GcodeTool::servo:  // it rests for each of them
-            speeds.lower_s = speeds.raise_s = saving.dwell_s;
+            speeds.lower_s = rests_s(style.lines.down, saving.dwell_s);
+            speeds.raise_s = rests_s(style.lines.up, saving.dwell_s);
             speeds.dot_s = 0;
             break;
         case GcodeTool::laser:
             speeds.lower_s = speeds.raise_s = 0;
+            if (bursts_move(saving.tool, saving.dwell_s)) {
+                MachineSpeeds burning = speeds;
+                burning.top_speed = burst_feed(saving.dwell_s) / 60;
+                speeds.dot_s = move_time(kBurstMm, burning);
+            }
             break;
     }
     return speeds;

@@ -20,9 +20,9 @@ void check_heights(const SavingChoice& saving);
 GcodeStyle gcode_style_of(const SavingChoice& saving);
 
 /// How a machine moves that draws such a file. One that reads G-code goes at the feed and rests as long as
-/// that says: at each dot, or after the servo's turns; a Z axis goes from one of the pen's heights to the
-/// other. What a template of one's own does between dots is taken as `machine` has it. Others move as their
-/// programs do. Throws what parse_gcode_template() throws.
+/// Grbl does where that says so (grbl_rest_s()): at each dot, or after the servo's turns; a Z axis goes from
+/// one of the pen's heights to the other. What a template of one's own does between dots is taken as
+/// `machine` has it. Others move as their programs do. Throws what parse_gcode_template() throws.
 MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving);
 
 }  // namespace dapple

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/output/gcode.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
 
@@ -196,6 +197,22 @@ void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
                      fmt::format("{:.0f} dots per inch or more show each", dpi), dpi});
 }
 
+void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const double rest = grbl_rest_s(facts.dwell_s);
+    if (rest > 1.01 * facts.dwell_s)
+        found.push_back(
+            {FindingKind::dwell,
+             fmt::format("Grbl rests {:g} s where {:g} s are asked for, as it rounds up to {:g} s", rest,
+                         facts.dwell_s, kGrblRestStepS),
+             fmt::format("a dwell of {:g} s says what it does", rest), rest});
+    if (facts.burst_s > 0)
+        found.push_back(
+            {FindingKind::dwell,
+             fmt::format("bursts of {:g} s are burned by M4 along {:g} mm, as no G4 is that short",
+                         facts.burst_s, kBurstMm),
+             "Grbl needs its laser mode for that, which $32=1 turns on"});
+}
+
 }  // namespace
 
 std::string sentence_of(const Finding& finding) {
@@ -242,6 +259,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
              "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software "
              "skips and other programs plot",
              "hide that layer, or leave the background out"});
+    add_dwell(found, facts);
     return found;
 }
 

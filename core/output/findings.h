@@ -42,6 +42,8 @@ struct DrawingFacts {
         double radius_mm = 0;  // and the radius that would with these dots
     };
     std::optional<Tone> for_tone = {};  // of round dots with a fixed radius
+    double dwell_s = 0;                 // that G-code asks for where it rests; 0: it does not
+    double burst_s = 0;                 // of a laser that moves for it; 0: it does not
     double longest_link_mm = 0;         // from dot to dot of one line through all; 0: there is none
 };
 
@@ -62,11 +64,12 @@ enum class FindingKind {
     fine_pixels,  // dots finer than a pixel
     tile_layer,   // its lines might be plotted
     background,   // its outline might be
+    dwell,        // Grbl rests longer, or needs its laser mode
 };
 constexpr auto names_of(FindingKind) {
     return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "long_link", "over_edge",
                  "in_margins", "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer",
-                 "background");
+                 "background", "dwell");
 }
 
 struct Finding {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -19,7 +20,7 @@ namespace {
 using PieceKind = GcodePiece::Kind;
 
 constexpr int kGcodeDecimals = 3;
-constexpr int kDwellDecimals = 6;  // of seconds: lasers burn dots in less than a thousandth
+constexpr int kDwellDecimals = 6;  // of seconds: not all machines round them as Grbl does
 
 // G21: millimetres; G90: places, not steps; G94: the feed in millimetres a minute.
 constexpr std::string_view kPenTemplate =
@@ -82,6 +83,26 @@ constexpr std::string_view kLaserTemplate =
     "end G0 X0 Y0\n"
     "end M2\n";
 
+// The beam is on between M4 and M5, and moves by kBurstMm. Its feed is no other move's.
+static_assert(kBurstMm == 0.05);
+constexpr std::string_view kShortBurstTemplate =
+    "start G21\n"
+    "start G90\n"
+    "start G94\n"
+    "start M5\n"
+    "move G1 X{x} Y{y} F{feed}\n"
+    "dot M4 S{power}\n"
+    "dot G91 G1 X0.05 F{burn}\n"
+    "dot G90\n"
+    "dot M5\n"
+    "down M3 S{power}\n"
+    "line G1 X{x} Y{y} F{feed}\n"
+    "up M5\n"
+    "pen G0 X0 Y0\n"
+    "pen M0 ({pen} {name})\n"
+    "end G0 X0 Y0\n"
+    "end M2\n";
+
 struct Placeholder {
     std::string_view name;
     PieceKind kind;
@@ -89,9 +110,10 @@ struct Placeholder {
 constexpr std::array kPlaceholders{
     Placeholder{"{x}", PieceKind::x},           Placeholder{"{y}", PieceKind::y},
     Placeholder{"{radius}", PieceKind::radius}, Placeholder{"{feed}", PieceKind::feed},
-    Placeholder{"{dwell}", PieceKind::dwell},   Placeholder{"{up}", PieceKind::up},
-    Placeholder{"{down}", PieceKind::down},     Placeholder{"{power}", PieceKind::power},
-    Placeholder{"{pen}", PieceKind::pen},       Placeholder{"{name}", PieceKind::name}};
+    Placeholder{"{dwell}", PieceKind::dwell},   Placeholder{"{burn}", PieceKind::burn},
+    Placeholder{"{up}", PieceKind::up},         Placeholder{"{down}", PieceKind::down},
+    Placeholder{"{power}", PieceKind::power},   Placeholder{"{pen}", PieceKind::pen},
+    Placeholder{"{name}", PieceKind::name}};
 
 bool is_of_a_pen(PieceKind kind) {
     return kind == PieceKind::pen || kind == PieceKind::name;
@@ -118,7 +140,7 @@ void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, cons
         if (found == kPlaceholders.end()) {
             at.fail(
                 fmt::format("\"{}\" is not known; there are {{x}}, {{y}}, {{radius}}, {{feed}}, {{dwell}}, "
-                            "{{up}}, {{down}}, {{power}}, {{pen}} and {{name}}",
+                            "{{burn}}, {{up}}, {{down}}, {{power}}, {{pen}} and {{name}}",
                             name.empty() ? line : name));
         }
         pieces.push_back({found->kind});
@@ -176,6 +198,8 @@ double number_for(PieceKind kind, const GcodeStyle& style, const PlottedDot& dot
             return style.feed_mm_per_min;
         case PieceKind::dwell:
             return style.dwell_s;
+        case PieceKind::burn:
+            return burst_feed(style.dwell_s);
         case PieceKind::up:
             return style.heights.up;
         case PieceKind::down:
@@ -220,14 +244,27 @@ GcodeHeights usual_heights(GcodeTool tool) {
     return tool == GcodeTool::servo ? GcodeHeights{20, 90} : GcodeHeights{};
 }
 
-std::string_view gcode_template_of(GcodeTool tool) {
+double grbl_rest_s(double dwell_s) {
+    return std::ceil(dwell_s / kGrblRestStepS - 1e-6) * kGrblRestStepS;
+}
+
+bool bursts_move(GcodeTool tool, double dwell_s) {
+    return tool == GcodeTool::laser && dwell_s > 0 && dwell_s < kGrblRestStepS;
+}
+
+double burst_feed(double dwell_s) {
+    constexpr double kLeast = 0.001, kMost = 1e6;  // mm/min that have their digits in a file
+    return dwell_s > 0 ? std::clamp(60 * kBurstMm / dwell_s, kLeast, kMost) : kMost;
+}
+
+std::string_view gcode_template_of(GcodeTool tool, double dwell_s) {
     switch (tool) {
         case GcodeTool::pen:
             return kPenTemplate;
         case GcodeTool::servo:
             return kServoTemplate;
         case GcodeTool::laser:
-            return kLaserTemplate;
+            return bursts_move(tool, dwell_s) ? kShortBurstTemplate : kLaserTemplate;
     }
     return "";
 }

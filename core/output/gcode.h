@@ -22,7 +22,8 @@
 //
 // {pen} is the pen's number from 1 and {name} its name, with [ and ] for ( and ), which end a comment. {x}
 // and {y} are the dot's or point's place in millimetres from the page's lower left corner, {radius} its
-// radius; {feed}, {dwell}, {up}, {down} and {power} are numbers of GcodeStyle.
+// radius; {feed}, {dwell}, {up}, {down} and {power} are numbers of GcodeStyle. {burn} is the feed at which
+// kBurstMm take as long as the dwell.
 
 #include <ostream>
 #include <span>
@@ -43,7 +44,7 @@ namespace dapple {
 enum class GcodeTool {
     pen,    // moved up and down by the Z axis
     servo,  // a pen on a servo that M3 turns, as on plotters that run Grbl
-    laser,  // a burst of M3 for each dot
+    laser,  // a burst for each dot
 };
 constexpr auto names_of(GcodeTool) {
     return names("pen", "servo", "laser");
@@ -58,12 +59,27 @@ struct GcodeHeights {
 /// Those of a Z axis, or of a servo: 20 is up and 90 down on many. A laser has none.
 GcodeHeights usual_heights(GcodeTool tool);
 
-/// The template of a kind of machine, as text.
-std::string_view gcode_template_of(GcodeTool tool);
+/// Grbl 1.1 rests by steps of so many seconds and rounds up to them (DWELL_TIME_STEP in its config.h), so
+/// that G4 cannot time anything shorter. Others that read G4 P in seconds, such as LinuxCNC, do not round;
+/// Marlin reads milliseconds there, and seconds as S.
+inline constexpr double kGrblRestStepS = 0.05;
+double grbl_rest_s(double dwell_s);
+
+/// A laser's bursts that are shorter than that are moves over so many millimetres, to the right, with the
+/// beam on: a few steps of a motor, and less than a beam is wide.
+inline constexpr double kBurstMm = 0.05;
+bool bursts_move(GcodeTool tool, double dwell_s);
+/// Millimetres a minute at which it takes that long.
+double burst_feed(double dwell_s);
+
+/// The template of a kind of machine, as text. A laser burns a dot by M3 for as long as G4 rests; a short
+/// burst by M4, with which Grbl in laser mode ($32=1) has the beam on only as long as it moves, and its
+/// power by the speed, so that each dot gets what the dwell says however the machine gains speed.
+std::string_view gcode_template_of(GcodeTool tool, double dwell_s = 0.1);
 
 /// What stands in a line for something else, or text as it is.
 struct GcodePiece {
-    enum class Kind { text, x, y, radius, feed, dwell, up, down, power, pen, name } kind = Kind::text;
+    enum class Kind { text, x, y, radius, feed, dwell, burn, up, down, power, pen, name } kind = Kind::text;
     std::string text = {};
 
     bool operator==(const GcodePiece&) const = default;
@@ -87,7 +103,7 @@ struct GcodeStyle {
     double feed_mm_per_min = 3000;
     double dwell_s = 0.1;
     GcodeHeights heights = {};
-    double laser_power = 250;                    // the S of its M3: of Grbl's usual 1000 ($30), a quarter
+    double laser_power = 250;  // the S of its M3 or M4: of Grbl's usual 1000 ($30), a quarter
     std::span<const std::string> comments = {};  // a line each, before all others
     double dot_radius_mm = 0;                    // where dots have none of their own
     std::span<const Pen> pens = {};              // one is in the machine as it begins; none: it has no name

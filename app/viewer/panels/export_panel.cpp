@@ -64,7 +64,8 @@ bool draw_gcode(SavingChoice& saving) {
     int chosen = own.text.empty() ? static_cast<int>(saving.tool) : kOwn;
     bool changed = segmented_row("G-code for", chosen, std::array{"pen", "servo", "laser", "own"}, kTools);
     if (changed && chosen == kOwn) {
-        own = {.text = std::string(gcode_template_of(saving.tool))};  // until another is named
+        own = {.text =
+                   std::string(gcode_template_of(saving.tool, saving.dwell_s))};  // until another is named
     } else if (changed) {
         own = {};
         saving.tool = static_cast<GcodeTool>(chosen);
@@ -189,6 +190,11 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
         case FindingKind::fine_pixels:
             return Cure{fmt::format("{:.0f} dots per inch", amount),
                         [amount](ViewerSettings& settings) { settings.saving.dpi = amount; }};
+        case FindingKind::dwell:
+            if (amount > 0)
+                return Cure{fmt::format("Dwell {:g} s", amount),
+                            [amount](ViewerSettings& settings) { settings.saving.dwell_s = amount; }};
+            break;
         case FindingKind::tile_layer:
             return Cure{"Leave the tile boundaries out",
                         [](ViewerSettings& settings) { settings.drawing.show_tiles = false; }};
