@@ -283,3 +283,15 @@ TEST_CASE("pixels that are no squares are made so, and it is said") {
     CHECK(look->light.width == 4 * look->light.height);
     CHECK(look->description == read_picture(folder / "large.jpg").description);
 }
+
+TEST_CASE("a Radiance picture of XYZ is refused by its name, not for a lack of one") {
+    const TemporaryFolder folder;
+    const auto radiance = [](const std::string& format) {
+        return "#?RADIANCE\nFORMAT=32-bit_rle_" + format + "\n\n-Y 1 +X 2\n" +
+               "\x80\x80\x80\x81\x80\x80\x80\x81";
+    };
+    write_file(folder / "xyz.hdr", radiance("xyze"));
+    CHECK(sentence_of(folder / "xyz.hdr").find("has colours as XYZ") != std::string::npos);
+    write_file(folder / "rgb.hdr", radiance("rgbe"));
+    CHECK(sentence_of(folder / "rgb.hdr").empty());
+}

@@ -58,6 +58,17 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     before_pixels({.in_memory = bytes + row * kBandRows * sizeof(float), .in_all = bytes});
 }
 
+// OpenImageIO reads Radiance's pictures of red, green and blue, and says of others that they have no format.
+void expect_radiance_rgb(int file) {
+    std::array<char, 1024> beginning{};
+    const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
+    const std::string_view header(beginning.data(), got < 0 ? 0 : static_cast<std::size_t>(got));
+    if (header.substr(0, header.find("\n\n")).find("FORMAT=32-bit_rle_xyze") != header.npos)
+        throw DecodeError(
+            "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green and "
+            "blue");
+}
+
 // `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
 // `from`: what it is read from instead of the file of that name, if there is any.
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format, bool halved,
@@ -237,6 +248,7 @@ float pixel_aspect_of(const OIIO::ImageSpec& spec, int file, PictureFormat forma
 void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
+    if (format == PictureFormat::radiance) expect_radiance_rgb(file);
     const std::string name = "/dev/fd/" + std::to_string(file);
     const bool halved = format == PictureFormat::raw && request.enough_side > 0;
     std::optional<std::vector<unsigned char>> plain;
