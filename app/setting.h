@@ -146,8 +146,9 @@ inline constexpr Setting relax{
     .help =
         "So many steps move each dot to the middle of the ink around it: more of them make the dots more "
         "even, and take longer",
-    .more = ". 0 to 100, or auto: 20 for up to 20,000 dots, 5 from 320,000 on, none for millions of them too "
-            "fine to see"};
+    .more =
+        ". 0 to 100, or auto: 20 for up to 20,000 dots, 5 from 320,000 on, none for millions of them too "
+        "fine to see"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
 inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},
                                 .range = {kSmallestRadiusMm, kLargestRadiusMm},
@@ -244,9 +245,10 @@ inline constexpr Setting pens{.names = {"pens", "Which pens", "--pens"}};
 inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-order"}};
 inline constexpr Setting pen_ink{
     .names = {"pen_ink", "Pen ink", "--pen-ink"},
-    .help = "What is seen where dots of several pens overlap. transparent: both inks, as of fineliners and "
-            "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers; so are pens of "
-            "which one, as white on brown paper, would hardly be seen"};
+    .help =
+        "What is seen where dots of several pens overlap. transparent: both inks, as of fineliners and "
+        "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers; so are pens of "
+        "which one, as white on brown paper, would hardly be seen"};
 inline constexpr Setting registration{
     .names = {"registration", "Registration", "--registration"},
     .help =
@@ -261,8 +263,9 @@ inline constexpr Setting background{
     .help = "SVG, PDF: paint the paper under the dots, as a PNG always has it; a plotter needs none"};
 inline constexpr Setting show_tiles{
     .names = {"show_tiles", "Tile boundaries", "--tiles"},
-    .help = "Draws the square of each copy of the tile; an SVG has them as a layer. In the window a letter F "
-            "shows how each is turned, and its colour of which kind it is"};
+    .help =
+        "Draws the square of each copy of the tile; an SVG has them as a layer. In the window a letter F "
+        "shows how each is turned, and its colour of which kind it is"};
 
 // Saving.
 inline constexpr Setting order{.names = {"order", "Dot order", "--order"}};
@@ -308,8 +311,9 @@ inline constexpr Setting dwell{
     .track = {0, 1},
     .value = "SECONDS",
     .help = "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds",
-    .more = "; Grbl rounds each rest up to 0.05 s, and a laser's shorter bursts are moves by M4. Marlin reads P "
-            "as milliseconds: a template of your own says G4 S{dwell}"};
+    .more =
+        "; Grbl rounds each rest up to 0.05 s, and a laser's shorter bursts are moves by M4. Marlin reads P "
+        "as milliseconds: a template of your own says G4 S{dwell}"};
 inline constexpr Setting acceleration{
     .names = {"acceleration_mm_per_s2", "Accel., mm/s2", "--acceleration"},
     .range = {1, 1e5},

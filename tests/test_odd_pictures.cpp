@@ -290,8 +290,8 @@ TEST_CASE("a Radiance picture of XYZ is refused by its name, not for a lack of o
         return "#?RADIANCE\nFORMAT=32-bit_rle_" + format + "\n\n-Y 1 +X 2\n" +
                "\x80\x80\x80\x81\x80\x80\x80\x81";
     };
-    write_file(folder / "xyz.hdr", radiance("xyze"));
+    put_text(folder / "xyz.hdr", radiance("xyze"));
     CHECK(sentence_of(folder / "xyz.hdr").find("has colours as XYZ") != std::string::npos);
-    write_file(folder / "rgb.hdr", radiance("rgbe"));
+    put_text(folder / "rgb.hdr", radiance("rgbe"));
     CHECK(sentence_of(folder / "rgb.hdr").empty());
 }

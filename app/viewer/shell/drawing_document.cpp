@@ -276,8 +276,8 @@ void DrawingDocument::stop_what_takes_long() {
     const bool opening = worker.opening().has_value();
     if (worker.saving()) return worker.cancel_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
-    if (!opening && placing_seconds() > kLongPlacing) return session_.stop_placing();
-    if (session_.film) film_player_.stop();
+    if (session_.film) return film_player_.stop();  // a moment's placing ends with its film
+    if (!opening && placing_seconds() > kLongPlacing) session_.stop_placing();
 }
 
 std::string DrawingDocument::saving() const {
