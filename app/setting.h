@@ -137,17 +137,18 @@ inline constexpr Setting scale{
     .help = "How many dots black gets, on the same paper: four times as many at four times the value",
     .more = ". Instead of --dots: a darker picture gets more dots, an all-black one about 16 S"};
 inline constexpr Setting relax{
-    .names = {"relax", "Even out", "--relax"},
+    .names = {"relax", "Settle", "--relax"},
     .range = {0, kMostRelaxingSteps},
     .usual = kFewestUsualSteps,
     .track = {0, 20},
     .format = "%.0f",
     .value = "auto|N",
     .help =
-        "So many steps move each dot to the middle of the ink around it: more of them make the dots more "
-        "even, and take longer",
+        "In so many steps the dots move to where they lie evenly and show the picture best; more of them "
+        "take "
+        "longer",
     .more =
-        ". 0 to 100, or auto: 20 for up to 20,000 dots, 5 from 320,000 on, none for millions of them too "
+        ". 0 to 100, or auto: 20 for up to 12,800 dots, 8 from 80,000 on, none for millions of them too "
         "fine to see"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
 inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},

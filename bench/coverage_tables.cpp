@@ -14,6 +14,7 @@
 
 #include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
+#include "core/image/ink.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
 
@@ -70,9 +71,16 @@ int main() {
         stipple(tile, black, PlacerKind::exact, {.count = static_cast<std::uint64_t>(count), .threads = 0},
                 placed);
         for (std::size_t s = 0; s < kSteps.size(); ++s) {
-            DotPieces dots = placed.dots;
-            relax(dots, black, kSteps[s], {.scale = placed.scale, .threads = 0});
-            tables[s][phase] = coverage(dots);
+            // Where dots overlap to solid black they are relaxed otherwise.
+            const auto relaxed = [&](float even_from) {
+                DotPieces dots = placed.dots;
+                relax(dots, black, kSteps[s], {.scale = placed.scale, .threads = 0, .even_from = even_from});
+                return coverage(dots);
+            };
+            tables[s][phase] = relaxed(kNeverEven);
+            const std::vector<double> solid = relaxed(0);
+            for (int k = 0; k < kLoads; ++k)
+                if (k * kLoadStep > kSolidLoad + 1e-9) tables[s][phase][k] = solid[k];
         }
     }
     for (std::size_t s = 0; s < kSteps.size(); ++s) {

@@ -136,8 +136,9 @@ void print(const Row& row) {
                                 ? fmt::format("{:.2f} % | {:+.2f} %", 100 * row.own_radius->tone_error,
                                               100 * row.own_radius->mean_error)
                                 : " | ";
-    fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.2f} % | {:.3f} | {:.3f} | {} |\n", row.name, seconds(row.ms),
-               m.ssim, m.gradients, 100 * m.tone_error, row.distances.p1, row.distances.mean, own);
+    fmt::print("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} % | {:.3f} | {:.3f} | {} |\n", row.name,
+               seconds(row.ms), m.ssim, fmt::join(m.ssim_by_light, " "), m.gradients, 100 * m.tone_error,
+               row.distances.p1, row.distances.mean, own);
     std::fflush(stdout);
 }
 
@@ -170,8 +171,9 @@ void print_marks(const Row& dapple, const PictureMarks& a, const PictureMarks& b
 void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, Pipeline& pipeline,
              SideBySide* panels) {
     fmt::print(
-        "| drawing | time | SSIM | gradients | tone error | nearest: 1st percentile | mean | own radius: "
-        "tone error | mean error |\n|---|---|---|---|---|---|---|---|---|\n");
+        "| drawing | time | SSIM | dark to light | gradients | tone error | nearest: 1st percentile | mean | "
+        "own radius: "
+        "tone error | mean error |\n|---|---|---|---|---|---|---|---|---|---|\n");
     const PictureTable table(light, count);
     const auto show = [&](const Row& row) {
         if (panels) panels->add(row.dots, row.radius);

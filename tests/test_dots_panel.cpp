@@ -102,7 +102,7 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was, and no row m
     const DrawingSettings before = f.settings;
     const auto rows = [&] {
         std::vector<WidgetPlace> places;
-        for (const char* row : {"Dots", "Even out", "exact", "Tile", "Ranking"})
+        for (const char* row : {"Dots", "Settle", "exact", "Tile", "Ranking"})
             places.push_back(f.ui.place(row));
         return places;
     };
@@ -120,11 +120,11 @@ TEST_CASE("what Figure 8 does not know is greyed, says why and cannot be used") 
     DotsUi f;
     f.ui.click("Figure 8");
     const DrawingSettings before = f.settings;
-    f.ui.drag("Even out", 0.1f, 0.9f);
+    f.ui.drag("Settle", 0.1f, 0.9f);
     f.ui.click("Ranking");
     CHECK_FALSE(f.ui.has("farthest point"));
     CHECK(f.settings == before);
-    f.ui.move_to(f.ui.at("Even out", 0.5f));
+    f.ui.move_to(f.ui.at("Settle", 0.5f));
     f.ui.frame(1);
     CHECK(f.ui.has("Tip"));
 }
@@ -181,13 +181,13 @@ TEST_CASE("the relax row shows the usual steps until it is moved, and brought ba
     f.drawn.steps = f.drawn.usual_steps = 14;
     f.ui.frame();
     CHECK_FALSE(f.settings.relax);
-    f.ui.enter("Even out", "5");
+    f.ui.enter("Settle", "5");
     CHECK(f.settings.relax == 5);
-    f.ui.enter("Even out", "14");
+    f.ui.enter("Settle", "14");
     CHECK_FALSE(f.settings.relax);
-    f.ui.drag("Even out", 0.2f, 1.0f);
+    f.ui.drag("Settle", 0.2f, 1.0f);
     CHECK(f.settings.relax == 20);
-    f.ui.drag("Even out", 1.0f, 0.0f);
+    f.ui.drag("Settle", 1.0f, 0.0f);
     CHECK(f.settings.relax == 0);
 }
 

@@ -194,29 +194,29 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
         return pipeline.plan({.placer = placer, .placing = {.count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
-    // 5 of 320,000 dots, and twice as many of a quarter of them, but no more than 20.
+    // 8 of 80,000 dots, and twice as many of a quarter of them, but no more than 20.
     CHECK(steps(100, {}) == 20);
-    CHECK(steps(20'000, {}) == 20);
-    CHECK(steps(80'000, {}) == 10);
-    CHECK(steps(320'000, {}) == 5);
-    CHECK(steps(1'900'000, {}) == 5);
+    CHECK(steps(12'800, {}) == 20);
+    CHECK(steps(20'000, {}) == 16);
+    CHECK(steps(80'000, {}) == 8);
+    CHECK(steps(1'900'000, {}) == 8);
     CHECK(steps(50'000'000, {}) == 0);
     CHECK(steps(50'000'000, 2) == 2);
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps == 5);
+    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps == 8);
     // By a scale as by the count that it comes to.
     for (const double scale : {1000, 11'000, 30'000, 50'000'000}) {
         const DrawingPlan plan = pipeline.plan({.placing = {.scale = scale, .count = {}}});
         CHECK(plan.steps == steps(static_cast<std::uint64_t>(expected_dots(*plan.density, scale)), {}));
     }
-    CHECK(usual_steps(3e6, 3e6) == 5);
+    CHECK(usual_steps(3e6, 3e6) == 8);
     CHECK(usual_steps(3e6, 2e4) == 0);
     // What is usual is known where others are asked for.
     const DrawingPlan own = pipeline.plan({.placing = {.count = 80'000}, .relax = 3});
     CHECK(own.steps == 3);
-    CHECK(own.usual_steps == 10);
+    CHECK(own.usual_steps == 8);
 }
 
 TEST_CASE(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "core/image/blur.h"
 
@@ -20,24 +21,30 @@ Grid<float> windowed(int width, int height, double sigma, const Value& value) {
 
 }  // namespace
 
-double mean_ssim(const Grid<float>& a, const Grid<float>& b, double sigma) {
+Grid<float> ssim_map(const Grid<float>& a, const Grid<float>& b, double sigma) {
     assert(a.width == b.width && a.height == b.height);
-    if (a.empty()) return 0;
+    if (a.empty()) return {};
     const auto window = [&](const auto& value) { return windowed(a.width, a.height, sigma, value); };
     const Grid<float> mean_a = blurred(a, sigma), mean_b = blurred(b, sigma);
     const Grid<float> aa = window([&](std::size_t i) { return double(a.values[i]) * a.values[i]; });
     const Grid<float> bb = window([&](std::size_t i) { return double(b.values[i]) * b.values[i]; });
     const Grid<float> ab = window([&](std::size_t i) { return double(a.values[i]) * b.values[i]; });
-    double sum = 0;
+    Grid<float> map(a.width, a.height);
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         const double ma = mean_a.values[i], mb = mean_b.values[i];
         const double variance_a = std::max(0.0, aa.values[i] - ma * ma);
         const double variance_b = std::max(0.0, bb.values[i] - mb * mb);
         const double covariance = ab.values[i] - ma * mb;
-        sum += (2 * ma * mb + kC1) * (2 * covariance + kC2) /
-               ((ma * ma + mb * mb + kC1) * (variance_a + variance_b + kC2));
+        map.values[i] = static_cast<float>((2 * ma * mb + kC1) * (2 * covariance + kC2) /
+                                           ((ma * ma + mb * mb + kC1) * (variance_a + variance_b + kC2)));
     }
-    return sum / double(a.values.size());
+    return map;
+}
+
+double mean_ssim(const Grid<float>& a, const Grid<float>& b, double sigma) {
+    if (a.empty()) return 0;
+    const Grid<float> map = ssim_map(a, b, sigma);
+    return std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
 }
 
 }  // namespace dapple

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <numeric>
+#include <vector>
 
 #include "core/analysis/ssim.h"
 #include "core/image/blur.h"
@@ -47,8 +50,23 @@ double gradient_correlation(const Grid<float>& a, const Grid<float>& b) {
 
 Structure structure(const Grid<float>& drawing, const Grid<float>& photograph, double sigma_px) {
     const Grid<float> a = as_seen(drawing, sigma_px), b = as_seen(photograph, sigma_px);
-    return {.ssim = mean_ssim(a, b, kWindow * std::max(1.0, sigma_px)),
-            .gradients = gradient_correlation(a, b)};
+    const Grid<float> similar = ssim_map(a, b, kWindow * std::max(1.0, sigma_px));
+    Structure result{.gradients = gradient_correlation(a, b)};
+    const std::size_t pixels = b.values.size();
+    if (pixels == 0) return result;
+    std::vector<std::uint32_t> by_light(pixels);
+    std::iota(by_light.begin(), by_light.end(), 0u);
+    std::ranges::stable_sort(by_light, {}, [&](std::uint32_t i) { return b.values[i]; });
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const std::size_t quarter = i * 4 / pixels;
+        result.ssim_by_light[quarter] += double(similar.values[by_light[i]]);
+        result.ssim += double(similar.values[by_light[i]]) / double(pixels);
+    }
+    for (std::size_t quarter = 0; quarter < 4;
+         ++quarter)  // first pixels are those from i * 4 >= quarter * pixels
+        result.ssim_by_light[quarter] /=
+            double((pixels * (quarter + 1) + 3) / 4 - (pixels * quarter + 3) / 4);
+    return result;
 }
 
 }  // namespace dapple

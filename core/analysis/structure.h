@@ -1,6 +1,8 @@
 #pragma once
 // How well a drawing keeps a photograph's structure, shapes and edges, whatever its tone.
 
+#include <array>
+
 #include "core/image/grid.h"
 
 namespace dapple {
@@ -14,6 +16,8 @@ double gradient_correlation(const Grid<float>& a, const Grid<float>& b);
 struct Structure {
     double ssim = 0;
     double gradients = 0;
+    /// SSIM where the photograph is darkest, a quarter of its pixels, and so on to where it is lightest.
+    std::array<double, 4> ssim_by_light{};
 };
 
 /// SSIM and gradient correlation of two pictures of linear light (0 black, 1 paper; cut off there) as they

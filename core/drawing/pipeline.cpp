@@ -344,6 +344,15 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& te
     return plan;
 }
 
+namespace {
+
+// Where discs overlap to solid black, which lines do not.
+float even_from(const DrawingPlan& plan) {
+    return plan.joined ? kNeverEven : static_cast<float>(kSolidLoad / plan.full_load);
+}
+
+}  // namespace
+
 bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch) {
     const Density& density = *plan.density;
     if (!stipple(*tile_, density, plan.placer, plan.placing, drawn, watch.stop)) return false;
@@ -357,6 +366,8 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         auto start = Clock::now();
         const RelaxingRequest relaxing{.scale = drawn.scale,
                                        .threads = plan.placing.threads,
+                                       .lloyd_steps = lloyd_steps_of(plan.steps),
+                                       .even_from = even_from(plan),
                                        .stirring = stirring_of(tile_->placer().table(), drawn.scale)};
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
@@ -405,18 +416,19 @@ std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_toke
     }
     const double scale = find_scale(plan);
     const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
-    return PlannedDots{scale, [table = tile_->placer().shared_table(), density = plan.density, request,
-                               steps = plan.steps](const PagePart& part, const std::stop_token& stopped) {
-                           const auto placer = std::make_shared<Placer>(table);
-                           StreamRequest of_part = request;
-                           of_part.part = part;
-                           DotStream dots = steps > 0 ? relaxed_stream(*placer, *density, of_part, steps,
-                                                                       kDotsAtOnce, stopped)
-                                                      : dapple::stream(*placer, *density, of_part);
-                           dots.for_each_piece = [placer, density, each = std::move(dots.for_each_piece)](
-                                                     const TakePiece& take) { each(take); };
-                           return dots;
-                       }};
+    return PlannedDots{
+        scale, [table = tile_->placer().shared_table(), density = plan.density, request, steps = plan.steps,
+                even = even_from(plan)](const PagePart& part, const std::stop_token& stopped) {
+            const auto placer = std::make_shared<Placer>(table);
+            StreamRequest of_part = request;
+            of_part.part = part;
+            DotStream dots =
+                steps > 0 ? relaxed_stream(*placer, *density, of_part, steps, kDotsAtOnce, stopped, even)
+                          : dapple::stream(*placer, *density, of_part);
+            dots.for_each_piece = [placer, density, each = std::move(dots.for_each_piece)](
+                                      const TakePiece& take) { each(take); };
+            return dots;
+        }};
 }
 
 std::vector<PlacedTile> Pipeline::outlines(const DrawingPlan& plan, double scale) {

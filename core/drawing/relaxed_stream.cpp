@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/relaxing/energy_steps.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
 
@@ -17,10 +18,17 @@ namespace {
 // What all bands have in common.
 class Bands {
  public:
-    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps,
+    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps, float even_from,
           const std::stop_token& stop)
-        : placer_(placer), density_(density), request_(request), steps_(steps), stop_(stop) {
+        : placer_(placer),
+          density_(density),
+          request_(request),
+          steps_(steps),
+          even_from_(even_from),
+          stop_(stop) {
         request_.placing = placing_of(placer, density, request);
+        if (lloyd_steps_of(steps) < steps)
+            blurred_ = std::make_shared<const BlurredDensity>(blurred_for_kernels(density, scale()));
     }
 
     double scale() const { return request_.placing.scale; }
@@ -66,6 +74,8 @@ class Bands {
         const PlacingRequest around = placing_of(placer_, density_, band, relaxing_rim(scale(), steps_));
         const RelaxingRequest relaxing{.scale = scale(),
                                        .threads = request_.placing.threads,
+                                       .even_from = even_from_,
+                                       .blurred = blurred_,
                                        .stirring = stirring_of(placer_.table(), scale())};
         if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing, stop_))
             return result;
@@ -82,14 +92,16 @@ class Bands {
     const Density& density_;
     StreamRequest request_;
     int steps_;
+    float even_from_;
+    std::shared_ptr<const BlurredDensity> blurred_;  // once for all bands
     std::stop_token stop_;
 };
 
 }  // namespace
 
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
-                         std::uint64_t dots_at_once, const std::stop_token& stop) {
-    Bands bands(placer, density, request, steps, stop);
+                         std::uint64_t dots_at_once, const std::stop_token& stop, float even_from) {
+    Bands bands(placer, density, request, steps, even_from, stop);
     DotStream result;
     result.scale = bands.scale();
     const std::vector<double> edges = bands.edges(dots_at_once);

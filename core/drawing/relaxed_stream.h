@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "core/placing/stipple.h"
+#include "core/relaxing/relax.h"
 
 namespace dapple {
 
@@ -17,6 +18,7 @@ inline constexpr std::uint64_t kDotsAtOnce = 4'000'000;
 /// Relaxation gives them. The placer and the density have to outlive it. Throws as stream() does. If stopped,
 /// some of them, or none.
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
-                         std::uint64_t dots_at_once = kDotsAtOnce, const std::stop_token& stop = {});
+                         std::uint64_t dots_at_once = kDotsAtOnce, const std::stop_token& stop = {},
+                         float even_from = kNeverEven);
 
 }  // namespace dapple

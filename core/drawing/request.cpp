@@ -15,7 +15,7 @@ namespace {
 constexpr double kSeenMm = 0.1;        // between dots, at reading distance
 constexpr double kNoWait = 2'000'000;  // dots
 // Few dots have to show a picture with what evenness they can get, and their steps take no time.
-constexpr double kFew = 20'000, kMany = 320'000;
+constexpr double kFew = 12'800, kMany = 80'000;
 
 }  // namespace
 

@@ -68,10 +68,10 @@ struct DrawingTerms {
     bool operator==(const DrawingTerms&) const = default;
 };
 
-inline constexpr int kFewestUsualSteps = 5;
+inline constexpr int kFewestUsualSteps = 8;
 
-/// The steps after which a drawing looks as good as it needs to: 20 for 20,000 dots and fewer, from there on
-/// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 320,000 and more; none where dots lie closer than
+/// The steps after which a drawing looks as good as it needs to: 20 for 12,800 dots and fewer, from there on
+/// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 80,000 and more; none where dots lie closer than
 /// the eye can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
 

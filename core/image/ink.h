@@ -40,6 +40,9 @@ struct InkedDots {
 /// Of the paper, where the density is 1.
 inline constexpr float kBlackCoverage = 0.995f;
 
+/// The load from which on dots are measured as they are relaxed where nearly all paper is covered: evenly.
+inline constexpr double kSolidLoad = 1.2;
+
 /// Of the darkest tone, see InkedDots::black.
 inline constexpr double kLeastBlack = 0.5;
 

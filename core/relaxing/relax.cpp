@@ -1,206 +1,89 @@
 #include "core/relaxing/relax.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <numbers>
+#include <optional>
 
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
+#include "core/relaxing/energy_steps.h"
+#include "core/relaxing/lloyd_steps.h"
+#include "core/relaxing/page_rows.h"
 #include "core/relaxing/stir.h"
-#include "core/relaxing/voronoi_cell.h"
-#include "core/relaxing/weighted_centroid.h"
 
 namespace dapple {
 
 namespace {
 
-// A cell reaches so many rows at most, so that a dot depends on its surroundings only. In light areas where
-// dots are further apart (below a hundredth of black) cells are cut off there.
-constexpr float kCellReach = 8;
-// Dots further away than twice a corner's distance are no neighbours.
-constexpr int kFarthestRow = 23;
-static_assert(kFarthestRow > 2 * std::numbers::sqrt2 * kCellReach);
-
-constexpr int kMostNearRows = 8;
-
-constexpr float kOvershoot = 1.8f;
-// Where cells end along the page's edges, in distances between dots beyond them. In black a little beyond,
-// since on the edges they would draw dots half a distance inwards, and leave bare paper between the discs. In
-// lighter tones in waves of two lengths that hardly ever meet again: dots lean on where their cells end, and
-// would be seen to line up along a straight edge, while a page should look cut out of a larger one. Farther
-// in, waves would leave bare bites, and farther out draw dots off the page.
-constexpr float kBeyondInBlack = 0.2f, kLightest = 0.85f,
-                kBlackest = 0.98f;  // densities, between which both are mixed
-constexpr float kBeyondEdge = 0.05f, kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
-// Farther in than this nothing has to be known of an edge: most dots lie there.
-constexpr float kFarFromEdge = 0.5f;
-static_assert(-kFarFromEdge < kLeastBeyond && kLeastBeyond < kBeyondInBlack);
-constexpr float kWaveHeight = 0.45f, kWaveLengths[] = {3.7f, 5.9f};
 // A dot stays where the ink is: it does not go where there is less than this share of the density that it
 // comes from.
 constexpr float kLeastShare = 0.25f;
 constexpr int kShorterTries = 3;
 
+// Densities over which the one kind of step passes into the other.
+constexpr float kEvenWithin = 0.1f;
+
 constexpr std::size_t kDotsAtOnce = 2048;  // on a thread, about
 
-// A triangle wave, -1..1, of length 1, from 0 up. A sine's last bit would not be the same everywhere.
-float wave(float t) {
-    return 1 - 4 * std::abs(t - 0.25f - std::floor(t + 0.25f));
-}
-
-// 0, -1, 1, -2, 2, ...
-constexpr auto kOutwards = [] {
-    std::array<int, 2 * kFarthestRow + 1> rows{};
-    for (int i = 0; i <= 2 * kFarthestRow; ++i)
-        rows[static_cast<std::size_t>(i)] = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
-    return rows;
-}();
-
-// Rows about as high as dots on black are apart.
-int depth_for(double scale) {
-    return std::max(0, static_cast<int>(std::lround(std::log2(kDotsPerScale * std::max(scale, 1e-12)) / 2)));
-}
-
-// Moves the dots of some rows. Its unit is a row's height.
-class RowsMover {
+// Moves dots, row after row.
+class Mover {
  public:
-    RowsMover(const DotRows& rows, const Density& density, double scale, int depth)
-        : rows_(rows),
-          width_(static_cast<float>(
-              std::ldexp(density.width() / static_cast<double>(density.longer_side()), depth))),
-          height_(static_cast<float>(
-              std::ldexp(density.height() / static_cast<double>(density.longer_side()), depth))),
-          spacing_(static_cast<float>(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale))),
-          centroid_(density, std::ldexp(1.0, -depth)) {}
+    // Without a blurred density by Lloyd's steps alone.
+    Mover(const DotRows& rows, const Density& density, const RelaxingRequest& request,
+          const BlurredDensity* blurred)
+        : rows_(rows), density_(density), page_(density, request.scale), lloyd_(rows, density, page_) {
+        if (blurred) energy_.emplace(rows, *blurred, page_);
+        even_from_ = request.even_from;
+    }
 
     void move_row(std::int64_t row, DotRows::Positions& to_x, DotRows::Positions& to_y) {
-        first_near_ = std::max<std::int64_t>(row - kFarthestRow, 0);
-        const std::int64_t end_near = std::min<std::int64_t>(row + kFarthestRow + 1, rows_.rows());
-        for (std::int64_t near = first_near_; near < end_near; ++near)
-            cursors_[static_cast<std::size_t>(near - first_near_)] = rows_.begin(near);
-        for (std::size_t i = rows_.begin(row); i < rows_.end(row); ++i) move_dot(row, i, to_x[i], to_y[i]);
+        lloyd_.begin_row(row);
+        if (energy_) energy_->begin_row(row);
+        for (std::size_t i = rows_.begin(row); i < rows_.end(row); ++i) move_dot(i, to_x[i], to_y[i]);
     }
 
  private:
-    // Dots of a row: those before `left` and from `right` on are still to be looked at.
-    struct Stretch {
-        std::size_t begin, end, left, right;
-    };
-
-    void move_dot(std::int64_t row, std::size_t dot, float& to_x, float& to_y) {
-        const float x = rows_.x[dot], y = rows_.y[dot];
-        const PixelAnchor anchor = centroid_.anchor(x, y);
-        const float density = centroid_.density_at(anchor, 0, 0);
-        const VoronoiCell cell = cell_of(row, dot, density);
-        const Centroid centroid = centroid_.of(cell, anchor);
-        to_x = x;
-        to_y = y;
-        if (!centroid.has_ink) return;
-        float step_x = kOvershoot * centroid.x, step_y = kOvershoot * centroid.y;
-        const float length2 = step_x * step_x + step_y * step_y;
-        if (length2 > kCellReach * kCellReach) {
-            const float shorter = kCellReach / std::sqrt(length2);
-            step_x *= shorter;
-            step_y *= shorter;
-        }
+    void move_dot(std::size_t dot, float& to_x, float& to_y) {
+        to_x = rows_.x[dot];
+        to_y = rows_.y[dot];
+        const float density = density_at(to_x, to_y);
+        DotStep step = step_of(dot, density);
         for (int i = 0; i < kShorterTries; ++i) {
-            if (centroid_.density_at(anchor, step_x, step_y) > kLeastShare * density) {
-                to_x = std::clamp(x + step_x, 0.0f, last_x_);
-                to_y = std::clamp(y + step_y, 0.0f, last_y_);
+            const float x = std::clamp(to_x + step.x, 0.0f, last_x_);
+            const float y = std::clamp(to_y + step.y, 0.0f, last_y_);
+            if (density_at(x, y) > kLeastShare * density) {
+                to_x = x;
+                to_y = y;
                 return;
             }
-            step_x *= 0.5f;
-            step_y *= 0.5f;
+            step.x *= 0.5f;
+            step.y *= 0.5f;
         }
     }
 
-    // Other dots come in an order that follows from positions alone: first the nearest on either side in each
-    // of the rows around, as many as dots of this density are apart, which make most cells small; then all
-    // that reach it.
-    VoronoiCell cell_of(std::int64_t row, std::size_t dot, float density) {
-        const float x = rows_.x[dot], y = rows_.y[dot];
-        const float apart_here = spacing_ / std::sqrt(std::max(density, 1e-6f));
-        const float light = std::clamp((kBlackest - density) / (kBlackest - kLightest), 0.0f, 1.0f);
-        // To where the cell ends at an edge so far away, at that place along it. Alike on all edges from
-        // their middles on: a picture on its side has the same dots.
-        const auto to_edge = [&](float away, float from_middle) {
-            if (away - kFarFromEdge * apart_here > kCellReach) return kCellReach;
-            const float t = std::abs(from_middle) / apart_here;
-            const float waves = wave(t / kWaveLengths[0]) + wave(t / kWaveLengths[1]);
-            const float waving = std::clamp(kBeyondEdge + kWaveHeight * waves, kLeastBeyond, kMostBeyond);
-            const float beyond = kBeyondInBlack + light * (waving - kBeyondInBlack);
-            return std::clamp(away + beyond * apart_here, 0.0f, kCellReach);
-        };
-        const float across = x - width_ / 2, down = y - height_ / 2;
-        VoronoiCell cell(-to_edge(x, down), -to_edge(y, across), to_edge(width_ - x, down),
-                         to_edge(height_ - y, across));
-        const float* const xs = rows_.x.data();
-        const float* const ys = rows_.y.data();
-        const auto cut = [&](std::size_t other) {
-            const float dx = xs[other] - x, dy = ys[other] - y;
-            const float distance2 = dx * dx + dy * dy;
-            if (distance2 < cell.reach2() && distance2 > 0) cell.cut(dx, dy);
-        };
-        const int near_rows = std::min(static_cast<int>(apart_here) + 1, kMostNearRows);
-        Stretch near[2 * kMostNearRows + 1];
-        for (int i = 0; i <= 2 * near_rows; ++i) {
-            const std::int64_t at = row + kOutwards[i];
-            if (at < 0 || at >= rows_.rows()) continue;
-            near[i] = stretch_around(at, x);
-            if (i == 0) near[i].left = dot, near[i].right = dot + 1;
-            if (near[i].right < near[i].end) cut(near[i].right++);
-            if (near[i].left > near[i].begin) cut(--near[i].left);
-        }
-        const float in_row = y - static_cast<float>(rows_.first_row() + row);
-        for (int i = 0; i <= 2 * kFarthestRow; ++i) {
-            const int away = kOutwards[i];
-            const float apart = away == 0  ? 0
-                                : away < 0 ? in_row - static_cast<float>(away + 1)
-                                           : static_cast<float>(away) - in_row;
-            const float apart2 = apart * apart;
-            const std::int64_t at = row + away;
-            if (apart2 >= cell.reach2()) {
-                // The row on the other side may still be near enough.
-                if (away > 0 && static_cast<float>(away * away) >= cell.reach2()) break;
-                continue;
-            }
-            if (at < 0 || at >= rows_.rows()) continue;
-            Stretch stretch = i <= 2 * near_rows ? near[i] : stretch_around(at, x);
-            for (; stretch.right < stretch.end; ++stretch.right) {
-                const float dx = xs[stretch.right] - x;
-                if (dx * dx + apart2 >= cell.reach2()) break;
-                cut(stretch.right);
-            }
-            for (; stretch.left > stretch.begin; --stretch.left) {
-                const float dx = xs[stretch.left - 1] - x;
-                if (dx * dx + apart2 >= cell.reach2()) break;
-                cut(stretch.left - 1);
-            }
-        }
-        return cell;
+    DotStep step_of(std::size_t dot, float density) {
+        if (!energy_) return lloyd_.step(dot);
+        const float even = std::clamp((density - even_from_) / kEvenWithin, 0.0f, 1.0f);
+        if (even == 0) return energy_->step(dot);
+        const DotStep a = lloyd_.step(dot);
+        if (even == 1) return a;
+        const DotStep b = energy_->step(dot);
+        return {even * a.x + (1 - even) * b.x, even * a.y + (1 - even) * b.y};
     }
 
-    // Dots come from the left to the right, so the place in each row near them moves on with them.
-    Stretch stretch_around(std::int64_t row, float x) {
-        std::size_t& cursor = cursors_[static_cast<std::size_t>(row - first_near_)];
-        const std::size_t end = rows_.end(row);
-        const float* const xs = rows_.x.data();
-        std::size_t at = cursor;
-        while (at < end && xs[at] < x) ++at;
-        cursor = at;
-        return {rows_.begin(row), end, at, at};
+    float density_at(float x, float y) const {
+        const double units = std::ldexp(1.0, -page_.depth);
+        return static_cast<float>(density_.at({x * units, y * units}));
     }
 
     const DotRows& rows_;
-    const float width_, height_;  // of the page
+    const Density& density_;
+    const PageRows page_;
     // The last places on it: on its right and lower edges there is no density any more.
-    const float last_x_ = std::nextafter(width_, 0.0f), last_y_ = std::nextafter(height_, 0.0f);
-    const float spacing_;  // of dots on black
-    WeightedCentroid centroid_;
-    std::int64_t first_near_ = 0;
-    std::array<std::size_t, 2 * kFarthestRow + 1> cursors_{};
+    const float last_x_ = std::nextafter(page_.width, 0.0f), last_y_ = std::nextafter(page_.height, 0.0f);
+    LloydSteps lloyd_;
+    std::optional<EnergySteps> energy_;
+    float even_from_ = 0;
 };
 
 }  // namespace
@@ -208,22 +91,31 @@ class RowsMover {
 double relaxing_rim(double scale, int steps) {
     // A step looks as far as dots cut cells, and the dots it finds came from a step's length further away;
     // the first from where they were stirred.
-    const double step = std::ldexp(double{kCellReach} + kFarthestRow + 1, -depth_for(scale));
+    constexpr double kRows = double{LloydSteps::kCellReach} + LloydSteps::kFarthestRow + 1;
+    static_assert(kRows >= EnergySteps::kFarthestRow + 1 + EnergySteps::kLongestStep);
+    const double step = std::ldexp(kRows, -PageRows::depth_for(scale));
     return steps * step + farthest_stirred(scale);
 }
 
 double relaxing_row(double scale) {
-    return std::ldexp(1.0, -depth_for(scale));
+    return std::ldexp(1.0, -PageRows::depth_for(scale));
 }
 
 Relaxation::Relaxation(DotPieces dots, const Density& density, const RelaxingRequest& request)
-    : density_(density), request_(request), depth_(depth_for(request.scale)), placed_(std::move(dots)) {
+    : density_(density),
+      request_(request),
+      depth_(PageRows::depth_for(request.scale)),
+      placed_(std::move(dots)) {
     rows_.assign(placed_, depth_, request.threads);
 }
 
 bool Relaxation::step(const std::stop_token& stop) {
     next_x_.resize(rows_.size());
     next_y_.resize(rows_.size());
+    const bool by_energy = taken_ >= request_.lloyd_steps;
+    if (by_energy && !request_.blurred)
+        request_.blurred =
+            std::make_shared<const BlurredDensity>(blurred_for_kernels(density_, request_.scale));
     // Stretches of rows, as many dots in each.
     std::vector<std::int64_t> ends;
     std::size_t begun = 0;
@@ -234,11 +126,12 @@ bool Relaxation::step(const std::stop_token& stop) {
     }
     for_each_on_threads(ends.size(), threads_for(request_.threads), [&](std::size_t i) {
         if (stop.stop_requested()) return;
-        RowsMover mover(rows_, density_, request_.scale, depth_);
+        Mover mover(rows_, density_, request_, by_energy ? request_.blurred.get() : nullptr);
         for (std::int64_t row = i == 0 ? 0 : ends[i - 1]; row < ends[i]; ++row)
             mover.move_row(row, next_x_, next_y_);
     });
     if (stop.stop_requested()) return false;
+    ++taken_;
     rows_.move(next_x_, next_y_, request_.threads);
     return true;
 }
@@ -277,7 +170,9 @@ bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingReq
     if (steps == 0 || dots.size() == 0) return !stop.stop_requested();
     DotPieces stirred = dots;
     stir(stirred, density, request);
-    Relaxation relaxation(std::move(stirred), density, request);
+    RelaxingRequest all = request;
+    all.lloyd_steps = lloyd_steps_of(steps);
+    Relaxation relaxation(std::move(stirred), density, all);
     for (int i = 0; i < steps; ++i)
         if (!relaxation.step(stop)) return false;
     dots = relaxation.dots();

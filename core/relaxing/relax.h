@@ -10,22 +10,38 @@
 // not the drawing with n dots.
 
 #include <cstddef>
+#include <memory>
 #include <stop_token>
 
 #include "core/image/density.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
+#include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
 
 namespace dapple {
 
 inline constexpr int kMostRelaxingSteps = 100;
 
+inline constexpr float kNeverEven = 2;
+
 struct RelaxingRequest {
-    double scale = 0;     // that the dots were placed at, over 0
-    int threads = 1;      // the dots are the same for any number; 0: all cores
+    double scale = 0;                      // that the dots were placed at, over 0
+    int threads = 1;                       // the dots are the same for any number; 0: all cores
+    int lloyd_steps = kMostRelaxingSteps;  // after so many come those down the energy
+    // From this density on the later steps are Lloyd's too: where dots overlap to solid black, paper shows
+    // between them unless they are even. No density is as large where none overlap.
+    float even_from = kNeverEven;
+    // See blurred_for_kernels(). Without, it is made once it is needed.
+    std::shared_ptr<const BlurredDensity> blurred = {};
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h
 };
+
+/// How many of so many steps are Lloyd's: the first third. They carry ink far, which the energy's short
+/// kernels cannot.
+constexpr int lloyd_steps_of(int steps) {
+    return (steps + 2) / 3;
+}
 
 /// How far around a part of a page dots have an influence on where those on it are after so many steps, in
 /// page units: relaxed with all dots within it, those on the part come out as on the whole page, to the bit.
@@ -60,6 +76,7 @@ class Relaxation {
     DotPieces placed_;
     DotRows rows_;
     DotRows::Positions next_x_, next_y_;
+    int taken_ = 0;
 };
 
 /// Stirs dots as placed (stir.h), then several steps. False if stopped; the dots are then as before.

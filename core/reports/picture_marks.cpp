@@ -69,7 +69,7 @@ PictureMarks picture_marks(std::span<const glm::dvec2> dots, double radius, cons
     for (float& value : drawing.values) value = 1 - value;
     const Structure kept = structure(drawing, target.light, target.blur_px);
     const ToneFidelity tone = tone_fidelity(drawing, target.light, target.blur_px);
-    return {kept.ssim, kept.gradients, tone.rms_error, tone.mean_error};
+    return {kept.ssim, kept.gradients, tone.rms_error, tone.mean_error, kept.ssim_by_light};
 }
 
 }  // namespace dapple

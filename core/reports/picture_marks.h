@@ -1,6 +1,7 @@
 #pragma once
 // How near a drawing comes to its photograph, as pixels.
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <span>
 
@@ -31,9 +32,10 @@ double fitted_radius(std::span<const glm::dvec2> dots, const Target& target);
 
 /// Drawing and target compared after a blur of one mean spacing.
 struct PictureMarks {
-    double ssim = 0, gradients = 0;  // core/analysis/structure.h
-    double tone_error = 0;           // root mean square, in linear light
-    double mean_error = 0;           // of drawing - target, in linear light
+    double ssim = 0, gradients = 0;         // core/analysis/structure.h
+    double tone_error = 0;                  // root mean square, in linear light
+    double mean_error = 0;                  // of drawing - target, in linear light
+    std::array<double, 4> ssim_by_light{};  // core/analysis/structure.h
 };
 
 PictureMarks picture_marks(std::span<const glm::dvec2> dots, double radius, const Target& target);

@@ -1,0 +1,43 @@
+#pragma once
+// A density as seen through Gaussians of many widths: how strong it is and which way it rises.
+
+#include <vector>
+
+#include "core/image/density.h"
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// A density blurred by Gaussians whose variances are a factor of two apart, the wider ones on coarser
+/// pixels. In between, it is interpolated by the variance, as heat spreads. Between pixels it is a quadratic
+/// spline, so that its slope is continuous. Beyond the picture's edges lie its
+/// mirror images.
+class BlurredDensity {
+ public:
+    /// For variances from one to the other, in the picture's pixels squared. What is narrower than a pixel's
+    /// own (0.25) is not told apart. The density is not needed any more.
+    BlurredDensity(const Density& density, double least_variance, double most_variance);
+
+    struct Slope {
+        float value = 0, x = 0, y = 0;  // x and y a pixel of the picture
+    };
+
+    /// At a place in the picture's pixels from its corner; on the picture.
+    Slope at(double x, double y, float variance) const;
+
+    /// The value at the least variance.
+    float sharpest(double x, double y) const;
+
+ private:
+    // With a pixel more before, and two after.
+    struct Level {
+        Grid<float> values;
+        double across = 1, down = 1;  // its pixels to one of the picture
+    };
+    static Slope on(const Level& level, double x, double y);
+
+    std::vector<Level> levels_;  // of rising variance
+    float first_variance_ = 0;
+};
+
+}  // namespace dapple

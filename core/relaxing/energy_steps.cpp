@@ -1,0 +1,168 @@
+#include "core/relaxing/energy_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "core/relaxing/gaussian.h"
+#include "core/relaxing/page_edge.h"
+
+namespace dapple {
+
+namespace {
+
+// A kernel's standard deviation, in distances between dots. Wider ones lower the spectrum further, and cost
+// distances and structure.
+constexpr float kWidth = 0.45f;
+// Kernels end where the product of two is e^-7 of its middle.
+constexpr float kEnd = 7;
+// In distances between dots.
+constexpr float kLongest = 0.35f;
+// The widest two kernels, in rows squared: they end with the rows that are looked at.
+constexpr float kMostVariance = EnergySteps::kFarthestRow * EnergySteps::kFarthestRow / (2 * kEnd);
+
+static_assert(EnergySteps::kLongestStep * EnergySteps::kLongestStep >
+              kLongest * kLongest * kMostVariance / (2 * kWidth * kWidth));
+
+constexpr float kLeastDensity = 1e-6f;
+// In standard deviations: farther in, nothing of an edge is felt, wherever it waves to.
+constexpr float kFarFromEdge = 5;
+
+constexpr int kLanes = 8;
+typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
+typedef std::int32_t LaneMask __attribute__((vector_size(kLanes * sizeof(float))));
+
+// What kernels push, lane by lane, so that sums are the same with vectors of any width.
+class Pushes {
+ public:
+    Pushes(float x, float y, float variance)
+        : x_(x), y_(y), per_variance_(-0.5f / variance), end2_(2 * kEnd * variance) {}
+
+    void add(float x, float y) {
+        near_x_[held_] = x;
+        near_y_[held_] = y;
+        if (++held_ == kRoom) push();
+    }
+
+    float sum_x() {
+        push();
+        return sum(push_x_);
+    }
+    float sum_y() {
+        push();
+        return sum(push_y_);
+    }
+
+ private:
+    void push() {
+        for (std::size_t i = held_; i % kLanes != 0; ++i) near_x_[i] = x_, near_y_[i] = y_;  // pushes nothing
+        for (std::size_t i = 0; i < held_; i += kLanes) {
+            Lanes x, y;
+            std::memcpy(&x, near_x_ + i, sizeof x);
+            std::memcpy(&y, near_y_ + i, sizeof y);
+            x = x_ - x;
+            y = y_ - y;
+            const Lanes distance2 = x * x + y * y;
+            Lanes weight = distance2 * per_variance_;
+            take_exponential(weight);
+            const LaneMask near = distance2 < end2_;
+            weight = (Lanes)((LaneMask)weight & near);
+            push_x_ += weight * x;
+            push_y_ += weight * y;
+        }
+        held_ = 0;
+    }
+
+    static float sum(const Lanes& v) {
+        return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+    }
+
+    static constexpr std::size_t kRoom = 128;
+    static_assert(kRoom % kLanes == 0);
+    const float x_, y_, per_variance_, end2_;
+    Lanes push_x_{}, push_y_{};
+    std::size_t held_ = 0;
+    float near_x_[kRoom], near_y_[kRoom];
+};
+
+}  // namespace
+
+BlurredDensity blurred_for_kernels(const Density& density, double scale) {
+    const PageRows page(density, scale);
+    const double pixels2 = page.pixels * page.pixels;
+    return {density, 2 * kWidth * kWidth * page.spacing * page.spacing * pixels2, kMostVariance * pixels2};
+}
+
+void EnergySteps::begin_row(std::int64_t row) {
+    row_ = row;
+    first_near_ = std::max<std::int64_t>(row - kFarthestRow, 0);
+    const std::int64_t end_near = std::min<std::int64_t>(row + kFarthestRow + 1, rows_.rows());
+    for (std::int64_t near = first_near_; near < end_near; ++near)
+        cursors_[static_cast<std::size_t>(near - first_near_)] = rows_.begin(near);
+}
+
+DotStep EnergySteps::by_dots(float x, float y, float variance) {
+    const float reach = std::sqrt(2 * kEnd * variance);
+    const float from = x - reach, to = x + reach;
+    const float in_rows = y - static_cast<float>(rows_.first_row());
+    const auto first =
+        std::max({static_cast<std::int64_t>(std::floor(in_rows - reach)), first_near_, std::int64_t{0}});
+    const auto last = std::min(
+        {static_cast<std::int64_t>(std::floor(in_rows + reach)), row_ + kFarthestRow, rows_.rows() - 1});
+    const float *const xs = rows_.x.data(), *const ys = rows_.y.data();
+    Pushes pushes(x, y, variance);
+    for (std::int64_t near = first; near <= last; ++near) {
+        std::size_t& cursor = cursors_[static_cast<std::size_t>(near - first_near_)];
+        const std::size_t begin = rows_.begin(near), end = rows_.end(near);
+        while (cursor < end && xs[cursor] < from) ++cursor;
+        while (cursor > begin && xs[cursor - 1] >= from) --cursor;
+        for (std::size_t i = cursor; i < end && xs[i] <= to; ++i) pushes.add(xs[i], ys[i]);
+    }
+    return {pushes.sum_x(), pushes.sum_y()};
+}
+
+DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float density) const {
+    const auto pixels = static_cast<float>(page_.pixels);
+    const BlurredDensity::Slope seen =
+        blurred_.at(x * page_.pixels, y * page_.pixels, kernels.variance * pixels * pixels);
+    float share = 1, slope_x = 0, slope_y = 0;
+    const float deviation = std::sqrt(kernels.variance);
+    const auto end = [&](float away, float from_middle, float inwards, float& slope) {
+        if (away > kFarFromEdge * deviation) return;
+        const float beyond = beyond_edge(from_middle / kernels.apart, density) * kernels.apart;
+        const BlurredStep step((away + beyond) / deviation);
+        slope += inwards * step.slope / (deviation * step.value);
+        share *= step.value;
+    };
+    const float across = x - page_.width / 2, down = y - page_.height / 2;
+    end(x, down, 1, slope_x);
+    end(page_.width - x, down, -1, slope_x);
+    end(y, across, 1, slope_y);
+    end(page_.height - y, across, -1, slope_y);
+    return {share * (seen.x * pixels + seen.value * slope_x),
+            share * (seen.y * pixels + seen.value * slope_y)};
+}
+
+DotStep EnergySteps::step(std::size_t dot) {
+    const float x = rows_.x[dot], y = rows_.y[dot];
+    const float density = blurred_.sharpest(x * page_.pixels, y * page_.pixels);
+    const float on_black2 = page_.spacing * page_.spacing;
+    Kernels kernels;
+    kernels.variance =
+        std::min(2 * kWidth * kWidth * on_black2 / std::max(density, kLeastDensity), kMostVariance);
+    kernels.apart = std::sqrt(kernels.variance / 2) / kWidth;
+    const DotStep dots = by_dots(x, y, kernels.variance);
+    const DotStep rise = slope(x, y, kernels, density);
+    const float ink = 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
+    DotStep step{0.5f * (dots.x + ink * rise.x), 0.5f * (dots.y + ink * rise.y)};
+    const float most = kLongest * kernels.apart, length2 = step.x * step.x + step.y * step.y;
+    if (length2 > most * most) {
+        const float shorter = most / std::sqrt(length2);
+        step.x *= shorter;
+        step.y *= shorter;
+    }
+    return step;
+}
+
+}  // namespace dapple
