@@ -23,7 +23,9 @@ DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load) {
             low_frequency_power(spectrum, 0.3),
             low_frequency_power(spectrum, 0.5),
             nearest_summary(inside, torus),
-            seams(points, load).worst()};
+            seams(points, load).worst(),
+            low_frequency_power(spectrum, 0.1, 0.03),
+            low_frequency_power(spectrum, 0.3, 0.1)};
 }
 
 std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, double scale) {

@@ -13,7 +13,8 @@ struct DotMarks {
     double highest_bin = 0, top_share = 0;  // see Peaks
     double power_03 = 0, power_05 = 0;      // mean below 0.3 and 0.5, over sqrt(n)
     NearestSummary nearest;
-    double seam = 0;  // the worst of seams()
+    double seam = 0;                            // the worst of seams()
+    double structure_01 = 0, structure_03 = 0;  // the structure factor's mean from 0.03 to 0.1, to 0.3
 };
 
 /// Of dots of which black has an area of `load` pages.
@@ -23,8 +24,8 @@ DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load);
 /// their number.
 std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, double scale);
 
-/// The dots after so many steps of relaxation, in the same order: with copies of them around, as far as these
-/// have an influence.
+/// The dots after so many steps of relaxation as a drawing has them, in the same order: with copies of them
+/// around, as far as these have an influence.
 std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps);
 
 /// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off;

@@ -50,7 +50,9 @@ DotMarks worse(const DotMarks& a, const DotMarks& b) {
             std::max(a.power_05, b.power_05),
             {std::min(a.nearest.minimum, b.nearest.minimum), std::min(a.nearest.p1, b.nearest.p1),
              std::min(a.nearest.mean, b.nearest.mean)},
-            std::max(a.seam, b.seam)};
+            std::max(a.seam, b.seam),
+            std::max(a.structure_01, b.structure_01),
+            std::max(a.structure_03, b.structure_03)};
 }
 
 std::string in_columns(const DotMarks& m) {
@@ -120,9 +122,9 @@ void print_both(const std::string& name, const std::vector<glm::dvec2>& points, 
     for (const int steps : {0, usual_steps(count, kPageMm2)}) {
         const auto dots = as_relaxed(points, count / kDotsPerScale, steps);
         const DotMarks m = dot_marks(dots, kSeamLoad);
-        fmt::print("| {} | {} | {} | {:.0f} | {:.4f} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n", name,
-                   points.size(), steps, m.highest_bin, m.power_03, m.nearest.p1, m.nearest.mean, m.seam,
-                   100 * coincidence(dots, tile_side));
+        fmt::print("| {} | {} | {} | {:.0f} | {:.1e} | {:.1e} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n",
+                   name, points.size(), steps, m.highest_bin, m.structure_01, m.structure_03, m.nearest.p1,
+                   m.nearest.mean, m.seam, 100 * coincidence(dots, tile_side));
         std::fflush(stdout);
     }
 }
@@ -189,8 +191,9 @@ int main(int argc, char** argv) {
             const std::vector<std::size_t> counts = counts_of(*list);
             if (tiles.empty()) tiles = {kDefaultTile, "aperiodic4096", kWang};
             fmt::print(
-                "| tile | dots | steps | highest bin | power below 0.3 | nearest: 1st percentile | mean | "
-                "seam | coincidence |\n|---|---|---|---|---|---|---|---|---|\n");
+                "| tile | dots | steps | highest bin | structure factor 0.03 to 0.1 | 0.1 to 0.3 | nearest: "
+                "1st "
+                "percentile | mean | seam | coincidence |\n|---|---|---|---|---|---|---|---|---|---|\n");
             for (const std::string& tile : tiles) measure_counts(tile, counts, grey);
             return 0;
         }

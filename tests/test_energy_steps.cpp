@@ -188,5 +188,5 @@ TEST_CASE("on one grey the low part of the spectrum all but vanishes") {
     };
     const double lloyd = after(20, 0);
     CHECK(lloyd > 0.002);
-    CHECK(after(7, 13) < 0.1 * lloyd);
+    CHECK(after(4, 16) < 0.1 * lloyd);
 }

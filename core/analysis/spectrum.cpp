@@ -53,12 +53,13 @@ std::vector<Ring> radial_power(const Periodogram& spectrum) {
     return rings;
 }
 
-double low_frequency_power(const Periodogram& spectrum, double f) {
-    const double limit = f * f * double(spectrum.points);
+double low_frequency_power(const Periodogram& spectrum, double f, double from) {
+    const double limit = f * f * double(spectrum.points), least = from * from * double(spectrum.points);
     double sum = 0;
     std::size_t bins = 0;
     for_each_pair(spectrum, [&](int i, int j, double power) {
-        if (!(spectrum.squared_frequency(i, j) < limit)) return;
+        const double squared = spectrum.squared_frequency(i, j);
+        if (!(squared >= least && squared < limit)) return;
         sum += power;
         ++bins;
     });

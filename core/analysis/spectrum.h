@@ -27,8 +27,8 @@ struct Ring {
 /// would have -10 log10(m). Of a ring with fewer than two bins or no power it is 0 dB, and never below -100.
 std::vector<Ring> radial_power(const Periodogram& spectrum);
 
-/// The mean of P over 0 < |k| < f; 0 if there is no such k.
-double low_frequency_power(const Periodogram& spectrum, double f);
+/// The mean of P over from <= |k| < f, but 0; 0 if there is no such k.
+double low_frequency_power(const Periodogram& spectrum, double f, double from = 0);
 
 /// Peaks among the bins 0.5 < |k| < 2, over sqrt(n): where a repetition of the set shows as a Bragg peak.
 struct Peaks {

@@ -366,7 +366,6 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         auto start = Clock::now();
         const RelaxingRequest relaxing{.scale = drawn.scale,
                                        .threads = plan.placing.threads,
-                                       .lloyd_steps = lloyd_steps_of(plan.steps),
                                        .even_from = even_from(plan),
                                        .stirring = stirring_of(tile_->placer().table(), drawn.scale)};
         stir(drawn.dots, density, relaxing);

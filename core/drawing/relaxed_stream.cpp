@@ -27,7 +27,7 @@ class Bands {
           even_from_(even_from),
           stop_(stop) {
         request_.placing = placing_of(placer, density, request);
-        if (lloyd_steps_of(steps) < steps)
+        if (steps > kFirstLloydSteps)
             blurred_ = std::make_shared<const BlurredDensity>(blurred_for_kernels(density, scale()));
     }
 

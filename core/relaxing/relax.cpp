@@ -170,9 +170,7 @@ bool relax(DotPieces& dots, const Density& density, int steps, const RelaxingReq
     if (steps == 0 || dots.size() == 0) return !stop.stop_requested();
     DotPieces stirred = dots;
     stir(stirred, density, request);
-    RelaxingRequest all = request;
-    all.lloyd_steps = lloyd_steps_of(steps);
-    Relaxation relaxation(std::move(stirred), density, all);
+    Relaxation relaxation(std::move(stirred), density, request);
     for (int i = 0; i < steps; ++i)
         if (!relaxation.step(stop)) return false;
     dots = relaxation.dots();

@@ -1,10 +1,9 @@
 #pragma once
 // Relaxation: dots that have been placed move into better places.
 //
-// A step of weighted Lloyd relaxation (Lloyd 1982; for stippling Secord 2002): each dot goes towards the
-// centroid of its Voronoi cell, 1.8 times the way, which takes half as many steps as going just there.
-// Weighted by density squared, so that the dots keep the density that they were placed with. As placed they
-// are even already: three steps show more of a picture than a hundred from random dots.
+// The first steps are Lloyd's, which make dots even (lloyd_steps.h); the others go down an energy
+// until they are also as many as there should be, over every few of them (energy_steps.h). As placed they are
+// even already: three steps show more of a picture than a hundred of Lloyd's from random dots.
 //
 // What moves is seen no more as a part of the endless subdivision: the first n dots of a relaxed drawing are
 // not the drawing with n dots.
@@ -23,12 +22,16 @@ namespace dapple {
 
 inline constexpr int kMostRelaxingSteps = 100;
 
+/// So many steps come first. They carry ink far, which the energy's short kernels cannot.
+inline constexpr int kFirstLloydSteps = 4;
+
+/// See RelaxingRequest::even_from.
 inline constexpr float kNeverEven = 2;
 
 struct RelaxingRequest {
-    double scale = 0;                      // that the dots were placed at, over 0
-    int threads = 1;                       // the dots are the same for any number; 0: all cores
-    int lloyd_steps = kMostRelaxingSteps;  // after so many come those down the energy
+    double scale = 0;                    // that the dots were placed at, over 0
+    int threads = 1;                     // the dots are the same for any number; 0: all cores
+    int lloyd_steps = kFirstLloydSteps;  // after so many come those down the energy
     // From this density on the later steps are Lloyd's too: where dots overlap to solid black, paper shows
     // between them unless they are even. No density is as large where none overlap.
     float even_from = kNeverEven;
@@ -36,12 +39,6 @@ struct RelaxingRequest {
     std::shared_ptr<const BlurredDensity> blurred = {};
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h
 };
-
-/// How many of so many steps are Lloyd's: the first third. They carry ink far, which the energy's short
-/// kernels cannot.
-constexpr int lloyd_steps_of(int steps) {
-    return (steps + 2) / 3;
-}
 
 /// How far around a part of a page dots have an influence on where those on it are after so many steps, in
 /// page units: relaxed with all dots within it, those on the part come out as on the whole page, to the bit.
