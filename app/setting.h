@@ -144,9 +144,7 @@ inline constexpr Setting relax{
     .format = "%.0f",
     .value = "auto|N",
     .help =
-        "In so many steps the dots move to where they lie evenly and show the picture best; more of them "
-        "take "
-        "longer",
+        "In so many steps the dots move to where they lie evenly and show the picture best; more take longer",
     .more =
         ". 0 to 100, or auto: 20 for up to 12,800 dots, 8 from 80,000 on, none for millions of them too "
         "fine to see"};

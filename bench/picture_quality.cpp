@@ -172,8 +172,7 @@ void measure(const Wanted& wanted, const Grid<float>& light, std::size_t count, 
              SideBySide* panels) {
     fmt::print(
         "| drawing | time | SSIM | dark to light | gradients | tone error | nearest: 1st percentile | mean | "
-        "own radius: "
-        "tone error | mean error |\n|---|---|---|---|---|---|---|---|---|---|\n");
+        "own radius: tone error | mean error |\n|---|---|---|---|---|---|---|---|---|---|\n");
     const PictureTable table(light, count);
     const auto show = [&](const Row& row) {
         if (panels) panels->add(row.dots, row.radius);

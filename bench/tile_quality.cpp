@@ -191,9 +191,9 @@ int main(int argc, char** argv) {
             const std::vector<std::size_t> counts = counts_of(*list);
             if (tiles.empty()) tiles = {kDefaultTile, "aperiodic4096", kWang};
             fmt::print(
-                "| tile | dots | steps | highest bin | structure factor 0.03 to 0.1 | 0.1 to 0.3 | nearest: "
-                "1st "
-                "percentile | mean | seam | coincidence |\n|---|---|---|---|---|---|---|---|---|---|\n");
+                "| tile | dots | steps | highest bin | structure factor 0.03 to 0.1 | 0.1 to 0.3 | "
+                "nearest: 1st percentile | mean | seam | coincidence "
+                "|\n|---|---|---|---|---|---|---|---|---|---|\n");
             for (const std::string& tile : tiles) measure_counts(tile, counts, grey);
             return 0;
         }

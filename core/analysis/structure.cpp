@@ -57,15 +57,13 @@ Structure structure(const Grid<float>& drawing, const Grid<float>& photograph, d
     std::vector<std::uint32_t> by_light(pixels);
     std::iota(by_light.begin(), by_light.end(), 0u);
     std::ranges::stable_sort(by_light, {}, [&](std::uint32_t i) { return b.values[i]; });
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const std::size_t quarter = i * 4 / pixels;
-        result.ssim_by_light[quarter] += double(similar.values[by_light[i]]);
-        result.ssim += double(similar.values[by_light[i]]) / double(pixels);
+    for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+        const std::size_t first = pixels * quarter / 4, end = pixels * (quarter + 1) / 4;
+        double sum = 0;
+        for (std::size_t i = first; i < end; ++i) sum += double(similar.values[by_light[i]]);
+        result.ssim_by_light[quarter] = end > first ? sum / double(end - first) : 0;
+        result.ssim += sum / double(pixels);
     }
-    for (std::size_t quarter = 0; quarter < 4;
-         ++quarter)  // first pixels are those from i * 4 >= quarter * pixels
-        result.ssim_by_light[quarter] /=
-            double((pixels * (quarter + 1) + 3) / 4 - (pixels * quarter + 3) / 4);
     return result;
 }
 

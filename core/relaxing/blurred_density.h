@@ -10,8 +10,7 @@ namespace dapple {
 
 /// A density blurred by Gaussians whose variances are a factor of two apart, the wider ones on coarser
 /// pixels. In between, it is interpolated by the variance, as heat spreads. Between pixels it is a quadratic
-/// spline, so that its slope is continuous. Beyond the picture's edges lie its
-/// mirror images.
+/// spline, so that its slope is continuous. Beyond the picture's edges lie its mirror images.
 class BlurredDensity {
  public:
     /// For variances from one to the other, in the picture's pixels squared. What is narrower than a pixel's

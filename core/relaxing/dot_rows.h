@@ -4,6 +4,8 @@
 // What is found does not depend on how many dots lie elsewhere, and nothing is kept for bare paper: a page
 // that is nearly white costs what its dots cost.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +43,26 @@ class DotRows {
     std::int64_t first_row_ = 0;
     std::vector<std::size_t> begins_{0};
     Numbers from_numbers_;
+};
+
+/// Places in the rows around one, which move on with its dots as these come from the left to the right.
+template <int Farthest>
+class RowCursors {
+ public:
+    /// All at their rows' beginnings.
+    void begin(const DotRows& rows, std::int64_t row) {
+        first_ = std::max<std::int64_t>(row - Farthest, 0);
+        end_ = std::min<std::int64_t>(row + Farthest + 1, rows.rows());
+        for (std::int64_t near = first_; near < end_; ++near) at(near) = rows.begin(near);
+    }
+
+    std::int64_t first() const { return first_; }
+    std::int64_t end() const { return end_; }
+    std::size_t& at(std::int64_t row) { return places_[static_cast<std::size_t>(row - first_)]; }
+
+ private:
+    std::int64_t first_ = 0, end_ = 0;
+    std::array<std::size_t, 2 * Farthest + 1> places_{};
 };
 
 }  // namespace dapple

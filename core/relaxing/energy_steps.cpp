@@ -94,26 +94,16 @@ BlurredDensity blurred_for_kernels(const Density& density, double scale) {
     return {density, 2 * kWidth * kWidth * page.spacing * page.spacing * pixels2, kMostVariance * pixels2};
 }
 
-void EnergySteps::begin_row(std::int64_t row) {
-    row_ = row;
-    first_near_ = std::max<std::int64_t>(row - kFarthestRow, 0);
-    const std::int64_t end_near = std::min<std::int64_t>(row + kFarthestRow + 1, rows_.rows());
-    for (std::int64_t near = first_near_; near < end_near; ++near)
-        cursors_[static_cast<std::size_t>(near - first_near_)] = rows_.begin(near);
-}
-
 DotStep EnergySteps::by_dots(float x, float y, float variance) {
     const float reach = std::sqrt(2 * kEnd * variance);
     const float from = x - reach, to = x + reach;
     const float in_rows = y - static_cast<float>(rows_.first_row());
-    const auto first =
-        std::max({static_cast<std::int64_t>(std::floor(in_rows - reach)), first_near_, std::int64_t{0}});
-    const auto last = std::min(
-        {static_cast<std::int64_t>(std::floor(in_rows + reach)), row_ + kFarthestRow, rows_.rows() - 1});
+    const auto first = std::max(static_cast<std::int64_t>(std::floor(in_rows - reach)), cursors_.first());
+    const auto last = std::min(static_cast<std::int64_t>(std::floor(in_rows + reach)), cursors_.end() - 1);
     const float *const xs = rows_.x.data(), *const ys = rows_.y.data();
     Pushes pushes(x, y, variance);
     for (std::int64_t near = first; near <= last; ++near) {
-        std::size_t& cursor = cursors_[static_cast<std::size_t>(near - first_near_)];
+        std::size_t& cursor = cursors_.at(near);
         const std::size_t begin = rows_.begin(near), end = rows_.end(near);
         while (cursor < end && xs[cursor] < from) ++cursor;
         while (cursor > begin && xs[cursor - 1] >= from) --cursor;

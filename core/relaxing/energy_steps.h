@@ -6,7 +6,6 @@
 // follow the density). Where Lloyd's steps make dots even, these also make them as many as there should be,
 // over every few of them: tones and edges come out truer, and the low part of the spectrum all but vanishes.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,7 +30,7 @@ class EnergySteps {
     EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page)
         : rows_(rows), blurred_(blurred), page_(page) {}
 
-    void begin_row(std::int64_t row);
+    void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
     /// Of a dot of that row, each further to the right than the one before.
     DotStep step(std::size_t dot);
@@ -48,8 +47,7 @@ class EnergySteps {
     const DotRows& rows_;
     const BlurredDensity& blurred_;
     const PageRows page_;
-    std::int64_t row_ = 0, first_near_ = 0;
-    std::array<std::size_t, 2 * kFarthestRow + 1> cursors_{};
+    RowCursors<kFarthestRow> cursors_;
 };
 
 }  // namespace dapple

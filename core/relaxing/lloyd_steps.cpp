@@ -26,14 +26,6 @@ constexpr auto kOutwards = [] {
 
 }  // namespace
 
-void LloydSteps::begin_row(std::int64_t row) {
-    row_ = row;
-    first_near_ = std::max<std::int64_t>(row - kFarthestRow, 0);
-    const std::int64_t end_near = std::min<std::int64_t>(row + kFarthestRow + 1, rows_.rows());
-    for (std::int64_t near = first_near_; near < end_near; ++near)
-        cursors_[static_cast<std::size_t>(near - first_near_)] = rows_.begin(near);
-}
-
 DotStep LloydSteps::step(std::size_t dot) {
     const PixelAnchor anchor = centroid_.anchor(rows_.x[dot], rows_.y[dot]);
     const VoronoiCell cell = cell_of(row_, dot, centroid_.density_at(anchor, 0, 0));
@@ -112,7 +104,7 @@ VoronoiCell LloydSteps::cell_of(std::int64_t row, std::size_t dot, float density
 
 // Dots come from the left to the right, so the place in each row near them moves on with them.
 LloydSteps::Stretch LloydSteps::stretch_around(std::int64_t row, float x) {
-    std::size_t& cursor = cursors_[static_cast<std::size_t>(row - first_near_)];
+    std::size_t& cursor = cursors_.at(row);
     const std::size_t end = rows_.end(row);
     const float* const xs = rows_.x.data();
     std::size_t at = cursor;

@@ -5,7 +5,6 @@
 // as going just there. Weighted by density squared, so that the dots keep the density that they were placed
 // with.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -31,7 +30,10 @@ class LloydSteps {
     LloydSteps(const DotRows& rows, const Density& density, const PageRows& page)
         : rows_(rows), page_(page), centroid_(density, std::ldexp(1.0, -page.depth)) {}
 
-    void begin_row(std::int64_t row);
+    void begin_row(std::int64_t row) {
+        row_ = row;
+        cursors_.begin(rows_, row);
+    }
 
     /// Of a dot of that row, each further to the right than the one before. At most kCellReach long.
     DotStep step(std::size_t dot);
@@ -47,8 +49,8 @@ class LloydSteps {
     const DotRows& rows_;
     const PageRows page_;
     WeightedCentroid centroid_;
-    std::int64_t row_ = 0, first_near_ = 0;
-    std::array<std::size_t, 2 * kFarthestRow + 1> cursors_{};
+    std::int64_t row_ = 0;
+    RowCursors<kFarthestRow> cursors_;
 };
 
 }  // namespace dapple
