@@ -1,6 +1,8 @@
 #include "app/signals.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,6 +28,8 @@ struct Slot {
 };
 std::array<Slot, kMostFilesUnderWay> slots;  // the files to be removed
 std::atomic<bool> work_stops{false}, tells{false};
+std::atomic<bool> ending{false};  // a signal ends the program: no file is made from now on
+std::atomic<int> making{0};       // files that are made at this moment
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
               "the handler may not wait");
@@ -65,7 +69,27 @@ void remove_file(Slot& slot) {
     if (slot.owner.compare_exchange_strong(mine, 0)) ::unlink(slot.path.data());
 }
 
+// While one lives, signals come to other threads.
+class SignalsPass {
+ public:
+    SignalsPass() {
+        sigset_t all;
+        sigfillset(&all);
+        ::pthread_sigmask(SIG_BLOCK, &all, &former_);
+    }
+    SignalsPass(const SignalsPass&) = delete;
+    SignalsPass& operator=(const SignalsPass&) = delete;
+    ~SignalsPass() { ::pthread_sigmask(SIG_SETMASK, &former_, nullptr); }
+
+ private:
+    sigset_t former_;
+};
+
 void remove_all_and_end(int signal) {
+    ending = true;
+    // A file that another thread makes now is removed too. Not for ever: the folder may be one that does not
+    // answer, and a forked child inherits the number without the thread.
+    for (int ms = 0; making > 0 && ms < 1000; ++ms) ::poll(nullptr, 0, 1);
     for (Slot& slot : slots) remove_file(slot);
     if (signal == SIGINT && tells) {
         // Over the line that shows progress, if there is one.
@@ -128,6 +152,20 @@ RemovedOnSignal::~RemovedOnSignal() {
 
 const char* RemovedOnSignal::path() const {
     return slots[slot_].path.data();
+}
+
+int RemovedOnSignal::make() const {
+    const SignalsPass pass;  // or a signal's handler would wait here for what it interrupts
+    ++making;
+    if (ending) {
+        --making;
+        for (;;) ::pause();
+    }
+    const int made = ::open(path(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int error = errno;
+    --making;
+    errno = error;
+    return made;
 }
 
 void RemovedOnSignal::keep() {

@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostFilesUnderWay = 600;
 /// A file that is gone at the end of the scope, or when one of those signals ends the program before.
 class RemovedOnSignal {
  public:
-    /// The file may be made after this. Throws std::runtime_error if the path is too long, or if more than
+    /// The file is not made by this. Throws std::runtime_error if the path is too long, or if more than
     /// kMostFilesUnderWay are.
     explicit RemovedOnSignal(const std::filesystem::path& path);
     RemovedOnSignal(const RemovedOnSignal&) = delete;
@@ -27,6 +27,9 @@ class RemovedOnSignal {
     ~RemovedOnSignal();
 
     const char* path() const;
+    /// Makes the file and opens it to be read and written; -1 and errno if it cannot be, or if there is one.
+    /// While a signal ends the program, nothing is made any more, and this does not return.
+    int make() const;
     /// What has this name from now on stays.
     void keep();
 

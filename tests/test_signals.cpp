@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <deque>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <thread>
 
 #include "app/files/atomic_file.h"
+#include "app/files/part_file.h"
 #include "app/signals.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
@@ -166,4 +168,22 @@ TEST_CASE(
               raise(SIGTERM);
           }) == 128 + SIGTERM);
     CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a file that another thread begins just as a signal ends the program is not left behind") {
+    const TemporaryFolder folder;
+    for (int round = 0; round < 20; ++round) {
+        CHECK(status_of([&] {
+                  std::atomic<int> made{0};
+                  std::deque<std::jthread> threads;
+                  for (int i = 0; i < 4; ++i) {
+                      threads.emplace_back([&] {
+                          for (;; ++made) const PartFile part(folder / "a.txt");
+                      });
+                  }
+                  while (made < 100) std::this_thread::yield();
+                  raise(SIGTERM);
+              }) == 128 + SIGTERM);
+        REQUIRE(folder.entries() == 0);
+    }
 }

@@ -92,7 +92,7 @@ PartFile::PartFile(const fs::path& target) {
         fs::path name = target;
         name.replace_filename(fmt::format("{}{:0{}x}{}", kBegin, random(), kDigits, kEnd));
         name_.emplace(name);
-        file_ = Descriptor(::open(name_->path(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+        file_ = Descriptor(name_->make());
         if (!file_) {
             const int error = errno;
             name_->keep();  // not ours
