@@ -28,8 +28,8 @@ struct Slot {
 };
 std::array<Slot, kMostFilesUnderWay> slots;  // the files to be removed
 std::atomic<bool> work_stops{false}, tells{false};
-std::atomic<bool> ending{false};  // a signal ends the program: no file is made from now on
-std::atomic<int> making{0};       // files that are made at this moment
+std::atomic<bool> ending{false};                     // a signal ends the program: no file is made from now on
+std::atomic<int> making{0};                          // files that are made at this moment
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
               "the handler may not wait");

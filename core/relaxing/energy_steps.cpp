@@ -120,7 +120,8 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float densi
     const float deviation = std::sqrt(kernels.variance);
     const auto end = [&](float away, float from_middle, float inwards, float& slope) {
         if (away > kFarFromEdge * deviation) return;
-        const float beyond = beyond_edge(from_middle / kernels.apart, density) * kernels.apart;
+        const float beyond =
+            beyond_edge(kWavesOfDensity, from_middle / kernels.apart, density) * kernels.apart;
         const BlurredStep step((away + beyond) / deviation);
         slope += inwards * step.slope / (deviation * step.value);
         share *= step.value;

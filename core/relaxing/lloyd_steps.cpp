@@ -50,7 +50,7 @@ VoronoiCell LloydSteps::cell_of(std::int64_t row, std::size_t dot, float density
     // To where the cell ends at an edge so far away, at that place along it.
     const auto to_edge = [&](float away, float from_middle) {
         if (away - kFarFromEdge * apart_here > kCellReach) return kCellReach;
-        const float beyond = beyond_edge(from_middle / apart_here, density);
+        const float beyond = beyond_edge(kWavesOfCells, from_middle / apart_here, density);
         return std::clamp(away + beyond * apart_here, 0.0f, kCellReach);
     };
     const float across = x - page_.width / 2, down = y - page_.height / 2;

@@ -13,9 +13,18 @@ namespace dapple {
 // beyond.
 inline constexpr float kBeyondInBlack = 0.2f, kLightest = 0.85f,
                        kBlackest = 0.98f;  // densities, between which both are mixed
-inline constexpr float kBeyondEdge = 0.05f, kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
-inline constexpr float kWaveHeight = 0.45f, kWaveLengths[] = {3.7f, 5.9f};
+inline constexpr float kLeastBeyond = -0.4f, kMostBeyond = 0.35f;
+inline constexpr float kWaveLengths[] = {3.7f, 5.9f};
 static_assert(kLeastBeyond < kBeyondInBlack && kBeyondInBlack < kMostBeyond);
+
+// Waves, in distances between dots.
+struct EdgeWaves {
+    float beyond;  // the edge, their middle
+    float height;  // of each
+};
+inline constexpr EdgeWaves kWavesOfCells{0.05f, 0.45f};
+// Lower ones keep more of the tone along the edges, and are enough for dots that go down an energy.
+inline constexpr EdgeWaves kWavesOfDensity{0.09f, 0.36f};
 
 // A triangle wave, -1..1, of length 1, from 0 up. A sine's last bit would not be the same everywhere.
 inline float triangle_wave(float t) {
@@ -24,11 +33,11 @@ inline float triangle_wave(float t) {
 
 /// How far beyond the edge, in distances between dots, by where along the edge, in distances from its middle:
 /// a picture on its side has the same dots. kLeastBeyond..kMostBeyond.
-inline float beyond_edge(float from_middle, float density) {
+inline float beyond_edge(EdgeWaves waves, float from_middle, float density) {
     const float t = std::abs(from_middle);
     const float light = std::clamp((kBlackest - density) / (kBlackest - kLightest), 0.0f, 1.0f);
-    const float waves = triangle_wave(t / kWaveLengths[0]) + triangle_wave(t / kWaveLengths[1]);
-    const float waving = std::clamp(kBeyondEdge + kWaveHeight * waves, kLeastBeyond, kMostBeyond);
+    const float wave = triangle_wave(t / kWaveLengths[0]) + triangle_wave(t / kWaveLengths[1]);
+    const float waving = std::clamp(waves.beyond + waves.height * wave, kLeastBeyond, kMostBeyond);
     return kBeyondInBlack + light * (waving - kBeyondInBlack);
 }
 
