@@ -13,7 +13,7 @@ build_packages=(
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    clang doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev libxml2-utils
+    clang clang-format doctest-dev imagemagick libclang-rt-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev libxml2-utils
     openimageio-tools poppler-utils python3-ezdxf x11-utils xauth xclip xdotool xvfb
 )
 

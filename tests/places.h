@@ -1,5 +1,6 @@
 #pragma once
-// Where a build and its sources lie. Known to main.cpp alone, so that all else compiles to the same in every folder.
+// Where a build and its sources lie. Known to main.cpp alone, so that all else compiles to the same in every
+// folder.
 
 #include <filesystem>
 #include <string>

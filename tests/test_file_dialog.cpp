@@ -604,7 +604,8 @@ TEST_CASE("a name is shown as it is, and one that is two lines or no text as one
     CHECK(f.chosen == folder.path() / "\xff.png");
 }
 
-TEST_CASE("in a folder whose name is no text, or has rare letters, names are typed and deleted as elsewhere") {
+TEST_CASE(
+    "in a folder whose name is no text, or has rare letters, names are typed and deleted as elsewhere") {
     for (const char* name : {"lat\xfcin", "\xf0\x9f\x93\xb7"}) {
         CAPTURE(name);
         const TemporaryFolder root;

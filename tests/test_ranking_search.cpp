@@ -47,7 +47,8 @@ TEST_CASE("the energy of a ranking is the sum over stages of the pairs that are 
     const Tile tile = make_tile(aperiodic_rule(), even_words(16, 3));
     RankingSearchSettings settings;
     settings.stages = 5;
-    settings.shape.close_weight = 1;  // distances lie in bins, and the steeper an energy is the more that tells
+    settings.shape.close_weight =
+        1;  // distances lie in bins, and the steeper an energy is the more that tells
     for (const RankingMethod order : {RankingMethod::farthest, RankingMethod::energy}) {
         const Ranking ranking = rank(tile, order);
         CHECK(ranking_energy(tile, ranking, settings) ==

@@ -17,7 +17,7 @@ namespace dapple {
 namespace {
 
 constexpr glm::dvec2 kMiddle{470,
-                             385};     // of the canvas: the panel beside and the status below leave 940 x 770
+                             385};  // of the canvas: the panel beside and the status below leave 940 x 770
 constexpr double kPageSide = 200 / 25.4 * 96;  // pixels of the square page, as large as it is in the hand
 
 }  // namespace

@@ -246,14 +246,15 @@ fs::path Fields::file_in(FieldName name, const Json& value) const {
     for (const fs::path& file : {beside, absolute}) {
         if (!file_is_there(file)) continue;
         if (is_read_at_once(file)) return file;
-        refuse(name, fmt::format("is {}, which is no regular file; name one that is", printable(file.native())));
+        refuse(name,
+               fmt::format("is {}, which is no regular file; name one that is", printable(file.native())));
     }
     const std::string where =
         absolute.empty() || absolute == beside
             ? fmt::format("{} is not there", beside.string())
             : fmt::format("neither {} nor {} is there", beside.string(), absolute.string());
-    throw MissingFile(sentence(name, fmt::format("cannot be found, {}; put that file back, or name another",
-                                                 printable(where))));
+    throw MissingFile(sentence(
+        name, fmt::format("cannot be found, {}; put that file back, or name another", printable(where))));
 }
 
 void Fields::text(FieldName name, const std::string& value,

@@ -43,7 +43,8 @@ double largest_radius(const Domain& domain, std::size_t count);
 std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const Domain& domain,
                                       const std::string& name = "points");
 
-/// Leaves one point at each place: of those within `near` of another, on both axes, the one with the smallest x.
+/// Leaves one point at each place: of those within `near` of another, on both axes, the one with the smallest
+/// x.
 void drop_duplicates(std::vector<glm::dvec2>& points, double near);
 
 }  // namespace dapple

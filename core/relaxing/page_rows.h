@@ -19,8 +19,8 @@ struct PageRows {
         : depth(depth_for(scale)),
           width(rows(density.width(), density)),
           height(rows(density.height(), density)),
-          spacing(static_cast<float>(
-              std::min(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale), kMost))),
+          spacing(
+              static_cast<float>(std::min(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale), kMost))),
           pixels(std::ldexp(static_cast<double>(density.longer_side()), -depth)) {}
 
     static int depth_for(double scale) {

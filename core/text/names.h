@@ -25,7 +25,9 @@ constexpr std::array<const char*, sizeof...(Texts)> names(Texts... texts) {
 
 /// An enumeration whose values are 0, 1, 2, ... and have such a list.
 template <class Value>
-concept Named = requires(Value value) { names_of(value)[static_cast<std::size_t>(value)]; };
+concept Named = requires(Value value) {
+    names_of(value)[static_cast<std::size_t>(value)];
+};
 
 template <Named Value>
 constexpr std::string_view name_of(Value value) {

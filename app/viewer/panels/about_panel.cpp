@@ -68,7 +68,8 @@ void draw_about_panel(bool& open) {
     ImGui::Dummy({0, ImGui::GetTextLineHeight() / 2});
     const std::string all = glfwGetVersionString(), glfw = all.substr(0, all.find(' '));
     const std::array all_of_a_licence{
-        Libraries{"MIT", "Dear ImGui " IMGUI_VERSION ", GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb, Little CMS"},
+        Libraries{"MIT", "Dear ImGui " IMGUI_VERSION
+                         ", GLM, {fmt}, nlohmann-json, CLI11, libepoxy, stb, Little CMS"},
         Libraries{"zlib", "GLFW " + glfw + ", zlib"},
         Libraries{"BSD", "OpenImageIO, libwebp, KISS FFT"},
         Libraries{"Apache 2.0", "oneTBB, qpdf"},

@@ -51,7 +51,8 @@ float place_of_buttons() {
     return ImGui::GetWindowWidth() - 2 * button_width() - style.ItemSpacing.x - style.WindowPadding.x;
 }
 
-// A warning at the row's left, which ends before the buttons at its right; the cursor then is where they begin.
+// A warning at the row's left, which ends before the buttons at its right; the cursor then is where they
+// begin.
 void warning_before(float buttons, const std::string& words) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float air = 2 * ImGui::GetStyle().WindowPadding.x;
@@ -419,9 +420,9 @@ bool FileDialog::draw_path() {
         }
         return 0;
     };
-    bool entered = bytes_box("##path", typed_,
-                                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
-                                    to_the_end, &path_ends_);
+    bool entered =
+        bytes_box("##path", typed_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
+                  to_the_end, &path_ends_);
     const bool typing = ImGui::IsItemActive(), activated = ImGui::IsItemActivated();
     ImGui::PopID();
     note_place("Path");

@@ -54,7 +54,7 @@ struct SaveQuestion {
     std::filesystem::path start{};      // its folder is opened, its name filled in
     std::filesystem::path own_file{};   // replaced without asking; none: empty
     std::vector<std::filesystem::path> own_files{};  // that are then; none: itself
-    bool has_options = false;           // draw() is given some, with room as they need it
+    bool has_options = false;                        // draw() is given some, with room as they need it
     const char* button = "Export";
     bool begins_below = false;  // one of its rows has the keys at first (WidgetNotes::reveal), not the name
     /// What is written under a name; none: the file of that name.
@@ -126,8 +126,8 @@ class FileDialog {
     bool focus_path_ = false;  // it is to have the keyboard,
     bool path_ends_ = false;   // with the cursor behind what is there, instead of all of it selected
     bool path_has_keys_ = false;
-    bool jumps_ = false;         // to the entry that begins as what was typed
-    int path_turn_ = 0;  // another each time that the field is left by Tab
+    bool jumps_ = false;  // to the entry that begins as what was typed
+    int path_turn_ = 0;   // another each time that the field is left by Tab
     ListKeys place_keys_, entry_keys_;
     bool bookmarks_changed_ = false;
     OpenQuestion open_question_;  // of use if it does not save

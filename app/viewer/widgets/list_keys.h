@@ -34,7 +34,7 @@ class ListKeys {
  private:
     RowKeys keys_;
     int marked_ = 0, drawn_ = 0;
-    int letter_ = 0;                       // that was typed in this frame
+    int letter_ = 0;                        // that was typed in this frame
     std::optional<int> first_{}, after_{};  // that begin with it, of all and behind the marked one
     bool moved_ = false;
 };

@@ -10,7 +10,19 @@ namespace dapple {
 namespace {
 
 // Kept with each ImGui window, under numbers instead of names: the rows have different IDs above them.
-enum Kept : ImGuiID { kFocus = 0x7a110001, kSeen, kFrame, kEarlier, kLast, kTakeNext, kTakeLast, kWalked, kLooked, kCovered, kWasCovered };
+enum Kept : ImGuiID {
+    kFocus = 0x7a110001,
+    kSeen,
+    kFrame,
+    kEarlier,
+    kLast,
+    kTakeNext,
+    kTakeLast,
+    kWalked,
+    kLooked,
+    kCovered,
+    kWasCovered
+};
 
 ImGuiID kept(Kept what) {
     return static_cast<ImGuiID>(ImGui::GetStateStorage()->GetInt(what));
