@@ -187,9 +187,9 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
                "Ink of the constant grey: with --scale, 16 S times this many dots");
     command
         ->add_option("--method", options_.method,
-                     "Of a constant grey: the dots of another method, of those that dapple compare measures")
+                     "A constant grey drawn by another method, one that dapple compare measures")
         ->type_name("NAME");
-    add_seed(*command, options_.seed, "Of a --method that throws dice");
+    add_seed(*command, options_.seed, "The seed of a --method that throws dice");
     add_choice(
         *command, "--topology", options_.topology,
         "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
@@ -198,11 +198,11 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
     add_number(*command, "--width", options_.width, length, "LENGTH",
                "What the points fill, from (0, 0), in their unit; without it, the page that a table by "
                "dapple render "
-               "names, or their own box. Of a picture the "
+               "names, or their own box. For a picture, the "
                "page's width in mm, 200 without it");
     add_number(*command, "--height", options_.height, length, "LENGTH", "The same downwards, for points");
     add_number(*command, "--period", options_.period, length, "LENGTH",
-               "Of points: look for a repetition after multiples of this length");
+               "Look for a repetition of points after multiples of this length");
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
     add_dot_options(*command, options_.drawing);

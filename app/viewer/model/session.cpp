@@ -216,8 +216,7 @@ void Session::take_settings(const fs::path& file) {
         if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
         settings.drawing = read.drawing;
         settings.saving = read.saving;
-        banner = {BannerKind::notice,
-                  "Now with the settings of " + file.string() + "; undo goes back to yours"};
+        banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
     } catch (const std::exception& error) {
         say(error.what());
     }

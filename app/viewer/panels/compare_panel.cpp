@@ -48,7 +48,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
         changed = true;
     }
     {
-        const Greyed greyed(right.on ? nullptr : "Of the split view only.");
+        const Greyed greyed(right.on ? nullptr : "Applies to the split view only.");
         changed |= draw_right_side(right, tiles);
     }
     hint("Repetition shows best on an even grey or a ramp: Density, above.");
@@ -58,7 +58,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
 bool draw_loupe(LoupeChoice& loupe) {
     bool changed =
         switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
-    const Greyed greyed(loupe.on ? nullptr : "Of the loupe only.");
+    const Greyed greyed(loupe.on ? nullptr : "Applies to the loupe only.");
     double step = loupe.step;
     if (slider_row("Its tiles", step,
                    {.min = -3,

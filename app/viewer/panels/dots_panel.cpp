@@ -72,14 +72,14 @@ bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     }
     {
         const bool fixed = size.sizing == DotSizing::fixed;
-        const Greyed greyed(fixed ? nullptr : "Of the dot size fixed only.");
+        const Greyed greyed(fixed ? nullptr : "Applies to dots of a fixed size only.");
         double shown = fixed ? size.radius_mm : radius;
         if (slider_row(setting::radius, shown, {.unit = unit})) {
             size.radius_mm = shown;
             changed = true;
         }
     }
-    const Greyed greyed(size.sizing == DotSizing::by_tone ? nullptr : "Of the dot size by tone only.");
+    const Greyed greyed(size.sizing == DotSizing::by_tone ? nullptr : "Applies to dots sized by tone only.");
     if (slider_row(setting::smallest, size.smallest_mm, {.unit = unit})) {
         size.largest_mm = std::max(size.largest_mm, size.smallest_mm);
         changed = true;
@@ -106,7 +106,7 @@ bool draw_shape(DrawingSettings& settings) {
     bool changed = false;
     const bool dots = settings.style == DrawingStyle::dots;
     {
-        const Greyed greyed(dots ? nullptr : "Of dots only; lines have none.");
+        const Greyed greyed(dots ? nullptr : "Applies to dots only.");
         // As DotShape has them.
         constexpr std::array kShapes{"circle", "point", "stroke", "spiral",
                                      "hatch",  "ring",  "cross",  "own path"};
@@ -121,7 +121,7 @@ bool draw_shape(DrawingSettings& settings) {
         }
     }
     const bool own = dots && settings.mark.shape == DotShape::path;
-    const Greyed greyed(own ? nullptr : "Of the dot shape \"own path\" only.");
+    const Greyed greyed(own ? nullptr : "Applies to the dot shape \"own path\" only.");
     return text_row("Own shape", settings.mark.path, is_dot_path,
                     "A path in a box from 0,0 to 1,1: M, L, H, V, C, Q, A and Z, as in M0,0 L1,1",
                     "As in SVG, in a box from 0,0 at the upper left to 1,1, around each dot.", kUsualPath) ||

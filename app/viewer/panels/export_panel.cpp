@@ -104,7 +104,7 @@ bool draw_gcode(SavingChoice& saving) {
         changed |= height_row(setting::pen_down, saving.pen_down, usual.down);
     }
     const bool fires = burns || !own.text.empty();
-    const Greyed greyed(fires ? nullptr : "Of a laser: choose that above.");
+    const Greyed greyed(fires ? nullptr : "Applies to lasers only: choose one above.");
     changed |= slider_row(setting::laser_power, saving.laser_power);
     return changed;
 }
@@ -116,7 +116,7 @@ bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& 
     const bool changed =
         choice_row("Machine", chosen,
                    std::array{"AxiDraw V3", "AxiDraw SE/A3", "iDraw", "GRBL pen plotter", "GRBL laser"},
-                   "Whose time is told below; the file is the same for all of them.");
+                   "Used for the time estimate below; the file is the same for all of them.");
     if (changed) saving.machine = static_cast<Machine>(chosen);
     if (info.dots == 0) return changed;
     hint(fmt::format("Takes {} to plot: {}.", time_in_words(info.plotting.total_s()),
@@ -244,11 +244,13 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         }
     }
     if (has_pixels(format)) {
-        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
+                                                                     : nullptr);
         changed |= switch_row(setting::separations, settings.saving.separations);
     }
     if (!has_pixels(format) && !is_table(format)) {
-        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
+                                                                     : nullptr);
         changed |= switch_row(setting::pen_files, settings.saving.pen_files);
     }
     if (has_order(format, settings.drawing.style))

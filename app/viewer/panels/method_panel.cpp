@@ -31,7 +31,7 @@ bool draw_density(DensityChoice& density) {
         "What the dots draw: the photograph, an even grey or a ramp from light to dark. On the last two a "
         "repeating tile is seen best.");
     density.source = static_cast<DensitySource>(source);
-    const Greyed greyed(density.source == DensitySource::grey ? nullptr : "Of the density grey only.");
+    const Greyed greyed(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
     changed |= slider_row("Grey", density.grey,
                           {.min = 0.01,
                            .max = 1,
@@ -58,8 +58,7 @@ bool draw_zooming(ViewerSettings& settings) {
 bool draw_shown(ViewerSettings& settings) {
     bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
     int colouring = static_cast<int>(settings.colouring);
-    if (choice_row("Dots coloured", colouring,
-                   std::array{"as ink", "by level", "by rank", "by tile"},
+    if (choice_row("Dots coloured", colouring, std::array{"as ink", "by level", "by rank", "by tile"},
                    "by level: how often the page was divided. by rank: how early in its tile. by tile: of "
                    "which kind its tile is, or how it is turned if there is one kind.")) {
         settings.colouring = static_cast<DotColouring>(colouring);

@@ -85,7 +85,7 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
     bool changed = false;
     const bool from_own = chooses_from_own(pens);
     {
-        const Greyed greyed(pens.set == PenSet::automatic ? nullptr : "Of automatic pens only.");
+        const Greyed greyed(pens.set == PenSet::automatic ? nullptr : "Applies to automatic pens only.");
         double count = pens.automatic;
         if (slider_row("How many", count,
                        {.min = 1,
@@ -98,7 +98,7 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
         }
     }
     const char* const no_width = pens.set == PenSet::one
-                                     ? "Of several pens only; one pen is as wide as its dots, or as "
+                                     ? "Applies to several pens only; one pen is as wide as its dots, or as "
                                        "Dots says."
                                  : pens.set == PenSet::own ? "Each pen of your own has its width below."
                                  : from_own                ? "Each pen of the palette has its width."
@@ -110,7 +110,7 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
 }
 
 bool draw_order(PenChoice& pens) {
-    const Greyed greyed(pens.set == PenSet::one ? "Of several pens only." : nullptr);
+    const Greyed greyed(pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     int order = static_cast<int>(pens.order);
     if (!choice_row(
             "Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
@@ -122,7 +122,7 @@ bool draw_order(PenChoice& pens) {
 }
 
 bool draw_ink(PenChoice& pens) {
-    const Greyed greyed(pens.set == PenSet::one ? "Of several pens only." : nullptr);
+    const Greyed greyed(pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     int ink = static_cast<int>(pens.ink);
     if (!choice_row(setting::pen_ink.names.row, ink, names_of(pens.ink), setting::pen_ink.help)) return false;
     pens.ink = static_cast<PenInk>(ink);
@@ -167,9 +167,10 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     {
-        const Greyed greyed(place == 0                         ? "It is the first already."
-                            : choice.order != PenOrder::listed ? "Of the pen order \"as listed\" only."
-                                                               : nullptr);
+        const Greyed greyed(place == 0 ? "Already first."
+                            : choice.order != PenOrder::listed
+                                ? "Applies to the pen order \"as listed\" only."
+                                : nullptr);
         if (wide_button(("Draw " + pen.name + " earlier").c_str(), "Changes places with the pen above it."))
             pressed = OwnPenButton::earlier;
     }
@@ -204,8 +205,8 @@ bool draw_own_pens(PenChoice& choice, LengthUnit unit) {
 
 // Above the list, so that it stays where it is while the list grows.
 bool draw_adding(PenChoice& pens) {
-    const Greyed greyed(pens.set != PenSet::own        ? "Of own pens only."
-                        : pens.own.size() >= kMostPens ? "There are no more pens than these."
+    const Greyed greyed(pens.set != PenSet::own        ? "Applies to pens of your own only."
+                        : pens.own.size() >= kMostPens ? "That is the maximum."
                                                        : nullptr);
     if (!wide_button("Add a pen", "One more pen, in a colour that many makers have; change it as you like."))
         return false;
@@ -222,7 +223,7 @@ void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
     const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
     int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
     {
-        const Greyed greyed(drawn.empty() ? "Of several pens only." : nullptr);
+        const Greyed greyed(drawn.empty() ? "Applies to several pens only." : nullptr);
         if (choice_row("Look at", chosen, entries,
                        "The dots of all pens or of one alone, as its layer has them. A way of looking: files "
                        "have all pens."))
@@ -253,7 +254,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     changed |= draw_order(settings.pens);
     changed |= draw_ink(settings.pens);
     {
-        const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Of CMYK only.");
+        const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
         changed |= slider_row("Black ink", settings.pens.black,
                               {.min = 0,
                                .max = 1,
@@ -262,7 +263,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
                                       "make grey: 0 as little as possible, 1 as much."});
     }
     {
-        const Greyed greyed(settings.pens.set == PenSet::one ? "Of several pens only." : nullptr);
+        const Greyed greyed(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
         changed |= switch_row(setting::registration, settings.registration);
     }
     {
