@@ -6,6 +6,7 @@
 #include "core/related/best_candidate.h"
 #include "core/related/dart_throwing.h"
 #include "core/related/floyd_steinberg.h"
+#include "core/related/gaussian_blue_noise.h"
 #include "core/related/jittered.h"
 #include "core/related/lbg.h"
 #include "core/related/penrose.h"
@@ -56,6 +57,11 @@ constexpr RelatedMethod kMethods[] = {
      .source = "Deussen, Spicker & Zheng 2017",
      .dots = lbg,
      .limits = "the count some in a hundred off; dots of one size"},
+    {.name = "gaussian",
+     .title = "Gaussian blue noise",
+     .source = "Ahmed, Ren & Wonka 2022",
+     .dots = gaussian_blue_noise,
+     .limits = "300 steps of plain descent; pictures: its time grows with their contrast too"},
     {.name = "wang",
      .title = "recursive Wang tiles",
      .source = "Kopf et al. 2006",
