@@ -56,6 +56,13 @@ inline constexpr Setting automatic_tone{
         "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers just "
         "the light that the picture lacks",
     .more = ". --black-point, --white-point, --contrast, --brightness and --gamma switch it to true"};
+inline constexpr Setting tone_strength{
+    .names = {"tone_strength", "Strength", "--tone-strength"},
+    .range = {0, 1},
+    .usual = kUsualToneStrength,
+    .help =
+        "How far automatic tone goes: 0 leaves the tone true, 1 brings out most of what is dark, and thins "
+        "what is light"};
 inline constexpr Setting automatic_exposure{.names = {"automatic_exposure", "Exposure"}};
 inline constexpr Setting exposure{
     .names = {"exposure", "Exposure", "--exposure"},
@@ -148,6 +155,11 @@ inline constexpr Setting relax{
     .more =
         ". 0 to 100, or auto: 20 for up to 12,800 dots, 8 from 80,000 on, none for millions of them too "
         "fine to see"};
+inline constexpr Setting settle_for{
+    .names = {"settle_for", "Settle for", "--settle-for"},
+    .help =
+        "pictures: dots show tones and edges best. samples: sums over the dots come nearest to an integral "
+        "over the density; give it some 60 steps by --relax"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
 inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},
                                 .range = {kSmallestRadiusMm, kLargestRadiusMm},
@@ -292,10 +304,11 @@ inline constexpr Setting pen_files{
     .more = ": cat-1-yellow.gcode and so on for cat.gcode"};
 inline constexpr Setting gcode_tool{.names = {"gcode_tool", "G-code for", "--gcode"}};
 inline constexpr Setting gcode_template{.names = {"gcode_template", "Template"}};
-inline constexpr Setting machine{
-    .names = {"machine", "Machine", "--machine"},
-    .help = "Whose plotting time is told, with its program's own settings; the file is the same for all",
-    .more = ". Without it, an AxiDraw V3, and a GRBL machine for G-code"};
+inline constexpr Setting machine{.names = {"machine", "Machine", "--machine"},
+                                 .help =
+                                     "Used for the estimate of the plotting time, with its program's own "
+                                     "settings; the file is the same for all",
+                                 .more = ". Without it, an AxiDraw V3, and a GRBL machine for G-code"};
 inline constexpr Setting feed{.names = {"feed_mm_per_min", "Feed, mm/min", "--feed"},
                               .range = {0.01, 1e6},
                               .usual = 3000,

@@ -36,7 +36,8 @@ std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, 
     return result;
 }
 
-std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps) {
+std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps,
+                                         float kernel) {
     if (steps == 0) return points;
     const double rim = relaxing_rim(scale, steps), side = 1 + 2 * rim;
     Dots dots;
@@ -59,7 +60,8 @@ std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, 
     const Density grey(Grid<float>(1, 1, 1.0f));
     DotPieces pieces;
     pieces.pieces.push_back(std::move(dots));
-    Relaxation relaxation(std::move(pieces), grey, {.scale = scale * side * side, .threads = 0});
+    Relaxation relaxation(std::move(pieces), grey,
+                          {.scale = scale * side * side, .threads = 0, .kernel = kernel});
     for (int step = 0; step < steps; ++step) relaxation.step();
     const Dots moved = relaxation.dots_as_taken();
     std::vector<glm::dvec2> result;

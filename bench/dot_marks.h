@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
+#include "core/relaxing/energy_steps.h"
 
 namespace dapple {
 
@@ -26,7 +27,8 @@ std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, 
 
 /// The dots after so many steps of relaxation as a drawing has them, in the same order: with copies of them
 /// around, as far as these have an influence.
-std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps);
+std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps,
+                                         float kernel = kPictureKernel);
 
 /// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off;
 /// of the worst of all moves up to eight tiles. At least 2 tiles lie side by side.

@@ -6,8 +6,8 @@
 //      tile_quality --level DOTS [TILE] .. only the full level of so many dots or the next one
 //      tile_quality --relax STEPS ...      after so many steps of relaxation, before all of these
 //      tile_quality --counts N,N,.. [TILE] just so many dots, placed and after the steps that a drawing has,
-//                                          with how many meet others once the page moves by whole tiles;
-//                                          "wang" is a TILE too
+//                                          and after those for samples, with how many meet others once the
+//                                          page moves by whole tiles; "wang" is a TILE too
 //
 // The paper's ranks on the exact placer give Figure 8's dots without its duplicates. docs/make_quality makes
 // docs/quality.md with it.
@@ -40,6 +40,7 @@ using namespace dapple;
 constexpr std::size_t kFewestDots = 40'000;
 constexpr int kDensities = 12;
 constexpr double kPageMm2 = 210 * 297;
+constexpr int kEvenSteps = 25, kSampleSteps = 60;
 constexpr const char* kWang = "wang";
 
 // A number of each column, the worse of two.
@@ -78,8 +79,9 @@ std::vector<glm::dvec2> placed_dots(RankedTile& tile, double count, const Densit
 }
 
 // As a drawing's are: stirred, then so many steps.
-std::vector<glm::dvec2> as_relaxed(const std::vector<glm::dvec2>& placed, double scale, int steps) {
-    return steps == 0 ? placed : relaxed_on_torus(stirred_on_torus(placed, scale), scale, steps);
+std::vector<glm::dvec2> as_relaxed(const std::vector<glm::dvec2>& placed, double scale, int steps,
+                                   float kernel = kPictureKernel) {
+    return steps == 0 ? placed : relaxed_on_torus(stirred_on_torus(placed, scale), scale, steps, kernel);
 }
 
 DotMarks print_row(RankedTile& tile, const std::string& name, double count, const Density& grey, int steps) {
@@ -116,15 +118,23 @@ void measure_level(const std::string& argument, std::size_t fewest_dots, const D
     print_row(tile, argument, static_cast<double>(full_level(tile, fewest_dots)), grey, steps);
 }
 
-// Placed, and after the steps that a drawing of so many dots has.
-void print_both(const std::string& name, const std::vector<glm::dvec2>& points, double tile_side) {
+// Placed, after the steps that a drawing of so many dots has, after more, and after those for samples.
+void print_rows(const std::string& name, const std::vector<glm::dvec2>& points, double tile_side) {
     const auto count = static_cast<double>(points.size());
-    for (const int steps : {0, usual_steps(count, kPageMm2)}) {
-        const auto dots = as_relaxed(points, count / kDotsPerScale, steps);
+    struct Settling {
+        int steps;
+        float kernel;
+        const char* what;
+    };
+    for (const auto& [steps, kernel, what] : {Settling{0, kPictureKernel, ""},
+                                              {usual_steps(count, kPageMm2), kPictureKernel, ""},
+                                              {kEvenSteps, kPictureKernel, ""},
+                                              {kSampleSteps, kSampleKernel, " for samples"}}) {
+        const auto dots = as_relaxed(points, count / kDotsPerScale, steps, kernel);
         const DotMarks m = dot_marks(dots, kSeamLoad);
-        fmt::print("| {} | {} | {} | {:.0f} | {:.1e} | {:.1e} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n",
-                   name, points.size(), steps, m.highest_bin, m.structure_01, m.structure_03, m.nearest.p1,
-                   m.nearest.mean, m.seam, 100 * coincidence(dots, tile_side));
+        fmt::print("| {} | {} | {}{} | {:.0f} | {:.1e} | {:.1e} | {:.3f} | {:.3f} | {:.2f} | {:.1f} % |\n",
+                   name, points.size(), steps, what, m.highest_bin, m.structure_01, m.structure_03,
+                   m.nearest.p1, m.nearest.mean, m.seam, 100 * coincidence(dots, tile_side));
         std::fflush(stdout);
     }
 }
@@ -141,7 +151,7 @@ void measure_counts(const std::string& argument, const std::vector<std::size_t>&
         const double factor = related_method(kWang)->level_factor;
         for (const std::size_t count : counts) {
             const double side = side_at(static_cast<double>(count), kWangPoints, factor);
-            print_both(argument, recursive_wang_tiles({.count = count}), side);
+            print_rows(argument, recursive_wang_tiles({.count = count}), side);
         }
         return;
     }
@@ -149,7 +159,7 @@ void measure_counts(const std::string& argument, const std::vector<std::size_t>&
     const std::string name = short_tile_name(argument);
     for (const std::size_t count : counts) {
         const auto dots = static_cast<double>(count);
-        print_both(name, placed_dots(tile, dots, grey),
+        print_rows(name, placed_dots(tile, dots, grey),
                    side_at(dots, static_cast<double>(tile.tile().size()), 4));
     }
 }

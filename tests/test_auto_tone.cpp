@@ -152,3 +152,18 @@ TEST_CASE("light ink is never spread wider than the encoded value says") {
     for (double power : {0.2, 0.5, 1.0, 2.0, 4.0})
         CHECK(auto_tone_of(skewed(power), {.invert = true}).gamma <= 2.2f + 1e-3f);
 }
+
+TEST_CASE("at no strength automatic tone is true light, and at half of it lies half of the way") {
+    for (const bool invert : {false, true}) {
+        CAPTURE(invert);
+        const Grid<float> light = skewed(2, 0.1, 0.8);
+        const Histogram histogram = histogram_of(light);
+        const Tone own{.contrast = 0.1f, .invert = invert};
+        const Tone all = auto_tone(histogram, own), half = auto_tone(histogram, own, 0.5);
+        CHECK(auto_tone(histogram, own, 0) == own);
+        CHECK(half.black_point == doctest::Approx(all.black_point / 2));
+        CHECK(1 - half.white_point == doctest::Approx((1 - all.white_point) / 2));
+        CHECK(half.gamma * half.gamma == doctest::Approx(all.gamma));
+        CHECK(half.contrast == own.contrast);
+    }
+}

@@ -197,7 +197,8 @@ TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1,
           // Known to be wrong before anything is looked at.
           Expected{"frobnicate", 2}, Expected{"--nonsense", 2}, Expected{"render", 2},
           Expected{"render --dots 0" + svg, 2}, Expected{"render --nonsense" + svg, 2},
-          Expected{"render --gamma 1 --tone auto" + svg, 2}, Expected{"lights -n 0" + map, 2},
+          Expected{"render --gamma 1 --tone auto" + svg, 2},
+          Expected{"render --gamma 1 --tone-strength 0.5" + svg, 2}, Expected{"lights -n 0" + map, 2},
           Expected{"tile search --points 17", 2}, Expected{"tile search --points 16 --seed 3", 2},
           Expected{"analyse --nonsense", 2}, Expected{"reproduce --nonsense", 2},
           // Rightly asked for.

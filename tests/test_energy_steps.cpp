@@ -181,14 +181,16 @@ TEST_CASE("on one grey the low part of the spectrum all but vanishes") {
     const Density grey(Grid<float>(64, 64, 0.5f));
     Stippling placed;
     REQUIRE(stipple(test_tile(), grey, PlacerKind::exact, {.count = 2000}, placed));
-    const auto after = [&](int lloyd, int energy) {
-        Relaxation relaxation(placed.dots, grey, {.scale = placed.scale, .lloyd_steps = lloyd});
+    const auto after = [&](int lloyd, int energy, float kernel = kPictureKernel) {
+        Relaxation relaxation(placed.dots, grey,
+                              {.scale = placed.scale, .lloyd_steps = lloyd, .kernel = kernel});
         for (int i = 0; i < lloyd + energy; ++i) REQUIRE(relaxation.step());
         return low_spectrum(positions(joined(relaxation.dots())));
     };
     const double lloyd = after(20, 0);
     CHECK(lloyd > 0.002);
     CHECK(after(4, 16) < 0.1 * lloyd);
+    CHECK(after(4, 56, kSampleKernel) < 0.1 * after(4, 56));
 }
 
 TEST_CASE("there are steps at any scale, also where there is no dot") {

@@ -38,6 +38,7 @@ const std::vector<Values> kSettings{
      {"", "--pens cmyk", "--pens greys --pen-ink opaque", "--pens auto:3 --pen-order listed",
       "--pens Red:#f00:0.3,Blue:#00f:0.6", "--pens cmyk:0.4:black=0.5"}},
     {"relax", {"", "--relax 0", "--relax 1", "--relax 2", "--relax 3"}},
+    {"settle for", {"", "--settle-for samples"}},
     {"placer", {"", "--placer figure8", "--tile paper16", "--ranking farthest"}},
     {"dots", {"--dots 200", "--scale 20", "--dots 300 --dot-radius 0.7", "--dot-radius 1.5..3", "--dots 1"}},
     {"style", {"", "--style line", "--style nearest"}},
@@ -47,8 +48,8 @@ const std::vector<Values> kSettings{
       "--height 90 --margin 1,2,3,4"}},
     {"part", {"", "--region 5,5,30x20", "--sheet 1,1/2x2", "--sheets 2x1 --overlap 3"}},
     {"tone",
-     {"", "--tone true", "--brightness 0.3 --gamma 0.7", "--exposure -2 --detail 1", "--black 0.7",
-      "--blur 2"}},
+     {"", "--tone true", "--tone-strength 1", "--brightness 0.3 --gamma 0.7", "--exposure -2 --detail 1",
+      "--black 0.7", "--blur 2"}},
     {"light", {"", "--invert", "--mask @mask.png", "--crop 10%,0,50%x70%"}},
     {"order", {"", "--order space", "--order recursion", "--order priority"}},
 };

@@ -105,6 +105,8 @@ TEST_CASE(
     CHECK(black({.placing = {.count = 44'721}}) == 0.97);
     CHECK(black({.placing = {.count = 100'000}}) == 1);
     CHECK(black({.automatic_tone = false, .placing = {.count = 5'000}}) == 1);
+    CHECK(black({.tone_strength = 0.5, .placing = {.count = 5'000}}) == doctest::Approx(0.95));
+    CHECK(black({.tone_strength = 0, .placing = {.count = 5'000}}) == 1);
     for (const bool automatic : {true, false})
         CHECK(black({.automatic_tone = automatic, .tone = {.black = 0.7}, .placing = {.count = 5'000}}) ==
               0.7);

@@ -37,6 +37,7 @@ ViewerSettings nothing_usual() {
     ViewerSettings all;
     static_cast<DrawingRequest&>(all.drawing) = {
         .automatic_tone = false,
+        .tone_strength = 0.3,
         .automatic_exposure = false,
         .tone = {.exposure = -1.3f,
                  .black_point = 0.1f,
@@ -52,6 +53,7 @@ ViewerSettings nothing_usual() {
         .placer = PlacerKind::figure8,
         .placing = {.scale = 1234.5, .count = {}, .threads = 0},
         .relax = 7,
+        .settle_for = SettleFor::samples,
         .dot_size = {.sizing = DotSizing::by_tone, .radius_mm = 0.3, .smallest_mm = 0.11, .largest_mm = 0.77},
         .page = {.paper = Paper::custom,
                  .orientation = PageOrientation::landscape,

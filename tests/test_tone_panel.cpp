@@ -46,6 +46,19 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
     CHECK(tone.brightness == 0);
 }
 
+TEST_CASE("automatic tone has a strength, which no other tone has") {
+    DrawingSettings settings;
+    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ui.drag("Strength", 0.6f, 1.0f);
+    CHECK(settings.tone_strength == 1);
+    ui.double_click("Strength name");
+    CHECK(settings.tone_strength == kUsualToneStrength);
+    CHECK(settings.automatic_tone);
+    CHECK(ui.has("Strength"));
+    ui.click("true");
+    CHECK_FALSE(ui.has("Strength"));
+}
+
 TEST_CASE("exposure is the picture's own until it is moved, and again once it is put back") {
     DrawingSettings settings;
     ToneInfo facts{.usual_exposure = -3.2f};

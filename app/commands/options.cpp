@@ -281,6 +281,7 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
             settings.relax = whole_number_in("--relax", text, setting::relax.range);
     };
     add_text(app, setting::relax, read_relax)->default_str("auto");
+    add_choice(app, setting::settle_for, settings.settle_for);
 
     const auto read_radius = [&settings](const std::string& text) {
         settings.dot_size = dot_size_in("--dot-radius", text);
@@ -326,6 +327,7 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         settings.automatic_tone = text == "auto";
     };
     add_text(app, setting::automatic_tone, read_tone)->default_str(settings.automatic_tone ? "auto" : "true");
+    add_number(app, setting::tone_strength, settings.tone_strength);
     add_number(app, setting::black_point, tone.black_point);
     add_number(app, setting::white_point, tone.white_point);
     add_number(app, setting::contrast, tone.contrast);
@@ -429,6 +431,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         }
         settings.automatic_tone = false;
     }
+    if (given("--tone-strength") && !settings.automatic_tone)
+        throw CLI::ValidationError("--tone-strength", "is of automatic tone, and the tone is not automatic");
     // True light is left as it is.
     if (was_automatic != settings.automatic_tone && !given("--detail"))
         settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;

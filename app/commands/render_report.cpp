@@ -213,6 +213,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
                    {"longest_mm", drawn.strokes->longest_mm},
                    {"pen_up_m", drawn.strokes->pen_up_m}};
     const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
+                                      {"strength", settings.tone_strength},
                                       {"exposure", drawn.tone.exposure},
                                       {"black_point", drawn.tone.black_point},
                                       {"white_point", drawn.tone.white_point},

@@ -69,11 +69,12 @@ static void describe(Fields& fields, PageSetup& page) {
 }
 
 void describe(Fields& fields, DrawingSettings& drawing) {
-    auto& [automatic_tone, automatic_exposure, tone, mask, placer, placing, relax, dot_size, page, pens,
-           paper] = static_cast<DrawingRequest&>(drawing);
+    auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, placer, placing, relax, settle_for,
+           dot_size, page, pens, paper] = static_cast<DrawingRequest&>(drawing);
     auto& [tile, ranking, sheets, registration, ink, background, show_tiles, style, mark, pen_width_mm] =
         static_cast<DrawnWith&>(drawing);
     fields.flag(setting::automatic_tone, automatic_tone);
+    fields.number(setting::tone_strength, tone_strength);
     fields.flag(setting::automatic_exposure, automatic_exposure);
     fields.group("tone", tone);
     fields.tile(setting::tile, tile);
@@ -83,6 +84,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.whole(setting::count, placing.count);
     fields.number(setting::scale, placing.scale);
     fields.whole(setting::relax, relax);
+    fields.choice(setting::settle_for, settle_for);
     fields.group("dot_size", dot_size);
     fields.group("page", page);
     fields.text({"sheets", "Sheets across"}, grid_text(sheets), [&sheets = sheets](const std::string& text) {

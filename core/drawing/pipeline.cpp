@@ -24,6 +24,11 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// Pictures up to this size are kept with their detail brought out, while the number of dots changes.
+constexpr std::size_t kMostPixelsKept = 16'000'000;
+// Scales whose ratio's logarithm to base 2 is less have the same ink curve, nearly.
+constexpr double kSameLevel = 0.1;
+
 // Figure 8 emits every fourth dot once more, a little more or less.
 constexpr double kWithDuplicates = 1.4;
 
@@ -121,6 +126,7 @@ void Pipeline::set_colours(ColourGrid colours) {
 }
 
 void Pipeline::forget_densities() {
+    detailed_.reset();
     toned_.reset();
     density_.reset();
     by_scale_.reset();
@@ -154,10 +160,29 @@ Framing Pipeline::framing_of_light() const {
 
 std::shared_ptr<const Histogram> Pipeline::histogram(float exposure) {
     if (light_.empty()) return nullptr;
-    if (!histogram_ || histogram_exposure_ != exposure)
+    if (!histogram_ || histogram_exposure_ != exposure) {
         histogram_ = std::make_shared<const Histogram>(histogram_of(framed_light(), exposure));
+        usual_.reset();
+    }
     histogram_exposure_ = exposure;
     return histogram_;
+}
+
+Tone Pipeline::usual_tone(const Histogram& histogram, const Tone& own, double strength) {
+    if (!usual_ || usual_->own != own || usual_->strength != strength)
+        usual_ = Usual{own, strength, auto_tone(histogram, own, strength)};
+    return usual_->tone;
+}
+
+Grid<float> Pipeline::detailed_light(const Detailed& detailed) {
+    if (detailed_ && detailed_with_ == detailed) return *detailed_;
+    detailed_.reset();
+    Grid<float> light = exposed(framed_light(), detailed.exposure);
+    if (detailed.amount == 0) return light;
+    light = with_detail(std::move(light), detailed.amount, detailed.sigma);
+    if (light.values.size() > kMostPixelsKept) return light;
+    detailed_with_ = detailed;
+    return detailed_.emplace(std::move(light));
 }
 
 std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
@@ -165,8 +190,7 @@ std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
     if (density_ && toned_ == toned) return density_;
     const auto start = Clock::now();
     density_.reset();  // its memory may be needed
-    Grid<float> light = exposed(framed_light(), toned.tone.exposure);
-    if (toned.tone.detail > 0) light = with_detail(std::move(light), toned.tone.detail, toned.detail_sigma);
+    Grid<float> light = detailed_light({toned.tone.exposure, toned.tone.detail, toned.detail_sigma});
     by_pen_ = {};
     if (toned.pens.empty()) {
         density_ = std::make_shared<const Density>(
@@ -247,6 +271,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
                 plan.pens.empty() ? kWhite : request.paper};
     if (request.pens.set == PenSet::cmyk) toned.pens_black = request.pens.black;
     plan.placer = request.placer;
+    plan.settle_for = request.settle_for;
     plan.placing = request.placing;
     std::optional<std::uint64_t>& count = plan.placing.count;
     const bool moves = plan.placer == PlacerKind::exact;
@@ -259,35 +284,43 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
         plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
         toned.ink.relaxing_steps = plan.pens.empty() ? plan.steps : steps_among_pens(plan.steps);
-        plan.usual_tone.black = has_black ? usual_black(dots) : 1;
+        plan.usual_tone.black = has_black ? std::lerp(1, usual_black(dots), request.tone_strength) : 1;
         const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
         plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
         toned.tone.black = toned.ink.black = *plan.tone.black;
         plan.full_load = InkCurve(toned.ink).full_load();
         if (by_tone) plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
     };
-    // Of a scale, nearly: as the histogram has it.
-    const auto expected = [&] {
-        if (count) return static_cast<double>(*count);
+    // Dots at scale 1, nearly: as the histogram has it.
+    const auto expected_at_1 = [&] {
         const double mean =
             plain_ ? plain_->mean() : mean_density(*plan.histogram, toned.tone, InkCurve(toned.ink));
-        return kDotsPerScale * plan.placing.scale * pixels / (longer * longer) * mean;
+        return kDotsPerScale * pixels / (longer * longer) * mean;
+    };
+    const auto expected = [&] {
+        return count ? static_cast<double>(*count) : plan.placing.scale * expected_at_1();
     };
     take_dots(static_cast<double>(count.value_or(1)));
     for (int round = 0; !count && round < 3; ++round) take_dots(expected());
     if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, expected());
 
-    // Which density covers how much may depend on the scale, and the scale of a count on the mean density.
+    // Which density covers how much may depend on the scale, and the scale of a count on the mean density: of
+    // that first as the histogram has it.
     const auto by_level = [&] { return moves && depends_on_level(plan.steps); };
-    const auto make_density = [&](std::optional<double> scale) {
+    const auto make_density = [&](double scale) {
         toned.ink.level.reset();
-        if (scale && by_level()) toned.ink.level = level_of(*scale, tile_->tile().size());
+        if (by_level()) toned.ink.level = level_of(scale, tile_->tile().size());
         plan.density = density_for(toned, request.mask);
     };
     if (count) {
-        make_density({});
-        for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round)
-            make_density(scale_for(*plan.density, static_cast<double>(*count)));
+        const auto dots = static_cast<double>(*count);
+        double scale = dots / std::max(expected_at_1(), 1e-9);
+        make_density(scale);
+        for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round) {
+            const double as_told = std::exchange(scale, scale_for(*plan.density, dots));
+            if (std::abs(std::log2(scale / as_told)) < kSameLevel) break;
+            make_density(scale);
+        }
         return;
     }
     // As many dots of a count have the same black and steps: known from when the same was planned last.
@@ -323,7 +356,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& te
     plan.histogram = histogram(plan.tone.exposure);
     plan.usual_tone = plan.tone;
     if (!plain_) {
-        plan.usual_tone = auto_tone(*plan.histogram, plan.tone);
+        plan.usual_tone = usual_tone(*plan.histogram, plan.tone, request.tone_strength);
         // Colours that are made much lighter get pale, as few of them are both light and strong: half the
         // way.
         if (has_colour(plan.pens) && !framed_colours().empty())
@@ -346,9 +379,15 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& te
 
 namespace {
 
-// Where discs overlap to solid black, which lines do not.
-float even_from(const DrawingPlan& plan) {
-    return plan.joined ? kNeverEven : static_cast<float>(kSolidLoad / plan.full_load);
+// Even where discs overlap to solid black, which lines and samples do not.
+RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, double scale) {
+    const bool pictures = plan.settle_for == SettleFor::pictures;
+    RelaxingRequest relaxing{.scale = scale,
+                             .threads = plan.placing.threads,
+                             .kernel = pictures ? kPictureKernel : kSampleKernel,
+                             .stirring = stirring_of(placer.table(), scale)};
+    if (pictures && !plan.joined) relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
+    return relaxing;
 }
 
 }  // namespace
@@ -364,10 +403,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
-        const RelaxingRequest relaxing{.scale = drawn.scale,
-                                       .threads = plan.placing.threads,
-                                       .even_from = even_from(plan),
-                                       .stirring = stirring_of(tile_->placer().table(), drawn.scale)};
+        const RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
         while (drawn.steps < plan.steps) {
@@ -415,14 +451,18 @@ std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_toke
     }
     const double scale = find_scale(plan);
     const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
+    RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), scale);
+    if (plan.steps > relaxing.lloyd_steps)  // once for all parts
+        relaxing.blurred = std::make_shared<const BlurredDensity>(
+            blurred_for_kernels(*plan.density, scale, relaxing.kernel));
     return PlannedDots{
         scale, [table = tile_->placer().shared_table(), density = plan.density, request, steps = plan.steps,
-                even = even_from(plan)](const PagePart& part, const std::stop_token& stopped) {
+                relaxing](const PagePart& part, const std::stop_token& stopped) {
             const auto placer = std::make_shared<Placer>(table);
             StreamRequest of_part = request;
             of_part.part = part;
             DotStream dots =
-                steps > 0 ? relaxed_stream(*placer, *density, of_part, steps, kDotsAtOnce, stopped, even)
+                steps > 0 ? relaxed_stream(*placer, *density, of_part, steps, kDotsAtOnce, stopped, relaxing)
                           : dapple::stream(*placer, *density, of_part);
             dots.for_each_piece = [placer, density, each = std::move(dots.for_each_piece)](
                                       const TakePiece& take) { each(take); };

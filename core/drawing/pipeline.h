@@ -35,7 +35,8 @@ struct DrawingPlan {
     PlacingRequest placing;  // a count or a scale within the limits
     bool lowered = false;    // more was asked for
     int steps = 0;           // of relaxation
-    int usual_steps = 0;     // see usual_steps(); 0 of Figure 8
+    SettleFor settle_for = SettleFor::pictures;
+    int usual_steps = 0;  // see usual_steps(); 0 of Figure 8
     DotSize size;
     bool joined = false;         // by lines
     double stroke_width_mm = 0;  // see DrawingTerms
@@ -132,6 +133,20 @@ class Pipeline {
         bool operator==(const Toned&) const = default;
     };
 
+    // What automatic tone came to.
+    struct Usual {
+        Tone own;
+        double strength;
+        Tone tone;
+    };
+
+    // What light is brought out with, before it becomes a density.
+    struct Detailed {
+        float exposure = 0, amount = 0;
+        double sigma = 0;
+        bool operator==(const Detailed&) const = default;
+    };
+
     // What a scale came to: as many dots, of which black and steps follow, which decide about them.
     struct ByScale {
         Toned toned;  // as the histogram has it
@@ -147,9 +162,11 @@ class Pipeline {
     /// Under the mask, if there is one.
     std::shared_ptr<const Density> density_for(const Toned& toned, const Mask& mask);
     std::shared_ptr<const Density> toned_density(const Toned& toned);
+    Grid<float> detailed_light(const Detailed& detailed);
     PenDensities toned_by_pen(const Toned& toned, Grid<float> light);
     PenDensities by_pen_under(const Mask& mask) const;
     std::shared_ptr<const Histogram> histogram(float exposure);
+    Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
 
     void frame(const PageSetup& setup);
@@ -172,6 +189,9 @@ class Pipeline {
     float usual_exposure_ = 0;
     float histogram_exposure_ = 0;  // what histogram_ was made with
     std::shared_ptr<const Histogram> histogram_;
+    std::optional<Usual> usual_;           // of histogram_
+    std::optional<Grid<float>> detailed_;  // made with detailed_with_; none of a large picture
+    Detailed detailed_with_;
     std::optional<Toned> toned_;  // what density_ was made with
     std::shared_ptr<const Density> density_, plain_;
     std::optional<ByScale> by_scale_;

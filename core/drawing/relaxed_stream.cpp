@@ -18,17 +18,21 @@ namespace {
 // What all bands have in common.
 class Bands {
  public:
-    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps, float even_from,
-          const std::stop_token& stop)
+    Bands(Placer& placer, const Density& density, const StreamRequest& request, int steps,
+          const RelaxingRequest& relaxing, const std::stop_token& stop)
         : placer_(placer),
           density_(density),
           request_(request),
           steps_(steps),
-          even_from_(even_from),
+          relaxing_(relaxing),
           stop_(stop) {
         request_.placing = placing_of(placer, density, request);
-        if (steps > kFirstLloydSteps)
-            blurred_ = std::make_shared<const BlurredDensity>(blurred_for_kernels(density, scale()));
+        relaxing_.scale = scale();
+        relaxing_.threads = request_.placing.threads;
+        relaxing_.stirring = stirring_of(placer.table(), scale());
+        if (steps > relaxing_.lloyd_steps && !relaxing_.blurred)  // once for all bands
+            relaxing_.blurred = std::make_shared<const BlurredDensity>(
+                blurred_for_kernels(density, scale(), relaxing_.kernel));
     }
 
     double scale() const { return request_.placing.scale; }
@@ -72,12 +76,7 @@ class Bands {
         DotPieces dots;
         Dots result;
         const PlacingRequest around = placing_of(placer_, density_, band, relaxing_rim(scale(), steps_));
-        const RelaxingRequest relaxing{.scale = scale(),
-                                       .threads = request_.placing.threads,
-                                       .even_from = even_from_,
-                                       .blurred = blurred_,
-                                       .stirring = stirring_of(placer_.table(), scale())};
-        if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing, stop_))
+        if (!placer_.place(density_, around, dots, stop_) || !relax(dots, density_, steps_, relaxing_, stop_))
             return result;
         for (Dots& piece : dots.pieces) {
             if (request_.finish) request_.finish(piece);
@@ -92,16 +91,16 @@ class Bands {
     const Density& density_;
     StreamRequest request_;
     int steps_;
-    float even_from_;
-    std::shared_ptr<const BlurredDensity> blurred_;  // once for all bands
+    RelaxingRequest relaxing_;
     std::stop_token stop_;
 };
 
 }  // namespace
 
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
-                         std::uint64_t dots_at_once, const std::stop_token& stop, float even_from) {
-    Bands bands(placer, density, request, steps, even_from, stop);
+                         std::uint64_t dots_at_once, const std::stop_token& stop,
+                         const RelaxingRequest& relaxing) {
+    Bands bands(placer, density, request, steps, relaxing, stop);
     DotStream result;
     result.scale = bands.scale();
     const std::vector<double> edges = bands.edges(dots_at_once);

@@ -37,11 +37,21 @@ struct DotSize {
 /// How far the largest dots reach, in millimetres; 0 where it follows from how many there are.
 double reach_mm(const DotSize& size);
 
+/// What relaxed dots are best for.
+enum class SettleFor {
+    pictures,  // to be seen: tones, edges, and distances between dots
+    samples,   // to be summed over: the least low part of the spectrum
+};
+constexpr auto names_of(SettleFor) {
+    return names("pictures", "samples");
+}
+
 /// What someone asks for.
 struct DrawingRequest {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
+    double tone_strength = 1;  // of automatic tone, 0..1: see auto_tone()
     /// If automatic, tone.exposure is the picture's usual one: see Pipeline::set_light().
     bool automatic_exposure = true;
     Tone tone = {};
@@ -51,6 +61,7 @@ struct DrawingRequest {
     PlacingRequest placing = {};
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
+    SettleFor settle_for = SettleFor::pictures;
     DotSize dot_size = {};
     PageSetup page = {};
     PenChoice pens = {};       // what several draw follows from the picture's colours

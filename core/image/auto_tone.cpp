@@ -1,6 +1,7 @@
 #include "core/image/auto_tone.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/image/ink_use.h"
@@ -47,7 +48,7 @@ float most_gamma(double ink) {
 
 }  // namespace
 
-Tone auto_tone(const Histogram& histogram, const Tone& own) {
+Tone auto_tone(const Histogram& histogram, const Tone& own, double strength) {
     const Tone neutral;
     Tone tone = own;
     tone.black_point = neutral.black_point;
@@ -55,9 +56,6 @@ Tone auto_tone(const Histogram& histogram, const Tone& own) {
     tone.gamma = neutral.gamma;
     const std::optional<Levels> levels = levels_of(histogram, own.invert);
     if (!levels) return tone;
-    tone.black_point = levels->black;
-    tone.white_point = levels->white;
-
     Tone plain{.black_point = levels->black, .white_point = levels->white, .invert = own.invert};
     const auto ink = [&](float gamma) {
         plain.gamma = gamma;
@@ -72,7 +70,10 @@ Tone auto_tone(const Histogram& histogram, const Tone& own) {
         const bool too_light = own.invert ? ink(middle) > target : ink(middle) < target;
         (too_light ? high : low) = middle;
     }
-    tone.gamma = (low + high) / 2;
+    const auto share = static_cast<float>(strength);
+    tone.black_point = share * levels->black;
+    tone.white_point = 1 + share * (levels->white - 1);
+    tone.gamma = std::pow((low + high) / 2, share);
     return tone;
 }
 

@@ -32,6 +32,9 @@ namespace dapple {
 /// parts cost no dots and need no help, and night stays night.
 ///
 /// A picture of one tone, or nearly, has the neutral points and gamma, 0, 1 and 1.
-Tone auto_tone(const Histogram& histogram, const Tone& own);
+///
+/// `strength`, 0..1: so much of the way from those to what is chosen, gamma's by its logarithm. All of it
+/// brings out most of what is dark and thins what is light; less keeps both.
+Tone auto_tone(const Histogram& histogram, const Tone& own, double strength = 1);
 
 }  // namespace dapple

@@ -111,6 +111,24 @@ void Density::build_pyramid() {
     // The base: minimum and maximum down the columns of a row of squares, then along them.
     Level& base = pyramid_.back();
     const double side = std::ldexp(static_cast<double>(longer_), -base_depth);  // pixels
+    // The columns that interpolation in squares can touch, from the first one's on, and where each square's
+    // lie among them.
+    struct Columns {
+        std::size_t first, end;
+        bool beyond;  // the picture's sides
+    };
+    std::vector<int> column_at;
+    std::vector<Columns> columns;
+    const std::int64_t begin = support(corner.x + static_cast<double>(base.left) * side, 0).first;
+    for (std::int64_t x = base.left; x < base.left + base.width; ++x) {
+        const double left = corner.x + static_cast<double>(x) * side;
+        const auto [first, last] = support(left, left + side);
+        while (begin + std::ssize(column_at) <= last)
+            column_at.push_back(across(begin + std::ssize(column_at), values_.width, sides_));
+        columns.push_back({static_cast<std::size_t>(first - begin),
+                           static_cast<std::size_t>(last + 1 - begin),
+                           left < 0 || left + side > values_.width});
+    }
     tbb::parallel_for(std::int64_t{0}, base.height, [&](std::int64_t y) {
         const double top = corner.y + static_cast<double>(base.top + y) * side;
         const auto [first_row, last_row] = support(top, top + side);
@@ -124,18 +142,15 @@ void Density::build_pyramid() {
             }
         }
         const bool beyond_rows = top < 0 || top + side > values_.height;
-        for (std::int64_t x = 0; x < base.width; ++x) {
+        Bounds* square = &base.squares[static_cast<std::size_t>(y * base.width)];
+        for (const Columns& its : columns) {
             Bounds bounds = kNothing;
-            const double left = corner.x + static_cast<double>(base.left + x) * side;
-            const auto [first_column, last_column] = support(left, left + side);
-            for (std::int64_t i = first_column; i <= last_column; ++i) {
-                const int column = across(i, values_.width, sides_);
-                bounds.min = std::min(bounds.min, low[column]);
-                bounds.max = std::max(bounds.max, high[column]);
+            for (std::size_t i = its.first; i < its.end; ++i) {
+                bounds.min = std::min(bounds.min, low[column_at[i]]);
+                bounds.max = std::max(bounds.max, high[column_at[i]]);
             }
-            if (beyond_rows || left < 0 || left + side > values_.width) bounds.min = 0;
-            base.squares[static_cast<std::size_t>(y * base.width + x)] = {bounds.min * (1 - kRelativeSlack),
-                                                                          bounds.max * (1 + kRelativeSlack)};
+            if (beyond_rows || its.beyond) bounds.min = 0;
+            *square++ = {bounds.min * (1 - kRelativeSlack), bounds.max * (1 + kRelativeSlack)};
         }
     });
 

@@ -108,7 +108,8 @@ float limited(float change) {
 }  // namespace
 
 double detail_sigma(double pixels, double dots) {
-    return 4 * std::sqrt(pixels / std::max(dots, 1.0));
+    const double sigma = 4 * std::sqrt(pixels / std::max(dots, 1.0));
+    return std::exp2(std::round(2 * std::log2(sigma)) / 2);
 }
 
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {

@@ -7,7 +7,8 @@ namespace dapple {
 
 /// The scale up to which dots need help: four mean spacings of `dots` dots on a picture of that many pixels,
 /// as the standard deviation in pixels that with_detail() takes. Dots draw nothing narrower than their
-/// spacing: what stands out has to be some spacings wide, and so has the light beside it.
+/// spacing: what stands out has to be some spacings wide, and so has the light beside it. Rounded to a power
+/// of the root of two, so that it stays while the number of dots changes a little.
 double detail_sigma(double pixels, double dots);
 
 /// The amount that automatic tone is best used with, chosen by looking: fur and grain of wood are there,

@@ -12,9 +12,6 @@ namespace dapple {
 
 namespace {
 
-// A kernel's standard deviation, in distances between dots. Wider ones lower the spectrum further, and cost
-// distances and structure.
-constexpr float kWidth = 0.45f;
 // Kernels end where the product of two is e^-7 of its middle.
 constexpr float kEnd = 7;
 // In distances between dots.
@@ -23,7 +20,7 @@ constexpr float kLongest = 0.35f;
 constexpr float kMostVariance = EnergySteps::kFarthestRow * EnergySteps::kFarthestRow / (2 * kEnd);
 
 static_assert(EnergySteps::kLongestStep * EnergySteps::kLongestStep >
-              kLongest * kLongest * kMostVariance / (2 * kWidth * kWidth));
+              kLongest * kLongest * kMostVariance / (2 * kPictureKernel * kPictureKernel));
 
 constexpr float kLeastDensity = 1e-6f;
 // In standard deviations: farther in, nothing of an edge is felt, wherever it waves to.
@@ -88,10 +85,10 @@ class Pushes {
 
 }  // namespace
 
-BlurredDensity blurred_for_kernels(const Density& density, double scale) {
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel) {
     const PageRows page(density, scale);
     const double pixels2 = page.pixels * page.pixels;
-    const float on_black = 2 * kWidth * kWidth * page.spacing * page.spacing;
+    const float on_black = 2 * kernel * kernel * page.spacing * page.spacing;
     return {density, std::min(on_black, kMostVariance) * pixels2, kMostVariance * pixels2};
 }
 
@@ -142,12 +139,14 @@ DotStep EnergySteps::step(std::size_t dot) {
     const float on_black2 = page_.spacing * page_.spacing;
     Kernels kernels;
     kernels.variance =
-        std::min(2 * kWidth * kWidth * on_black2 / std::max(density, kLeastDensity), kMostVariance);
-    kernels.apart = std::sqrt(kernels.variance / 2) / kWidth;
+        std::min(2 * kernel_ * kernel_ * on_black2 / std::max(density, kLeastDensity), kMostVariance);
+    kernels.apart = std::sqrt(kernels.variance / 2) / kernel_;
     const DotStep dots = by_dots(x, y, kernels.variance);
     const DotStep rise = slope(x, y, kernels, density);
     const float ink = 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
-    DotStep step{0.5f * (dots.x + ink * rise.x), 0.5f * (dots.y + ink * rise.y)};
+    // Half of what would overshoot: the energy bends most along waves as long as kernels are wide.
+    const float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
+    DotStep step{stride * (dots.x + ink * rise.x), stride * (dots.y + ink * rise.y)};
     const float most = kLongest * kernels.apart, length2 = step.x * step.x + step.y * step.y;
     if (length2 > most * most) {
         const float shorter = most / std::sqrt(length2);

@@ -16,8 +16,12 @@
 
 namespace dapple {
 
-/// The density as those kernels see it which are as wide as dots placed at this scale ask for.
-BlurredDensity blurred_for_kernels(const Density& density, double scale);
+/// A kernel's standard deviation, in distances between dots. Wider ones lower the spectrum further, and cost
+/// distances and structure: those of pictures, and those of samples, whose sums are to be near an integral.
+inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
+
+/// The density as kernels of that width see it, which dots placed at this scale have.
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel);
 
 /// Of the dots of a row, one row after another. All that is given has to live on.
 class EnergySteps {
@@ -27,8 +31,8 @@ class EnergySteps {
     /// And moves through fewer than so many.
     static constexpr int kLongestStep = 4;
 
-    EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page)
-        : rows_(rows), blurred_(blurred), page_(page) {}
+    EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel)
+        : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel) {}
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
@@ -47,6 +51,7 @@ class EnergySteps {
     const DotRows& rows_;
     const BlurredDensity& blurred_;
     const PageRows page_;
+    const float kernel_;
     RowCursors<kFarthestRow> cursors_;
 };
 

@@ -32,7 +32,7 @@ class Mover {
     Mover(const DotRows& rows, const Density& density, const RelaxingRequest& request,
           const BlurredDensity* blurred)
         : rows_(rows), density_(density), page_(density, request.scale), lloyd_(rows, density, page_) {
-        if (blurred) energy_.emplace(rows, *blurred, page_);
+        if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel);
         even_from_ = request.even_from;
     }
 
@@ -114,8 +114,8 @@ bool Relaxation::step(const std::stop_token& stop) {
     next_y_.resize(rows_.size());
     const bool by_energy = taken_ >= request_.lloyd_steps;
     if (by_energy && !request_.blurred)
-        request_.blurred =
-            std::make_shared<const BlurredDensity>(blurred_for_kernels(density_, request_.scale));
+        request_.blurred = std::make_shared<const BlurredDensity>(
+            blurred_for_kernels(density_, request_.scale, request_.kernel));
     // Stretches of rows, as many dots in each.
     std::vector<std::int64_t> ends;
     std::size_t begun = 0;

@@ -17,6 +17,7 @@
 #include "core/placing/page.h"
 #include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
+#include "core/relaxing/energy_steps.h"
 
 namespace dapple {
 
@@ -35,6 +36,7 @@ struct RelaxingRequest {
     // From this density on the later steps are Lloyd's too: where dots overlap to solid black, paper shows
     // between them unless they are even. No density is as large where none overlap.
     float even_from = kNeverEven;
+    float kernel = kPictureKernel;  // see energy_steps.h
     // See blurred_for_kernels(). Without, it is made once it is needed.
     std::shared_ptr<const BlurredDensity> blurred = {};
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h

@@ -82,7 +82,7 @@ bool draw_exposure(DrawingSettings& settings, const ToneInfo& info) {
 
 // What its own sizes or lines make of black is not asked.
 const char* why_no_black(const DrawingSettings& settings) {
-    if (settings.style != DrawingStyle::dots) return "Of dots only; lines have none.";
+    if (settings.style != DrawingStyle::dots) return "Applies to dots only.";
     return settings.dot_size.sizing == DotSizing::by_tone ? "Dots sized by tone grow until black is solid."
                                                           : nullptr;
 }
@@ -140,6 +140,7 @@ void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usua
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     bool changed = draw_source(settings, info.drawn);
+    if (settings.automatic_tone) changed |= slider_row(setting::tone_strength, settings.tone_strength);
     changed |= draw_exposure(settings, info);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
     bool own = draw_histogram(info.histogram, shown);
