@@ -190,3 +190,21 @@ TEST_CASE("on one grey the low part of the spectrum all but vanishes") {
     CHECK(lloyd > 0.002);
     CHECK(after(4, 16) < 0.1 * lloyd);
 }
+
+TEST_CASE("there are steps at any scale, also where there is no dot") {
+    const Density density(hills(40, 30));
+    for (const double scale : {1e-300, 1e-12, 1e-3, 1.0, 1e3}) {
+        CAPTURE(scale);
+        DotPieces dots = in_one_piece([] {
+            Dots two;
+            two.x = {0.25f, 0.75f};
+            two.y = {0.5f, 0.25f};
+            return two;
+        }());
+        REQUIRE(relax(dots, density, 20, {.scale = scale}));
+        for_each_position(dots, [](float x, float y) {
+            CHECK((x >= 0 && x < 1));
+            CHECK((y >= 0 && y < 0.75f));
+        });
+    }
+}

@@ -14,7 +14,7 @@ namespace dapple {
 class BlurredDensity {
  public:
     /// For variances from one to the other, in the picture's pixels squared. What is narrower than a pixel's
-    /// own (0.25) is not told apart. The density is not needed any more.
+    /// own (0.25) is not told apart. Both finite. The density is not needed any more.
     BlurredDensity(const Density& density, double least_variance, double most_variance);
 
     struct Slope {

@@ -91,7 +91,8 @@ class Pushes {
 BlurredDensity blurred_for_kernels(const Density& density, double scale) {
     const PageRows page(density, scale);
     const double pixels2 = page.pixels * page.pixels;
-    return {density, 2 * kWidth * kWidth * page.spacing * page.spacing * pixels2, kMostVariance * pixels2};
+    const float on_black = 2 * kWidth * kWidth * page.spacing * page.spacing;
+    return {density, std::min(on_black, kMostVariance) * pixels2, kMostVariance * pixels2};
 }
 
 DotStep EnergySteps::by_dots(float x, float y, float variance) {

@@ -12,14 +12,15 @@ namespace dapple {
 struct PageRows {
     int depth;            // a row is 2^-depth page units high, about as dots on black are apart
     float width, height;  // of the page
-    float spacing;        // of dots on black, 0.7 to 1.5
+    float spacing;        // of dots on black, 0.7 to 1.5; up to a million where there are hardly any
     double pixels;        // of the density, a row's height
 
     PageRows(const Density& density, double scale)
         : depth(depth_for(scale)),
           width(rows(density.width(), density)),
           height(rows(density.height(), density)),
-          spacing(static_cast<float>(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale))),
+          spacing(static_cast<float>(
+              std::min(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale), kMost))),
           pixels(std::ldexp(static_cast<double>(density.longer_side()), -depth)) {}
 
     static int depth_for(double scale) {
@@ -28,6 +29,8 @@ struct PageRows {
     }
 
  private:
+    static constexpr double kMost = 1e6;
+
     float rows(int length, const Density& density) const {
         return static_cast<float>(std::ldexp(length / static_cast<double>(density.longer_side()), depth));
     }
