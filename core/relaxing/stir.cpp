@@ -100,7 +100,7 @@ void stir(DotPieces& dots, const Density& density, const RelaxingRequest& reques
     const auto move = [&](float& x, float& y) {
         const auto ink = static_cast<float>(density.at({x, y}));
         if (!(ink > 0)) return;
-        const float apart = std::min(1 / std::sqrt(in_black * ink), most_apart);
+        const float apart = std::min(1 / std::sqrt(std::max(in_black * ink, 1e-30f)), most_apart);
         glm::vec2 step = strength * stirring_at({x, y}, apart);
         for (int i = 0; i < kShorterTries; ++i) {
             const float to_x = mirrored(x + step.x, last_x), to_y = mirrored(y + step.y, last_y);
