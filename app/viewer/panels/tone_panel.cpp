@@ -47,6 +47,11 @@ bool draw_source(DrawingSettings& settings, const Tone& drawn) {
     return true;
 }
 
+bool draw_strength(DrawingSettings& settings) {
+    const Greyed greyed(settings.automatic_tone ? nullptr : "Applies to automatic tone only.");
+    return slider_row(setting::tone_strength, settings.tone_strength);
+}
+
 bool draw_levels(Tone& tone, const Tone& usual) {
     constexpr float kGap = 0.01f;  // black stays below white
     bool changed = false;
@@ -140,7 +145,7 @@ void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usua
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
     bool changed = draw_source(settings, info.drawn);
-    if (settings.automatic_tone) changed |= slider_row(setting::tone_strength, settings.tone_strength);
+    changed |= draw_strength(settings);
     changed |= draw_exposure(settings, info);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
     bool own = draw_histogram(info.histogram, shown);
