@@ -57,7 +57,7 @@ inline constexpr Setting automatic_tone{
         "the light that the picture lacks",
     .more = ". --black-point, --white-point, --contrast, --brightness and --gamma switch it to true"};
 inline constexpr Setting tone_strength{
-    .names = {"tone_strength", "Strength", "--tone-strength"},
+    .names = {"tone_strength", "Tone strength", "--tone-strength"},
     .range = {0, 1},
     .usual = kUsualToneStrength,
     .help =

@@ -49,13 +49,13 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
 TEST_CASE("automatic tone has a strength, which no other tone has") {
     DrawingSettings settings;
     HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
-    ui.drag("Strength", 0.6f, 1.0f);
+    ui.drag("Tone strength", 0.6f, 1.0f);
     CHECK(settings.tone_strength == 1);
-    ui.double_click("Strength name");
+    ui.double_click("Tone strength name");
     CHECK(settings.tone_strength == kUsualToneStrength);
     CHECK(settings.automatic_tone);
     ui.click("true");
-    ui.drag("Strength", 0.6f, 1.0f);
+    ui.drag("Tone strength", 0.6f, 1.0f);
     CHECK(settings.tone_strength == kUsualToneStrength);
 }
 
