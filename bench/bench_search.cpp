@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/tile/exhaustive_search.h"
+#include "lab/search/exhaustive_search.h"
 
 using namespace dapple;
 

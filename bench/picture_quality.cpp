@@ -42,8 +42,8 @@
 #include "core/image/tone.h"
 #include "core/output/seams.h"
 #include "core/placing/page_density.h"
-#include "core/related/plain_lloyd.h"
-#include "core/reports/picture_marks.h"
+#include "lab/compare/picture_marks.h"
+#include "lab/related/plain_lloyd.h"
 
 namespace {
 

@@ -23,7 +23,7 @@
 #include "core/image/density.h"
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"
-#include "core/reports/plot.h"
+#include "lab/reports/plot.h"
 
 using namespace dapple;
 

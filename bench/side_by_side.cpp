@@ -6,7 +6,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/png_file.h"
 #include "core/image/tone.h"
-#include "core/reports/picture_marks.h"
+#include "lab/compare/picture_marks.h"
 
 namespace dapple {
 namespace {

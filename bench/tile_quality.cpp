@@ -24,14 +24,14 @@
 #include <string>
 #include <vector>
 
-#include "app/analysis/black_seams.h"
 #include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "bench/dot_marks.h"
 #include "core/drawing/request.h"
-#include "core/related/methods.h"
-#include "core/related/wang_tiles.h"
 #include "core/text/numbers.h"
+#include "lab/analysis/black_seams.h"
+#include "lab/related/methods.h"
+#include "lab/related/wang_tiles.h"
 
 namespace {
 

@@ -7,17 +7,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/analysis/report_json.h"
-#include "app/analysis/report_page.h"
-#include "app/analysis/subject.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
 #include "app/files/file_ending.h"
 #include "core/analysis/report.h"
-#include "core/related/methods.h"
-#include "core/reports/spectrum_picture.h"
+#include "core/analysis/spectrum_picture.h"
+#include "lab/analysis/report_json.h"
+#include "lab/analysis/report_page.h"
+#include "lab/analysis/subject.h"
+#include "lab/related/methods.h"
 
 namespace dapple {
 namespace {

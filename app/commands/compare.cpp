@@ -8,12 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/analysis/report_page.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
-#include "app/compare/compare_report.h"
-#include "app/compare/contenders.h"
-#include "app/compare/measure.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
@@ -21,6 +17,10 @@
 #include "app/progress_line.h"
 #include "app/signals.h"
 #include "core/image/tone.h"
+#include "lab/analysis/report_page.h"
+#include "lab/compare/compare_report.h"
+#include "lab/compare/contenders.h"
+#include "lab/compare/measure.h"
 
 namespace dapple {
 namespace {

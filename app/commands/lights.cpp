@@ -14,7 +14,7 @@
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
 #include "core/image/sky.h"
-#include "core/reports/light_report.h"
+#include "lab/reports/light_report.h"
 
 namespace dapple {
 namespace {

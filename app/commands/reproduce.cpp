@@ -11,9 +11,9 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/files/atomic_file.h"
-#include "app/reproduce/figures.h"
 #include "app/shown_text.h"
-#include "core/reports/html.h"
+#include "lab/reports/html.h"
+#include "lab/reproduce/figures.h"
 
 namespace dapple {
 namespace {

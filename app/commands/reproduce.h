@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/reproduce/printed_numbers.h"
+#include "lab/reproduce/printed_numbers.h"
 
 namespace CLI {
 class App;

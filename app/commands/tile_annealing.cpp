@@ -12,15 +12,16 @@
 #include <vector>
 
 #include "app/commands/minute_saver.h"
+#include "app/commands/save_tile.h"
 #include "app/files/atomic_file.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
 #include "app/signals.h"
-#include "core/tile/kind_search.h"
-#include "core/tile/relink_search.h"
-#include "core/tile/rule_search.h"
-#include "core/tile/rules.h"
-#include "core/tile/tile_marks.h"
+#include "lab/search/kind_search.h"
+#include "lab/search/relink_search.h"
+#include "lab/search/rule_search.h"
+#include "lab/search/rules.h"
+#include "lab/search/tile_marks.h"
 
 namespace dapple {
 namespace {

@@ -11,18 +11,19 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/analysis/black_seams.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/save_tile.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
 #include "app/shown_text.h"
-#include "core/reports/tile_figure.h"
-#include "core/tile/ranking_search.h"
-#include "core/tile/rules.h"
-#include "core/tile/tile_marks.h"
+#include "lab/analysis/black_seams.h"
+#include "lab/reports/tile_figure.h"
+#include "lab/search/ranking_search.h"
+#include "lab/search/rules.h"
+#include "lab/search/tile_marks.h"
 
 namespace dapple {
 namespace {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands/minute_saver.h"
+#include "app/commands/save_tile.h"
 #include "app/files/atomic_file.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
@@ -20,11 +21,11 @@
 #include "app/shown_text.h"
 #include "app/signals.h"
 #include "core/analysis/discrepancy.h"
-#include "core/tile/criterion_search.h"
-#include "core/tile/cycle_search.h"
-#include "core/tile/exhaustive_search.h"
-#include "core/tile/identity_word.h"
-#include "core/tile/symmetry.h"
+#include "lab/search/criterion_search.h"
+#include "lab/search/cycle_search.h"
+#include "lab/search/exhaustive_search.h"
+#include "lab/search/identity_word.h"
+#include "lab/search/symmetry.h"
 
 namespace dapple {
 namespace {

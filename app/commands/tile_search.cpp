@@ -10,9 +10,9 @@
 #include "app/commands/options.h"
 #include "app/commands/tile_annealing.h"
 #include "app/commands/tile_enumeration.h"
-#include "core/tile/criterion_search.h"
-#include "core/tile/cycle_search.h"
-#include "core/tile/identity_word.h"
+#include "lab/search/criterion_search.h"
+#include "lab/search/cycle_search.h"
+#include "lab/search/identity_word.h"
 
 namespace dapple {
 namespace {

@@ -7,11 +7,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/text_file.h"
 #include "app/shown_text.h"
-#include "core/tile/tile_marks.h"
 #include "dapple_assets_embedded/tile_assets.h"
 
 namespace dapple {
@@ -118,16 +116,6 @@ RankedTile tile_named(const std::string& name, std::optional<RankingMethod> meth
     StoredTile stored = load_tile(name);
     if (method && *method != stored.method) return {std::move(stored.tile), *method};
     return {std::move(stored.tile), stored.ranking};
-}
-
-void save_tile(const std::filesystem::path& file, const StoredTile& tile,
-               const std::vector<std::string>& more) {
-    std::vector<std::string> comments{headline(tile.tile)};
-    for (const TileMark& mark : in_words(marks_of(tile.tile, tile.ranking)))
-        comments.push_back(fmt::format("{}: {} ({})", mark.name, mark.value, mark.meaning));
-    comments.insert(comments.end(), more.begin(), more.end());
-    const std::string text = write_tile(tile, comments);
-    save_atomically(file, [&](std::ostream& out) { out << text; });
 }
 
 }  // namespace dapple

@@ -49,8 +49,4 @@ StoredTile load_tile(const std::string& name);
 /// anew.
 RankedTile tile_named(const std::string& name, std::optional<RankingMethod> method = {});
 
-/// Saves a tile as a file with its criteria as comments, `more` last. Throws as save_atomically().
-void save_tile(const std::filesystem::path& file, const StoredTile& tile,
-               const std::vector<std::string>& more = {});
-
 }  // namespace dapple

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/reports/spectrum_picture.h"
+#include "core/analysis/spectrum_picture.h"
 
 namespace dapple {
 namespace {

@@ -1,0 +1,11 @@
+#pragma once
+// White noise: independent dots, the yardstick of all others.
+
+#include "lab/related/wanted.h"
+
+namespace dapple {
+
+/// Of a picture by inversion (see Warp). Any count.
+PlainDots white_noise(const DotsWanted& wanted);
+
+}  // namespace dapple

@@ -1,0 +1,222 @@
+// Whole journeys through the window, from a picture to the same drawing another day.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/file_text.h"
+#include "tests/places.h"
+#include "tests/window/running_viewer.h"
+
+namespace dapple {
+namespace {
+
+// As row_keys.h notes it.
+constexpr char kRowWithKeys[] = "Row with keys";
+
+/// A small picture, darker to the right, and a project whose few dots stay where they are placed.
+struct JourneyFolder {
+    TemporaryFolder folder;
+
+    JourneyFolder() {
+        std::string picture = "P2\n24 16\n255\n";
+        for (int pixel = 0; pixel < 24 * 16; ++pixel)
+            picture += std::to_string(250 - 10 * (pixel % 24)) + "\n";
+        put_text(folder / "ramp.pgm", picture);
+        put_text(folder / "mask.pgm", "P2\n2 2\n255\n128 128 0 255\n");
+        put_text(folder / "start.dapple", R"({"dapple": 1, "drawing": {"count": 500, "relax": 0}})");
+    }
+    std::string svg() const { return text_of(folder / "ramp.svg"); }
+    bool has(const char* name) const { return fs::exists(folder / name); }
+    /// What the window exported has to be what the command makes of the project, and what another window
+    /// exports that opened it.
+    void compare(const std::string& exported, const std::string& exported_later) const {
+        const std::string command = (folder / "command.svg").string();
+        run({dapple_program(), "render", (folder / "ramp.dapple").string(), "-o", command});
+        CHECK(exported.size() > 10'000);
+        CHECK((exported == text_of(command)));
+        CHECK((exported == exported_later));
+    }
+};
+
+/// Does something, and waits until the dots were placed anew because of it.
+template <typename Do>
+void place_anew(RunningViewer& viewer, const std::string& what, Do something) {
+    CAPTURE(what);
+    const int before = viewer.status()["placings"];
+    something();
+    REQUIRE(viewer.shows([&] { return viewer.status()["placings"] > before; }));
+}
+
+bool has_keys(const RunningViewer& viewer, const std::string& widget) {
+    const json widgets = viewer.status()["widgets"];
+    if (!widgets.contains(kRowWithKeys) || !widgets.contains(widget)) return false;
+    const json &row = widgets[kRowWithKeys], &place = widgets[widget];
+    const auto middle = [&](int axis) {
+        return (place[axis].get<double>() + place[axis + 2].get<double>()) / 2;
+    };
+    return middle(0) > row[0] && middle(0) < row[2] && middle(1) > row[1] && middle(1) < row[3];
+}
+
+void walk_to(RunningViewer& viewer, const std::string& widget) {
+    CAPTURE(widget);
+    for (int i = 0; i < 100 && !has_keys(viewer, widget); ++i) {
+        const json before = viewer.status()["widgets"].value(kRowWithKeys, json());
+        viewer.key("Tab");
+        REQUIRE(viewer.shows([&] {
+            return has_keys(viewer, widget) ||
+                   viewer.status()["widgets"].value(kRowWithKeys, json()) != before;
+        }));
+    }
+    REQUIRE(has_keys(viewer, widget));
+}
+
+void type_into(RunningViewer& viewer, const std::string& widget, const std::string& text) {
+    walk_to(viewer, widget);
+    viewer.key("Return");
+    REQUIRE(viewer.shows([&] { return viewer.has("Typing"); }));
+    viewer.xdotool("type '" + text + "'");
+    viewer.key("Return");
+}
+
+}  // namespace
+
+TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved is the same another day") {
+    const JourneyFolder files;
+    Display display;
+    std::string exported;
+    {
+        RunningViewer viewer(files.folder.path(), {"start.dapple"});
+        const double zoom = viewer.status()["zoom"];
+        viewer.key("ctrl+o");
+        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+        place_anew(viewer, "opened", [&] {
+            viewer.key("ctrl+a");
+            viewer.xdotool("type '" + (files.folder / "ramp.pgm").string() + "'");
+            viewer.key("Return");
+        });
+        REQUIRE(viewer.shows([&] { return !viewer.has("Path"); }));
+        // The view, while no row has the keys.
+        viewer.key("plus");
+        viewer.key("Left");
+        CHECK(viewer.shows([&] { return viewer.status()["zoom"] != zoom; }));
+        viewer.key("f");
+        type_into(viewer, "Dots", "0.3k+400");
+        CHECK(viewer.shows([&] { return viewer.dots() == 700; }));
+        place_anew(viewer, "margin", [&] { type_into(viewer, "Margin, mm", "1cm"); });
+        place_anew(viewer, "turned", [&] {
+            walk_to(viewer, "90");
+            viewer.key("Right");
+        });
+        place_anew(viewer, "on another paper", [&] {
+            viewer.key("ctrl+p");
+            REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+            viewer.xdotool("type a5");
+            viewer.key("Return");
+        });
+        place_anew(viewer, "masked", [&] {
+            viewer.key("ctrl+p");
+            REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+            viewer.xdotool("type 'open mask'");
+            viewer.key("Return");
+            REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+            viewer.key("ctrl+a");
+            viewer.xdotool("type '" + (files.folder / "mask.pgm").string() + "'");
+            viewer.key("Return");
+        });
+        viewer.key("ctrl+p");
+        REQUIRE(viewer.shows([&] { return viewer.has("Found"); }));
+        viewer.xdotool("type 'paper in svg'");
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return has_keys(viewer, "Paper in SVG"); }));
+        viewer.key("space");
+        walk_to(viewer, "Accept");
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.svg") && !viewer.has("Path"); }));
+        exported = files.svg();
+        fs::remove(files.folder / "ramp.svg");
+        viewer.key("ctrl+shift+s");
+        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
+        CHECK(viewer.quit() == 0);
+    }
+    const json page = json::parse(text_of(files.folder / "ramp.dapple"));
+    CHECK(page["drawing"]["count"] == 700);
+    CHECK(page["drawing"]["background"] == true);
+    CHECK(page["drawing"]["page"]["paper"] == "A5");
+    CHECK_FALSE(page["drawing"]["mask"].empty());
+    RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
+    viewer.key("ctrl+e");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
+    REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
+    files.compare(exported, files.svg());
+}
+
+TEST_CASE(
+    "by mouse: a picture opened, adjusted, masked, laid out, exported and saved is the same another day") {
+    const JourneyFolder files;
+    Display display;
+    const auto in_dialog = [](RunningViewer& viewer, const char* button) {
+        viewer.click(button);
+        REQUIRE(viewer.shows([&] { return viewer.has("Accept"); }));
+        viewer.click("Accept");
+        REQUIRE(viewer.shows([&] { return !viewer.has("Accept"); }));
+    };
+    std::string exported;
+    {
+        RunningViewer viewer(files.folder.path(), {"start.dapple"});
+        viewer.click("Open...");
+        REQUIRE(viewer.shows([&] { return viewer.has("Picture of ramp.pgm"); }));
+        viewer.click("Picture of ramp.pgm");
+        place_anew(viewer, "opened", [&] { viewer.click("Accept"); });
+        place_anew(viewer, "tone", [&] {
+            viewer.point_at("Brightness", 0.5);
+            viewer.press();
+            viewer.point_at("Brightness", 0.3);
+            viewer.release();
+        });
+        viewer.click("Dots value");
+        REQUIRE(viewer.shows([&] { return viewer.has("Typing"); }));
+        place_anew(viewer, "typed, without Enter", [&] {
+            viewer.xdotool("type 650");
+            viewer.click("Mask");
+        });
+        REQUIRE(viewer.shows([&] { return viewer.has("none"); }));
+        viewer.click("none");
+        const json unmasked = viewer.status()["scale"];
+        // Dots that settle, and a stroke that goes on, are placed again too.
+        const auto is_unmasked = [&] { return viewer.status()["scale"] == unmasked; };
+        viewer.move(400, 400);
+        viewer.press();
+        viewer.move(480, 420);
+        viewer.release();
+        REQUIRE(viewer.shows([&] { return !is_unmasked(); }));
+        viewer.key("ctrl+z");
+        REQUIRE(viewer.shows(is_unmasked));
+        viewer.key("ctrl+y");
+        REQUIRE(viewer.shows([&] { return !is_unmasked(); }));
+        viewer.click("off");
+        viewer.click("Mask");
+        place_anew(viewer, "turned", [&] { viewer.click("90"); });
+        in_dialog(viewer, "Export...");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
+        exported = files.svg();
+        fs::remove(files.folder / "ramp.svg");
+        in_dialog(viewer, "Project...");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
+        // the window's own button is the desktop's, and there is none here
+        CHECK(viewer.quit() == 0);
+    }
+    const json drawing = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"];
+    CHECK(drawing["tone"]["brightness"] < 0);
+    CHECK_FALSE(drawing["mask"].empty());
+    CHECK(drawing["count"] == 650);
+    RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
+    in_dialog(viewer, "Export...");
+    REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
+    files.compare(exported, files.svg());
+}
+
+}  // namespace dapple
