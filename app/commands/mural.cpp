@@ -35,7 +35,13 @@ void add_mural_options(CLI::App& app, Sheet& sheets) {
 
 void render_mural(const RenderOptions& options) {
     const Sheet& sheets = options.drawing.sheets;
-    const std::vector<Sheet> all = all_sheets(sheets);
+    std::vector<RenderOptions> parts;
+    for (const Sheet& sheet : all_sheets(sheets)) {
+        RenderOptions& part = parts.emplace_back(options);
+        part.sheet = sheet;
+        part.output = sheet_file(options.output, name_of(sheet));
+        part.stats.reset();
+    }
     PageSize page;
     std::size_t drawn = 0;
     std::vector<NamedFindings> found;
@@ -43,21 +49,16 @@ void render_mural(const RenderOptions& options) {
     check_stats(options);
     {
         ProgressLine line;
-        for (const Sheet& sheet : all) {
-            RenderOptions one = options;
-            one.sheet = sheet;
-            one.output = sheet_file(options.output, name_of(sheet));
-            one.stats.reset();
-            const auto show = [&](double share) {
-                line.show((static_cast<double>(drawn) + share) / static_cast<double>(all.size()),
-                          fmt::format("{} of {} sheets drawn", drawn, all.size()));
-            };
-            const Rendered rendered = render(one, {.progress = show});
+        const auto show = [&](double share) {
+            line.show((static_cast<double>(drawn) + share) / static_cast<double>(parts.size()),
+                      fmt::format("{} of {} sheets drawn", drawn, parts.size()));
+        };
+        render_parts(parts, {.progress = show}, [&](const RenderOptions& part, const Rendered& rendered) {
             page = rendered.whole_page;
-            found.push_back({name_of(sheet), rendered.findings});
-            if (options.stats) stats.push_back(stats_of(one, rendered));
+            found.push_back({name_of(part.sheet), rendered.findings});
+            if (options.stats) stats.push_back(stats_of(part, rendered));
             ++drawn;
-        }
+        });
     }
     save_assembly_plan(options.output, page, sheets);
     const bool by_pen = options.saving.pen_files && options.drawing.pens.set != PenSet::one;

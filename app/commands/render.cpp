@@ -163,12 +163,17 @@ DrawingFormat format_of(const RenderOptions& options) {
     return is_standard_stream(options.output) ? DrawingFormat::svg : drawing_format(options.output);
 }
 
-Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
+namespace {
+
+// A picture's dots, ready to be drawn on any part of the page.
+struct PlacedPicture {
+    glm::ivec2 picture;  // pixels
+    DotsForFile dots;
+    RenderTimes times;
+};
+
+PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
     const DrawingSettings& settings = options.drawing;
-    const DrawingFormat format = format_of(options);
-    check_output(options);
-    check_stats(options);
-    Stages stages(watcher);
     RenderTimes times;
     Pipeline pipeline;
     pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
@@ -179,7 +184,8 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     const glm::ivec2 picture = pipeline.pixels();
     times.read = stages.lap();
 
-    DrawnPage page = page_for(layout_for(picture, options), options);
+    const DrawnPage page = page_for(layout_for(picture, options), options);
+    const DrawingFormat format = format_of(options);
     check_fits(format, page.part.size, 0, options.saving);
     const DrawingFile file{.path = options.output,
                            .format = format,
@@ -190,14 +196,21 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    const DotsForFile placed = *dots_for(file, pipeline, std::move(plan));
-    // The dots' own size follows from their number, and the picture's place from their size.
-    if (keeps_dots_inside(settings.page)) page = page_for(placed.plan.layout(placed.dots.scale), options);
-    DrawingToSave drawing = drawing_on(page, placed);
+    return {picture, *dots_for(file, pipeline, std::move(plan)), times};
+}
+
+// Draws the part of the page that the options say.
+Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, Stages& stages,
+                    const RenderWatch& watcher) {
+    const DrawingSettings& settings = options.drawing;
+    const DrawingFormat format = placed.dots.file.format;
+    RenderTimes times = placed.times;
+    const DrawnPage page = page_for(placed.dots.plan.layout(placed.dots.dots.scale), options);
+    DrawingToSave drawing = drawing_on(page, placed.dots);
     const DotStream dots = drawing.dots;
-    check_not_empty(placed.plan, dots.count, options);
+    check_not_empty(placed.dots.plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
-    const DotOrder order = drawing.saving.order.value_or(usual_order(format, dots.count, settings.style));
+    const DotOrder order = order_of(options.output, settings, drawing);
     std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
     std::optional<double> curve_way;
     if (dots.count <= kMostSortedDots || order != DotOrder::recursion) {
@@ -209,16 +222,15 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
         times.order = stages.lap();
         drawing.dots = stream_of(held, dots.scale);
     }
-    drawing.saving.order = DotOrder::recursion;
 
-    const auto pen_files = pen_files_of(options, format, placed.plan.pens);
+    const auto pen_files = pen_files_of(options, format, placed.dots.plan.pens);
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes = measured ? estimated_bytes(format, settings, drawing)
                                   : estimated_bytes_at_once(format, settings, drawing);
     if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
-    const SavedDrawing saved{.picture = picture,
-                             .from = placed,
+    const SavedDrawing saved{.picture = placed.picture,
+                             .from = placed.dots,
                              .page = page,
                              .drawing = drawing,
                              .dots = dots,
@@ -226,7 +238,7 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     // Writing waits for the disk, or for one thread that compresses.
     std::future<Rendered> figures =
         std::async(std::launch::async, [&] { return figures_of(saved, options); });
-    save_drawing(options.output, settings, drawing,
+    save_ordered(options.output, settings, drawing,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
     stages.end();
@@ -248,6 +260,23 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
     if (!watcher.progress) print_summary(options, rendered);
     if (options.stats) save_stats(*options.stats, stats_of(options, rendered));
     return rendered;
+}
+
+}  // namespace
+
+Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
+    check_output(options);
+    check_stats(options);
+    Stages stages(watcher);
+    return saved_part(placed_picture(options, stages), options, stages, watcher);
+}
+
+void render_parts(std::span<const RenderOptions> parts, const RenderWatch& watcher,
+                  const std::function<void(const RenderOptions& part, const Rendered& drawn)>& take) {
+    for (const RenderOptions& part : parts) check_output(part);
+    Stages stages(watcher);
+    const PlacedPicture placed = placed_picture(parts.front(), stages);
+    for (const RenderOptions& part : parts) take(part, saved_part(placed, part, stages, watcher));
 }
 
 }  // namespace dapple

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,5 +50,11 @@ struct Rendered;  // app/commands/render_report.h
 /// Reads, places and saves one drawing. Throws std::runtime_error with one sentence naming the file that is
 /// wrong; what was at the output's place stays then.
 Rendered render(const RenderOptions& options, const RenderWatch& watcher = {});
+
+/// The same of several parts of one drawing, whose picture is read and planned once: their options differ in
+/// sheet and output alone. Each part is told of once it is saved; those saved before something is thrown
+/// stay.
+void render_parts(std::span<const RenderOptions> parts, const RenderWatch& watcher,
+                  const std::function<void(const RenderOptions& part, const Rendered& drawn)>& take);
 
 }  // namespace dapple

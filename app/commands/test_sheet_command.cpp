@@ -101,8 +101,7 @@ void TestSheetCommand::save() const {
     for (const Pen& pen : pens) strokes.widths_mm.push_back(pen.width_mm);
     DrawingToSave drawing{.dots = {}, .page = page, .pens = pens, .saving = saving_, .strokes = strokes};
     drawing.dots.count = sheet.dots;
-    drawing.saving.order = DotOrder::recursion;  // each pen's as it was laid out
-    save_drawing(output_, drawing_, drawing);
+    save_ordered(output_, drawing_, drawing);  // each pen's dots as they were laid out
     const Machine machine = usual_machine(format, saving_.tool);
     const PlottingTime time = figures_of(strokes, speeds_for(machine, format, saving_)).time;
     fmt::print(stderr, "{}: {} {}, {} dots", printable(output_.string()), pens.size(),

@@ -91,7 +91,6 @@ DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const s
         .format = file.format,
         .settings = file.embedded};
     move_to(page.part.part, drawing.tiles);
-    if (!has_order(file.format, file.settings.style)) drawing.saving.order = DotOrder::recursion;
     if (draws_lines(file) && !page.draws_whole())
         drawing.part_corner_mm = (corner - corner_of(page.whole)) * size.mm_per_page_unit;
     return drawing;

@@ -247,30 +247,46 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
     }
 }
 
+DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing) {
+    return drawing.format ? *drawing.format : drawing_format(path);
+}
+
+DotOrder order_of(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing) {
+    const DrawingFormat format = format_of(path, drawing);
+    if (!has_order(format, settings.style)) return DotOrder::recursion;
+    return drawing.saving.order.value_or(usual_order(format, drawing.dots.count, settings.style));
+}
+
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch) {
-    const bool to_standard_output = path == kStandardStream;
-    const DrawingFormat format = drawing.format ? *drawing.format : drawing_format(path);
-    const DotOrder order =
-        drawing.saving.order.value_or(usual_order(format, drawing.dots.count, settings.style));
-    DrawingToSave ordered = drawing;
+    const DotOrder order = order_of(path, settings, drawing);
+    if (order == DotOrder::recursion) return save_ordered(path, settings, drawing, watch);
     // Of the bar, half is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
-    if (order != DotOrder::recursion) {
-        const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {
-                                         if (watch.progress) watch.progress(routing * share);
-                                     }};
-        auto sorted = std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, order, way_watch));
-        if (watch.stop.stop_requested()) return false;
-        ordered.dots = stream_of(std::move(sorted), drawing.dots.scale);
-    }
+    const auto tell = [&](double share) {
+        if (watch.progress) watch.progress(share);
+    };
+    auto sorted = std::make_shared<const DotPieces>(sorted_by_pen(
+        drawing.dots, order, {.stop = watch.stop, .progress = [&](double share) { tell(routing * share); }}));
+    if (watch.stop.stop_requested()) return false;
+    DrawingToSave ordered = drawing;
+    ordered.dots = stream_of(std::move(sorted), drawing.dots.scale);
+    return save_ordered(path, settings, ordered,
+                        {watch.stop, [&](double share) { tell(routing + (1 - routing) * share); }});
+}
+
+bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch) {
+    const bool to_standard_output = path == kStandardStream;
+    const DrawingFormat format = format_of(path, drawing);
     const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
-        if (watch.progress) watch.progress(routing + (1 - routing) * share);
+        if (watch.progress) watch.progress(share);
     };
     const auto write = [&](std::ostream& out) {
-        write_drawing(out, format, settings, ordered, title, progress);
+        write_drawing(out, format, settings, drawing, title, progress);
         progress(1);
     };
     const auto for_each_pen = [&](const auto& write_pen) {
@@ -284,7 +300,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
         } else if (has_pen_files(format, drawing.saving, drawing.pens)) {
             for_each_pen([&](std::ostream& out, std::size_t pen) {
                 const auto done = static_cast<double>(pen), pens = static_cast<double>(drawing.pens.size());
-                write_drawing(out, format, settings, drawing_of_pen(ordered, pen), title,
+                write_drawing(out, format, settings, drawing_of_pen(drawing, pen), title,
                               [&](double share) { progress((done + share) / pens); });
             });
             progress(1);
@@ -292,7 +308,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
             save_atomically(path, write);
             if (has_separations(format, drawing.saving, drawing.pens))
                 for_each_pen([&](std::ostream& out, std::size_t pen) {
-                    write_separation(out, format, settings, ordered, pen, progress);
+                    write_separation(out, format, settings, drawing, pen, progress);
                 });
         }
     } catch (const Stopped&) {

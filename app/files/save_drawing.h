@@ -60,9 +60,9 @@ struct DrawingToSave {
     std::vector<CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
-    SavingChoice saving = {};                       // its order `recursion` writes the dots as they come
-    std::optional<DrawingFormat> format = {};       // none: what the name's ending says
-    std::string settings = {};                      // see embedded_settings(); empty: none go into the file
+    SavingChoice saving = {};
+    std::optional<DrawingFormat> format = {};  // none: what the name's ending says
+    std::string settings = {};                 // see embedded_settings(); empty: none go into the file
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
@@ -97,11 +97,23 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
                    const DrawingToSave& drawing, const std::string& title,
                    const WritingProgress& progress = {});
 
-/// Writes what the format or the name's ending says, and files for each pen if they are asked for: see
-/// files_of() in separations.h. To the standard output if the name is kStandardStream, which needs a format
-/// and takes no TIFF, and has all in one. Returns false if
-/// stopped. Throws what drawing_format() and save_atomically() throw, or if the format cannot hold such a
-/// drawing. In both cases an existing file stays as it was.
+/// What is written under that name: what the drawing says, or else what the name's ending says. Throws what
+/// drawing_format() throws.
+DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing);
+
+/// The order of its dots in that file: the one asked for, or usual_order().
+DotOrder order_of(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing);
+
+/// Writes a drawing whose dots come in the order of the file, and files for each pen if they are asked for:
+/// see files_of() in separations.h. To the standard output if the name is kStandardStream, which needs a
+/// format and takes no TIFF, and has all in one. Returns false if stopped. Throws what drawing_format() and
+/// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
+/// as it was.
+bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch = {});
+
+/// The same of dots in any order: they are put in order_of() first.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch = {});
 

@@ -28,7 +28,7 @@ struct Stage {
         return {.dots = dots,
                 .page = page.size,
                 .dot_radius_mm = radius * page.size.mm_per_page_unit,
-                .saving = {.order = DotOrder::recursion, .dpi = dpi}};
+                .saving = {.dpi = dpi}};
     }
 };
 
