@@ -7,7 +7,7 @@
 
 build_packages=(
     cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
-    libglib2.0-dev libglm-dev libimgui-dev libjpeg62-turbo-dev libkissfft-dev liblcms2-dev libopenimageio-dev libpng-dev
+    libglm-dev libimgui-dev libjpeg62-turbo-dev libkissfft-dev liblcms2-dev libopenimageio-dev libpng-dev
     libqpdf-dev libseccomp-dev libstb-dev libtbb-dev libtiff-dev libwebp-dev ninja-build nlohmann-json3-dev pkg-config
     zlib1g-dev
 )

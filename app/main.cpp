@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     program.add_flag(
         "--fresh", viewer.fresh,
         "Open the window as on the first day: nothing that is remembered between runs (settings, "
-        "recent files, window, theme, thumbnails) is read or written");
+        "recent files, window, theme) is read or written");
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     const dapple::RenderCommand render(program);

@@ -109,18 +109,6 @@ int orientation_of(png_structp png, png_infop info) {
     return 1;
 }
 
-ThumbnailSubject thumbnail_in(png_structp png, png_infop info) {
-    ThumbnailSubject subject;
-    png_textp texts = nullptr;
-    const int count = png_get_text(png, info, &texts, nullptr);
-    for (const png_text& text : std::span(texts, static_cast<std::size_t>(std::max(count, 0)))) {
-        const std::string_view keyword = text.key;
-        if (keyword == kThumbnailUri) subject.uri = text.text;
-        if (keyword == kThumbnailTime) subject.modified = text.text;
-    }
-    return subject;
-}
-
 }  // namespace
 
 void decode(int file, PictureFormat, const DecodeRequest& request, const BeforePixels& before_pixels,
@@ -174,7 +162,6 @@ void decode(int file, PictureFormat, const DecodeRequest& request, const BeforeP
                              .orientation = orientation_of(png, info),
                              .grey = layout.channels.grey(),
                              .description = std::move(described),
-                             .thumbnail_of = thumbnail_in(png, info),
                              .pixel_aspect = png_get_pixel_aspect_ratio(png, info)};
     if (!request.over_paper) layout.channels.alpha.reset();
     StoredPixels decoder(layout);

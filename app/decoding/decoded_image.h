@@ -12,22 +12,13 @@ namespace dapple {
 inline constexpr std::int64_t kUsualPixels = 400'000'000;
 inline constexpr std::int64_t kAnyPixels = INT64_MAX;
 
-/// What a PNG says that it is a thumbnail of, by the Thumbnail Managing Standard: keywords of its texts.
-inline constexpr const char *kThumbnailUri = "Thumb::URI", *kThumbnailTime = "Thumb::MTime";
-struct ThumbnailSubject {
-    std::string uri, modified;  // empty: of nothing; modified in seconds since 1970
-
-    bool operator==(const ThumbnailSubject&) const = default;
-};
-
 struct ImageHeader {
     int width = 0, height = 0;  // as stored, over 0
     int orientation = 1;        // EXIF's, 1..8: how the camera was held
     bool grey = false;          // red, green and blue are the same everywhere
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
     bool scene_light = false;   // as it was in front of a camera, where white is not 1
-    ThumbnailSubject thumbnail_of = {};
-    float pixel_aspect = 1;  // a pixel's width for its height; where a picture arrives it is always 1
+    float pixel_aspect = 1;     // a pixel's width for its height; where a picture arrives it is always 1
 };
 
 /// Lighter than anything in a picture, and little enough for sums and squares of it to stay numbers.
@@ -55,10 +46,6 @@ struct DecodeRequest {
 /// Why a file is no picture: a sentence without the file's name.
 struct DecodeError : std::runtime_error {
     using std::runtime_error::runtime_error;
-};
-/// The file itself is the reason, today and tomorrow.
-struct DamagedFile : DecodeError {
-    using DecodeError::DecodeError;
 };
 inline constexpr const char* kTooMuchMemory = "needs more memory to decode than a picture of its size should";
 inline constexpr const char* kTooMuchTime = "takes far longer to decode than a picture of its size should";

@@ -176,7 +176,7 @@ class Process {
                 "cannot be read: its decoder asked the system for what no picture needs, and was ended");
         if (signal == SIGINT || signal == SIGTERM || signal == SIGKILL)
             throw DecodeError("cannot be read: its decoder was stopped");
-        throw DamagedFile(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
+        throw DecodeError(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +
                           ")");
     }
     constexpr int kNotLoaded = 127;  // by the system

@@ -120,7 +120,7 @@ class Reader {
     if (sentence.empty()) fail_nonsense("an error without a word");
     if (kind == kTooManyPixels) throw TooManyPixels(sentence);
     if (kind == kSystem || sentence == kTooMuchMemory) throw DecodeError(sentence);
-    throw DamagedFile(sentence);
+    throw DecodeError(sentence);
 }
 
 bool yes_or_no(std::int32_t number, const char* of_what) {
@@ -139,8 +139,7 @@ ImageHeader get_header(Reader& reader, const DecodeRequest& request) {
             .orientation = numbers.orientation,
             .grey = yes_or_no(numbers.grey, "grey"),
             .description = printable(reader.text()),
-            .scene_light = yes_or_no(numbers.scene_light, "light of a scene"),
-            .thumbnail_of = {.uri = reader.text(), .modified = reader.text()}};
+            .scene_light = yes_or_no(numbers.scene_light, "light of a scene")};
 }
 
 void check_light(std::span<const float> values, int y) {
@@ -194,9 +193,7 @@ void ImagePipe::row(std::span<const glm::vec3> colours) {
         const Numbers numbers{header_.width, header_.height, header_.orientation, header_.grey ? 1 : 0,
                               header_.scene_light ? 1 : 0};
         put(&numbers, sizeof numbers);
-        for (const auto* text :
-             {&header_.description, &header_.thumbnail_of.uri, &header_.thumbnail_of.modified})
-            put_text(*text);
+        put_text(header_.description);
     }
     put(&kRow, 1);
     if (header_.grey) {

@@ -20,11 +20,7 @@ class PictureSink : public ImageSink {
         header_ = header;
     }
     void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() {
-        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
-        picture.thumbnail_of = std::move(header_.thumbnail_of);
-        return picture;
-    }
+    Picture finish() { return builder_->finish(std::move(header_.description), header_.scene_light); }
 
  private:
     PictureColours colours_;
@@ -44,8 +40,6 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit, Pict
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; --huge reads it all the same");
-    } catch (const DamagedFile& error) {
-        throw NoPicture(printable(path.string()) + ": " + error.what());
     } catch (const DecodeError& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }

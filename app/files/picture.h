@@ -35,7 +35,6 @@ struct Picture {
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
     std::string description{};  // "512 x 512 pixels, 8-bit grey png"
-    ThumbnailSubject thumbnail_of{};
 };
 
 enum class PictureLimit {
@@ -44,11 +43,6 @@ enum class PictureLimit {
 };
 
 enum class PictureColours { left_out, kept };
-
-/// Of a file that no decoder makes a picture of, as long as it stays what it is.
-struct NoPicture : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
@@ -60,8 +54,7 @@ struct NoPicture : std::runtime_error {
 /// time, which on Linux can do nothing else.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
-/// damaged, too large, has pixels that are NaN or infinite, or reading was stopped; NoPicture if a decoder
-/// found it so.
+/// damaged, too large, has pixels that are NaN or infinite, or reading was stopped.
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
                      PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
 

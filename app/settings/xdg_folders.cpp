@@ -32,9 +32,6 @@ fs::path home_folder() {
 fs::path shared_config_folder() {
     return base_folder("XDG_CONFIG_HOME", ".config");
 }
-fs::path shared_cache_folder() {
-    return base_folder("XDG_CACHE_HOME", ".cache");
-}
 fs::path config_folder() {
     return ours_in(shared_config_folder());
 }

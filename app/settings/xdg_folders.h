@@ -14,8 +14,6 @@ std::filesystem::path state_folder();
 std::filesystem::path data_folder();
 /// $XDG_CONFIG_HOME, or ~/.config, which all programs share.
 std::filesystem::path shared_config_folder();
-/// $XDG_CACHE_HOME, or ~/.cache, of all programs as well: what can be made again.
-std::filesystem::path shared_cache_folder();
 /// $HOME; may be empty.
 std::filesystem::path home_folder();
 

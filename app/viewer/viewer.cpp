@@ -22,15 +22,9 @@ static UnsavedDrawings unsaved_of_person(bool fresh) {
     return UnsavedDrawings(fresh || folder.empty() ? "" : folder / "unsaved");
 }
 
-static std::filesystem::path thumbnails_of_person(bool fresh) {
-    const std::filesystem::path folder = shared_cache_folder();
-    return fresh || folder.empty() ? "" : folder / "thumbnails";
-}
-
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh),
-                thumbnails_of_person(options.fresh));
+    Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
                                                        options.fresh ? "" : presets_folder(),
                                                        options.fresh ? "" : palettes_folder()));
@@ -38,8 +32,7 @@ int run_viewer(const ViewerOptions& options) {
 
 int run_viewer(const LightViewerOptions& options) {
     load_tile(options.settings.tile);
-    Shell shell(options.log_status, memory_of_person(options.fresh), UnsavedDrawings(),
-                thumbnails_of_person(options.fresh));
+    Shell shell(options.log_status, memory_of_person(options.fresh), UnsavedDrawings());
     return shell.run(std::make_unique<LightsDocument>(options.map, options.settings));
 }
 

@@ -33,4 +33,12 @@ std::vector<Grid<glm::u8vec4>> mipmaps_of(Grid<glm::u8vec4> picture) {
     return levels;
 }
 
+Grid<glm::u8vec4> small_copy(const std::vector<Grid<glm::u8vec4>>& mipmaps, int longest_side) {
+    const auto fits = [&](const Grid<glm::u8vec4>& copy) {
+        return std::max(copy.width, copy.height) <= longest_side;
+    };
+    const auto first = std::ranges::find_if(mipmaps, fits);
+    return first == mipmaps.end() ? Grid<glm::u8vec4>{} : *first;
+}
+
 }  // namespace dapple

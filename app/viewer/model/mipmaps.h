@@ -14,4 +14,7 @@ namespace dapple {
 /// the mean of four. None of an empty picture.
 std::vector<Grid<glm::u8vec4>> mipmaps_of(Grid<glm::u8vec4> picture);
 
+/// The largest of them whose longer side is at most so long; empty if there is none.
+Grid<glm::u8vec4> small_copy(const std::vector<Grid<glm::u8vec4>>& mipmaps, int longest_side);
+
 }  // namespace dapple

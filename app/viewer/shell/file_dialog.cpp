@@ -13,6 +13,7 @@
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
@@ -227,49 +228,16 @@ fs::path FileDialog::draw_folders(const std::vector<fs::path>& folders) {
     return walk_to;
 }
 
-void FileDialog::draw_bookmark_button() {
-    std::vector<fs::path>& bookmarks = *open_question_.bookmarks;
-    const fs::path here = plain_folder(folder_);
-    if (std::ranges::find(open_question_.places, here) != open_question_.places.end()) return;
-    const bool is_kept = std::ranges::find(bookmarks, here) != bookmarks.end();
-    const char* const label = is_kept ? "Remove this folder" : "Add this folder";
-    bool clicked = ImGui::Button(label, {-1, 0});
-    if (place_keys_.end_entry().press) clicked = true;
-    note_place(label);
-    tip(is_kept ? "Takes the folder shown out of this list." : "Keeps the folder shown in this list.");
-    if (!clicked) return;
-    if (is_kept)
-        std::erase(bookmarks, here);
-    else
-        bookmarks.push_back(here);
-    bookmarks_changed_ = true;
-}
-
-std::optional<std::vector<fs::path>> FileDialog::take_bookmarks() {
-    return std::exchange(bookmarks_changed_, false) ? open_question_.bookmarks : std::nullopt;
-}
-
-bool FileDialog::draw_file(const fs::path& file, bool chosen, const Thumbnail& thumbnail,
-                           ImGuiSelectableFlags flags) {
-    const std::string name = printable(file.filename().native());
-    if (saves_ || !open_question_.pictures || !thumbnail) return text_entry(name, chosen, flags);
-    return picture_entry(name, "", chosen, next_entry_shows() ? thumbnail(file) : EntryPicture{}, {}, flags);
-}
-
 // Folders to go to, and files to open at once.
-FileDialog::Wanted FileDialog::draw_places(const Thumbnail& thumbnail) {
+FileDialog::Wanted FileDialog::draw_places() {
     Wanted chosen;
     fs::path walk_to = draw_folders(open_question_.places);
-    if (open_question_.bookmarks) {
-        if (fs::path kept = draw_folders(*open_question_.bookmarks); !kept.empty()) walk_to = kept;
-        draw_bookmark_button();
-    }
     int id = 0;
     if (!open_question_.recent.empty()) hint("Opened before");
     for (const fs::path& file : open_question_.recent) {
         const std::string name = printable(file.filename().native());
         ImGui::PushID(id++);
-        if (draw_file(file, place_keys_.next_is_marked(), thumbnail)) chosen = file;
+        if (text_entry(name, place_keys_.next_is_marked())) chosen = file;
         if (place_keys_.end_entry(name).press) chosen = file;
         ImGui::PopID();
         note_place(("Recent " + name).c_str());
@@ -279,7 +247,7 @@ FileDialog::Wanted FileDialog::draw_places(const Thumbnail& thumbnail) {
     return chosen;
 }
 
-FileDialog::Wanted FileDialog::draw_lists(const Thumbnail& thumbnail) {
+FileDialog::Wanted FileDialog::draw_lists() {
     Wanted chosen;
     // The buttons, and above them what is chosen of a file to save.
     const float rows = has_formats() ? 2 : 1;
@@ -291,21 +259,20 @@ FileDialog::Wanted FileDialog::draw_lists(const Thumbnail& thumbnail) {
         keys.begin(name, low, {low.x + width, low.y + height});
         ImGui::BeginChild(name, {width, height}, true);
     };
-    const bool has_places =
-        !open_question_.places.empty() || !open_question_.recent.empty() || open_question_.bookmarks;
+    const bool has_places = !open_question_.places.empty() || !open_question_.recent.empty();
     if (!saves_ && has_places) {
         begin_list("places", place_keys_, 190 * ImGui::GetTextLineHeight() / 15);
-        chosen = draw_places(thumbnail);
+        chosen = draw_places();
         ImGui::EndChild();
         ImGui::SameLine();
     }
     begin_list("entries", entry_keys_, ImGui::GetContentRegionAvail().x);
-    if (auto entry = draw_entries(thumbnail)) chosen = entry;
+    if (auto entry = draw_entries()) chosen = entry;
     ImGui::EndChild();
     return chosen;
 }
 
-FileDialog::Wanted FileDialog::draw_entries(const Thumbnail& thumbnail) {
+FileDialog::Wanted FileDialog::draw_entries() {
     Wanted chosen;
     fs::path walk_to;
     if (folder_.has_parent_path() && folder_ != folder_.root_path()) {
@@ -323,9 +290,7 @@ FileDialog::Wanted FileDialog::draw_entries(const Thumbnail& thumbnail) {
         const std::string label = printable(entry.name) + (entry.folder ? "/" : "");
         const bool is_chosen = &entry == begun || folder_ / typed_ == path || entry_keys_.next_is_marked();
         if (entry.folder) push_title_font();
-        const ImGuiSelectableFlags flags = ImGuiSelectableFlags_AllowDoubleClick;
-        const bool clicked =
-            entry.folder ? text_entry(label, is_chosen, flags) : draw_file(path, is_chosen, thumbnail, flags);
+        const bool clicked = text_entry(label, is_chosen, ImGuiSelectableFlags_AllowDoubleClick);
         if (entry.folder) pop_title_font();
         const RowKeys keys = entry_keys_.end_entry(entry.name);
         if (!clicked && !keys.press) continue;
@@ -441,7 +406,7 @@ bool FileDialog::draw_path() {
     return entered;
 }
 
-std::optional<fs::path> FileDialog::draw(const DrawOptions& options, const Thumbnail& thumbnail) {
+std::optional<fs::path> FileDialog::draw(const DrawOptions& options) {
     if (!open_) return std::nullopt;
     const char* title = saves_ ? question_.title : open_question_.title;
     float unit = ImGui::GetTextLineHeight() / 15;
@@ -461,7 +426,7 @@ std::optional<fs::path> FileDialog::draw(const DrawOptions& options, const Thumb
     const bool entered = draw_path() && has_keys && !opens;
     // Escape first ends what is typed elsewhere.
     const bool escape = has_keys && escape_pressed() && (!typing || path_has_keys_);
-    Wanted wanted = draw_lists(thumbnail);
+    Wanted wanted = draw_lists();
     if (entered && !asked) wanted = typed_;
     std::string refusal;
     if (has_formats()) {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "app/viewer/widgets/list_keys.h"
-#include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {
 
@@ -42,9 +41,6 @@ struct OpenQuestion {
     std::filesystem::path start{};                // its folder is opened
     std::vector<std::filesystem::path> recent{};  // opened before: shown beside the folder
     std::vector<std::filesystem::path> places{};  // folders to go to at once
-    /// The same, which the person may change; see take_bookmarks(). None at all: no bookmarks are kept.
-    std::optional<std::vector<std::filesystem::path>> bookmarks{};
-    bool pictures = false;  // most are pictures, and shown as such: see FileDialog::Thumbnail
 };
 
 /// What is to be saved.
@@ -74,19 +70,12 @@ class FileDialog {
     bool is_open() const { return open_; }
     bool saves() const { return saves_; }
 
-    /// The bookmarks once the person has changed them.
-    std::optional<std::vector<std::filesystem::path>> take_bookmarks();
-
     /// Draws what goes with the format chosen, an index into SaveQuestion::formats, and says why it cannot be
     /// written; empty: it can. Nothing is accepted while it cannot.
     using DrawOptions = std::function<std::string(std::size_t format)>;
 
-    /// A file small, asked for in every frame in which its entry is on screen.
-    using Thumbnail = std::function<EntryPicture(const std::filesystem::path& file)>;
-
     /// Draws it while it is open. The path, with a known ending, once the person has chosen one.
-    std::optional<std::filesystem::path> draw(const DrawOptions& options = {},
-                                              const Thumbnail& thumbnail = {});
+    std::optional<std::filesystem::path> draw(const DrawOptions& options = {});
 
  private:
     void show(const std::filesystem::path& start);
@@ -95,15 +84,11 @@ class FileDialog {
     using Wanted = std::optional<std::filesystem::path>;
     /// True if its Enter was pressed.
     bool draw_path();
-    Wanted draw_lists(const Thumbnail& thumbnail);
-    Wanted draw_places(const Thumbnail& thumbnail);
-    /// One file's entry, as a picture where there are some. True if it was clicked.
-    bool draw_file(const std::filesystem::path& file, bool chosen, const Thumbnail& thumbnail,
-                   ImGuiSelectableFlags flags = 0);
+    Wanted draw_lists();
+    Wanted draw_places();
     /// Where a click on a place leads; empty: none was clicked.
     std::filesystem::path draw_folders(const std::vector<std::filesystem::path>& folders);
-    void draw_bookmark_button();
-    Wanted draw_entries(const Thumbnail& thumbnail);
+    Wanted draw_entries();
     void take_name(const std::filesystem::path& file);
     bool has_formats() const;  // to choose from
     void draw_formats();
@@ -129,7 +114,6 @@ class FileDialog {
     bool jumps_ = false;  // to the entry that begins as what was typed
     int path_turn_ = 0;   // another each time that the field is left by Tab
     ListKeys place_keys_, entry_keys_;
-    bool bookmarks_changed_ = false;
     OpenQuestion open_question_;  // of use if it does not save
     SaveQuestion question_;       // if it does
     std::size_t format_ = 0;

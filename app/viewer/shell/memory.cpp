@@ -51,13 +51,12 @@ void describe(Fields& fields, KeptView& view) {
 }
 
 void describe(Fields& fields, WindowState& state) {
-    auto& [window, panels_shown, folder, view, recent, bookmarks] = state;
+    auto& [window, panels_shown, folder, view, recent] = state;
     fields.group("window", [&](Fields& inner) { describe(inner, state.window); });
     fields.flag("panels_shown", panels_shown);
     fields.remembered_files("folder", folder, 1);
     fields.group("view", [&](Fields& inner) { describe(inner, state.view); });
     fields.remembered_files("recent", recent, kMostRecent);
-    fields.remembered_files("bookmarks", bookmarks, kMostBookmarks);
 }
 
 /// Its text, and what it says; neither if there is no such file.
@@ -106,17 +105,6 @@ void write_remembered(const fs::path& file, const std::string& kept, Settings se
 template <class Value>
 void take_changed(Value& there, const Value& ours, const Value& known) {
     if (ours != known) there = ours;
-}
-
-void take_changed_list(std::vector<fs::path>& there, const std::vector<fs::path>& ours,
-                       const std::vector<fs::path>& known) {
-    const auto is_in = [](const std::vector<fs::path>& list, const fs::path& each) {
-        return std::ranges::find(list, each) != list.end();
-    };
-    std::erase_if(there, [&](const fs::path& each) { return is_in(known, each) && !is_in(ours, each); });
-    for (const fs::path& each : ours)
-        if (!is_in(known, each) && !is_in(there, each) && there.size() < kMostBookmarks)
-            there.push_back(each);
 }
 
 // Held while a file is read, changed and written again. A window that hangs with it stops no other for longer
@@ -191,14 +179,12 @@ void Memory::save() {
         take_changed(there.panels_shown, state.panels_shown, known_state_.panels_shown);
         take_changed(there.folder, state.folder, known_state_.folder);
         take_changed(there.view, state.view, known_state_.view);
-        take_changed_list(there.bookmarks, state.bookmarks, known_state_.bookmarks);
         for (const fs::path& file : forgotten_) std::erase(there.recent, file);
         for (const fs::path& file : opened_) there.recent = with_recent(file, std::move(there.recent));
         write_remembered(state_file_, kept, there);
         opened_.clear();
         forgotten_.clear();
         state.recent = there.recent;
-        state.bookmarks = there.bookmarks;
         known_state_ = state;
     }
 }

@@ -57,13 +57,12 @@ struct WindowState {
     bool panels_shown = true;
     std::vector<std::filesystem::path> folder = {};  // one at most: where files were opened last
     KeptView view = {};
-    std::vector<std::filesystem::path> recent = {};     // the last one opened first
-    std::vector<std::filesystem::path> bookmarks = {};  // folders, in the order they were added
+    std::vector<std::filesystem::path> recent = {};  // the last one opened first
 
     bool operator==(const WindowState&) const = default;
 };
 
-inline constexpr std::size_t kMostRecent = 20, kMostBookmarks = 30;
+inline constexpr std::size_t kMostRecent = 20;
 
 /// A list of recent files with another opened: it goes to the front, and is not there twice.
 std::vector<std::filesystem::path> with_recent(const std::filesystem::path& file,

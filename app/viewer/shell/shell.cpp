@@ -18,7 +18,6 @@
 #include "app/viewer/model/desktop_folders.h"
 #include "app/viewer/model/pasted_files.h"
 #include "app/viewer/model/pasted_picture.h"
-#include "app/viewer/model/thumbnail.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
@@ -60,12 +59,10 @@ void toggle(bool& value) {
 
 }  // namespace
 
-Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::filesystem::path thumbnails)
+Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
     : log_status_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
-      thumbnails_(&Window::wake),
-      kept_thumbnails_(std::move(thumbnails)),
       unsaved_(std::move(unsaved)),
       desktop_dialog_(&Window::wake),
       pasting_(&Window::wake) {
@@ -303,8 +300,6 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             if (question.start.empty()) question.start = folder_to_open();
             question.recent = memory_.state.recent;
             question.places = desktop_folders(home_folder(), shared_config_folder());
-            question.bookmarks = memory_.state.bookmarks;
-            question.pictures = true;
             if (action == Action::open) return ask_what_to_open(std::move(question), Asked::picture);
             const bool mask = action == Action::open_mask;
             question.title = mask ? "Open a mask" : "Find the project's picture";
@@ -409,13 +404,6 @@ void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked)
     dialog_.ask_where_to_save(std::move(*question));
 }
 
-EntryPicture Shell::thumbnail(const std::filesystem::path& file) {
-    const auto make = [file, kept = kept_thumbnails_](const std::stop_token& stop) {
-        return thumbnail_of(file, kept, stop);
-    };
-    return thumbnails_.of(thumbnail_key(file), make);
-}
-
 // In a window beyond the screen: what panels draw beside rows has to be in one.
 void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken, int value) {
     ImGui::SetNextWindowPos({-9999, -9999});
@@ -505,19 +493,7 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
     if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop))
         take_preferences(desktop);
     draw_file_question(document);
-    // Not in the frame in which it closes: that frame still shows them.
-    if (!dialog_.is_open()) thumbnails_.forget();
-    const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); },
-                                   [&](const std::filesystem::path& file) { return thumbnail(file); });
-    if (auto bookmarks = dialog_.take_bookmarks()) {
-        if (bookmarks->size() > kMostBookmarks) {
-            bookmarks->resize(kMostBookmarks);
-            document.say("At most " + std::to_string(kMostBookmarks) +
-                         " folders are kept in the list; remove one to add another");
-        }
-        memory_.state.bookmarks = std::move(*bookmarks);
-        save_memory();
-    }
+    const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); });
     if (path) take_chosen(*path, asked_, document);
 }
 

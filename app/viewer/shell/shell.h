@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/model/background.h"
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/shell/document.h"
@@ -24,8 +23,7 @@ namespace dapple {
 class Shell {
  public:
     /// Opens the window. Throws std::runtime_error if there is no display.
-    /// `thumbnails`: the folder of all programs' thumbnails; see thumbnail_cache.h.
-    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved, std::filesystem::path thumbnails);
+    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved);
 
     const Memory& memory() const { return memory_; }
 
@@ -64,7 +62,6 @@ class Shell {
     /// One of the recent files; one that is gone leaves their list.
     void open_again(const std::filesystem::path& file, Document& document);
     void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
-    EntryPicture thumbnail(const std::filesystem::path& file);
     void draw_dialogs(Document& document, const std::function<void(Action)>& act);
     // Of the panels and the preferences; one of them takes a value of its own.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
@@ -86,8 +83,6 @@ class Shell {
     WidgetNotes widgets_;
     Window window_;
     FileDialog dialog_;
-    EntryPictures thumbnails_;  // of its entries
-    std::filesystem::path kept_thumbnails_;
     Asked asked_ = Asked::picture;
     bool panels_shown_ = true, help_shown_ = false, preferences_shown_ = false, about_shown_ = false;
     CommandPalette palette_;

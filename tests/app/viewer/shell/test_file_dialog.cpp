@@ -117,38 +117,12 @@ TEST_CASE("the column beside the folder leads to places and opens recent files")
                                .recent = {ant},
                                .places = {inner}});
     for (int i = 0; i < 4; ++i) f.ui.frame();
-    CHECK_FALSE(f.ui.has("Add this folder"));  // nobody keeps it
     f.ui.click("Place b folder");
     f.ui.frame();
     CHECK(f.ui.has("inner.tif"));
     f.ui.click("Recent ant.png");
     CHECK(f.chosen == ant);
     CHECK_FALSE(f.dialog.is_open());
-}
-
-TEST_CASE("a folder is added to the column and removed again by a button") {
-    Folder folder;
-    DialogUi f;
-    ImGui::GetIO().DisplaySize = {900, 700};
-    const fs::path inner = folder.root.path() / "b folder";
-    OpenQuestion question{.title = "Open a picture", .start = inner, .places = {folder.root.path()}};
-    question.bookmarks.emplace();
-    f.dialog.ask_what_to_open(question);
-    for (int i = 0; i < 4; ++i) f.ui.frame();
-    CHECK_FALSE(f.dialog.take_bookmarks());
-    f.ui.click("Add this folder");
-    CHECK(f.dialog.take_bookmarks() == std::vector<fs::path>{inner});
-    CHECK_FALSE(f.dialog.take_bookmarks());
-    f.ui.frame();
-    CHECK(f.ui.has("Place b folder"));
-    f.ui.click("Remove this folder");
-    CHECK(f.dialog.take_bookmarks() == std::vector<fs::path>{});
-    // The desktop's own are not ours to remove.
-    f.ui.click("Place " + folder.root.path().filename().string());
-    f.ui.frame();
-    f.ui.frame();
-    CHECK_FALSE(f.ui.has("Add this folder"));
-    CHECK_FALSE(f.ui.has("Remove this folder"));
 }
 
 TEST_CASE("names with ## in them are shown whole, and each is its own entry") {

@@ -98,19 +98,6 @@ TEST_CASE("of two windows that save at the same time neither loses the other's f
     CHECK(std::set(recent.begin(), recent.end()).size() == kMostRecent);
 }
 
-TEST_CASE("bookmarks are remembered, and those of another window stay") {
-    const Home home;
-    Memory one = home.window();
-    one.state.bookmarks = {"/a", "/b"};
-    one.save();
-    Memory other = home.window();
-    one.state.bookmarks = {"/b", "/one"};
-    one.save();
-    other.state.bookmarks.emplace_back("/other");
-    other.save();
-    CHECK(home.window().state.bookmarks == std::vector<fs::path>{"/b", "/one", "/other"});
-}
-
 TEST_CASE("recent files are few, and each is named once") {
     std::vector<fs::path> recent;
     for (int i = 0; i < 30; ++i) recent = with_recent("/" + std::to_string(i), recent);
