@@ -71,8 +71,8 @@ inline constexpr Setting exposure{
     .format = "%+.1f EV",
     .value = "auto|EV",
     .help =
-        "How much of the light is taken, in stops: 1 makes all of the picture twice as light, -1 half. HDR "
-        "pictures begin with what shows most of them",
+        "Exposure in stops: 1 makes the whole picture twice as light, -1 half as light. HDR pictures begin "
+        "with the exposure that shows most of them",
     .more = ": auto"};
 inline constexpr Setting black_point{.names = {"black_point", "Black point", "--black-point"},
                                      .range = {0, 1},
@@ -81,11 +81,10 @@ inline constexpr Setting white_point{.names = {"white_point", "White point", "--
                                      .range = {0, 1},
                                      .usual = 1,
                                      .help = "Grey from this on is left to the bare paper"};
-inline constexpr Setting contrast{.names = {"contrast", "Contrast", "--contrast"},
-                                  .range = {-1, 1},
-                                  .help =
-                                      "Over 0 parts light from dark, below 0 brings them nearer to each "
-                                      "other"};
+inline constexpr Setting contrast{
+    .names = {"contrast", "Contrast", "--contrast"},
+    .range = {-1, 1},
+    .help = "Above 0 parts light from dark, below 0 brings them closer together"};
 inline constexpr Setting brightness{.names = {"brightness", "Brightness", "--brightness"},
                                     .range = {-1, 1},
                                     .help = "Makes all of the picture lighter, or darker below 0"};
@@ -95,13 +94,12 @@ inline constexpr Setting gamma{
     .usual = 1,
     .track = {0.25, 4, true},
     .help = "Makes the middle tones lighter, or darker below 1; black and white stay"};
-inline constexpr Setting blur{.names = {"blur", "Blur", "--blur"},
-                              .range = {0, 100},
-                              .track = {0, 20},
-                              .format = "%.1f",
-                              .help =
-                                  "Smooths grain and noise away, over so many thousandths of the picture's "
-                                  "longer side"};
+inline constexpr Setting blur{
+    .names = {"blur", "Blur", "--blur"},
+    .range = {0, 100},
+    .track = {0, 20},
+    .format = "%.1f",
+    .help = "Smooths grain and noise away, over this many thousandths of the picture's longer side"};
 inline constexpr Setting detail{
     .names = {"detail", "Detail", "--detail"},
     .range = {0, 1},
@@ -115,7 +113,7 @@ inline constexpr Setting black{
     .help =
         "How solid black gets. At 1 dots cover the paper; with less they stand apart, and more of them are "
         "left for the rest of the picture",
-    .more = ". auto: 0.9 of 5,000 dots and fewer, 1 of 100,000 and more and with --tone true"};
+    .more = ". auto: 0.9 for up to 5,000 dots, 1 from 100,000 on and with --tone true"};
 inline constexpr Setting invert{.names = {"invert", "Invert", "--invert"},
                                 .help = "Dots where the picture is light, for light ink on dark paper"};
 
@@ -133,7 +131,7 @@ inline constexpr Setting count{.names = {"count", "Dots", "--dots"},
                                .track = {100, 2'000'000, true},
                                .format = "%.0f",
                                .value = "N",
-                               .help = "Exactly so many dots on the page: 40000, 40,000 or 40k"};
+                               .help = "Exactly this many dots on the page: 40000, 40,000 or 40k"};
 inline constexpr Setting scale{
     .names = {"scale", "Fineness", "--scale"},
     .range = {.at_least = NumberRange::Least::excluded},
@@ -151,7 +149,8 @@ inline constexpr Setting relax{
     .format = "%.0f",
     .value = "auto|N",
     .help =
-        "In so many steps the dots move to where they lie evenly and show the picture best; more take longer",
+        "In this many steps the dots move to where they lie evenly and show the picture best; more steps "
+        "take longer",
     .more =
         ". 0 to 100, or auto: 20 for up to 12,800 dots, 8 from 80,000 on, none for millions of them too "
         "fine to see"};
@@ -159,20 +158,20 @@ inline constexpr Setting settle_for{
     .names = {"settle_for", "Settle for", "--settle-for"},
     .help =
         "pictures: dots show tones and edges best. samples: sums over the dots come nearest to an integral "
-        "over the density; give it some 60 steps by --relax"};
+        "over the density; give it about 60 steps with --relax"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
-inline constexpr Setting radius{.names = {"radius_mm", "Radius", "--dot-radius"},
-                                .range = {kSmallestRadiusMm, kLargestRadiusMm},
-                                .usual = 0.3,
-                                .track = {0.02, 5, true},
-                                .format = "%.3f",
-                                .length = true,
-                                .value = "LENGTH",
-                                .help = "From the middle of a dot to its edge",
-                                .more =
-                                    ", on paper; 0.1..0.4: from the smallest, in light areas, to the "
-                                    "largest, on black, and as many dots as the tone then needs. Without "
-                                    "it, one for all that gives the picture's tone"};
+inline constexpr Setting radius{
+    .names = {"radius_mm", "Radius", "--dot-radius"},
+    .range = {kSmallestRadiusMm, kLargestRadiusMm},
+    .usual = 0.3,
+    .track = {0.02, 5, true},
+    .format = "%.3f",
+    .length = true,
+    .value = "LENGTH",
+    .help = "From the middle of a dot to its edge",
+    .more =
+        ", on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, and as many dots "
+        "as the tone then needs. Without it, one radius for all dots that gives the picture's tone"};
 inline constexpr Setting smallest{.names = {"smallest_mm", "Smallest"},
                                   .range = {kSmallestRadiusMm, kLargestRadiusMm},
                                   .usual = 0.3,
@@ -195,7 +194,7 @@ inline constexpr Setting pen_width{
     .usual = 0.3,
     .track = {0.05, 3, true},
     .length = true,
-    .help = "How wide the pen's line is, of lines and of dots of another shape than circle",
+    .help = "How wide the pen's line is, for lines and for dots of any shape but circle",
     .more =
         ". With a plotter's file and no --dot-shape each dot is a touch of that pen, or a spiral that "
         "fills it to --dot-radius"};
@@ -205,8 +204,8 @@ inline constexpr Setting mask{.names = {"mask", "Mask", "--mask"}};
 inline constexpr Setting page_size{.names = {"paper", "Paper size", "--page"}};
 inline constexpr Setting orientation{.names = {"orientation", "Orientation", "--orientation"},
                                      .help =
-                                         "How the page lies; auto: as the picture, and a size of your own as "
-                                         "you give it"};
+                                         "Whether the page is portrait or landscape; auto: as the picture "
+                                         "is, or as a size of your own is given"};
 inline constexpr Setting width{.names = {"width_mm", "Width", "--width"},
                                .range = {kShortestSideMm, kLongestSideMm},
                                .usual = 200,
@@ -235,8 +234,8 @@ inline constexpr Setting margin{.names = {"margins_mm", "Margin", "--margin"},
                                 .more = ": 15mm, or top,right,bottom,left as in 10,15,20,15"};
 inline constexpr Setting fit{.names = {"fit", "Fit", "--fit"},
                              .help =
-                                 "inside: all of the picture, in the middle of what the margins leave. fill: "
-                                 "the middle of the picture, cut to the shape of that"};
+                                 "inside: all of the picture, centred within the margins. fill: the middle "
+                                 "of the picture, cut so that it fills the page up to the margins"};
 inline constexpr Setting rotate{.names = {"quarter_turns", "Rotate", "--rotate"},
                                 .range = {0, 3},
                                 .value = "0|90|180|270",
@@ -257,14 +256,13 @@ inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-or
 inline constexpr Setting pen_ink{
     .names = {"pen_ink", "Pen ink", "--pen-ink"},
     .help =
-        "What is seen where dots of several pens overlap. transparent: both inks, as of fineliners and "
-        "ballpoints, on screen and in files too. opaque: the upper one, as of paint markers; so are pens of "
-        "which one, as white on brown paper, would hardly be seen"};
-inline constexpr Setting registration{
-    .names = {"registration", "Registration", "--registration"},
-    .help =
-        "Several pens: a cross in each corner of the page, drawn by every pen, to lay one over the other by; "
-        "separations have them too"};
+        "What is seen where dots of several pens overlap. transparent: both inks, as with fineliners and "
+        "ballpoints, on screen and in files too. opaque: the upper one, as with paint markers; always so if "
+        "one of the pens, such as white on brown paper, would hardly be seen otherwise"};
+inline constexpr Setting registration{.names = {"registration", "Registration", "--registration"},
+                                      .help =
+                                          "Several pens: a cross in each corner of the page, drawn by every "
+                                          "pen, to align the pens by; separations have them too"};
 inline constexpr Setting ink{.names = {"ink", "Ink", "--ink"},
                              .help = "The dots' colour, on screen and in the file, where there is one pen"};
 inline constexpr Setting paper{.names = {"paper", "Paper", "--paper"},
@@ -276,7 +274,7 @@ inline constexpr Setting show_tiles{
     .names = {"show_tiles", "Tile boundaries", "--tiles"},
     .help =
         "Draws the square of each copy of the tile; an SVG has them as a layer. In the window a letter F "
-        "shows how each is turned, and its colour of which kind it is"};
+        "shows how each is turned, and its colour shows which kind it is"};
 
 // Saving.
 inline constexpr Setting order{.names = {"order", "Dot order", "--order"}};
@@ -296,12 +294,11 @@ inline constexpr Setting separations{
         "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for printers "
         "who make a screen or a plate for each",
     .more = ": cat-1-yellow.tif beside cat.tif"};
-inline constexpr Setting pen_files{
-    .names = {"pen_files", "Pen files", "--pen-files"},
-    .help =
-        "SVG, PDF, G-code, HPGL, DXF of several pens: a file for each pen in place of one for all; none of "
-        "them waits for another pen",
-    .more = ": cat-1-yellow.gcode and so on for cat.gcode"};
+inline constexpr Setting pen_files{.names = {"pen_files", "Pen files", "--pen-files"},
+                                   .help =
+                                       "SVG, PDF, G-code, HPGL, DXF of several pens: a file for each pen in "
+                                       "place of one for all, so that no plot waits for a change of pens",
+                                   .more = ": cat-1-yellow.gcode and so on for cat.gcode"};
 inline constexpr Setting gcode_tool{.names = {"gcode_tool", "G-code for", "--gcode"}};
 inline constexpr Setting gcode_template{.names = {"gcode_template", "Template"}};
 inline constexpr Setting machine{.names = {"machine", "Machine", "--machine"},
@@ -325,7 +322,7 @@ inline constexpr Setting dwell{
     .help = "G-code: how long the tool rests at a dot, as G4 P, which Grbl and LinuxCNC read in seconds",
     .more =
         "; Grbl rounds each rest up to 0.05 s, and a laser's shorter bursts are moves by M4. Marlin reads P "
-        "as milliseconds: a template of your own says G4 S{dwell}"};
+        "as milliseconds: give it a template of your own with G4 S{dwell}"};
 inline constexpr Setting acceleration{
     .names = {"acceleration_mm_per_s2", "Accel., mm/s2", "--acceleration"},
     .range = {1, 1e5},
@@ -334,8 +331,8 @@ inline constexpr Setting acceleration{
     .format = "%.0f",
     .value = "MM/S2",
     .help =
-        "G-code: how fast the machine gains speed, for the plotting time that is told. Grbl comes with 10, "
-        "and machines are mostly set to 500 to 3000 ($120)"};
+        "G-code: how fast the machine gains speed, used for the estimate of the plotting time. Grbl comes "
+        "with 10, and most machines are set to 500 to 3000 ($120)"};
 inline constexpr Setting pen_up{.names = {"gcode_pen_up", "Pen up", "--pen-up"},
                                 .range = {-10'000, 10'000},
                                 .value = "Z|S",

@@ -57,9 +57,8 @@ void check_has_dots(const fs::path& path) {
         if (ending != format.ending && ending != format.others) continue;
         if (has_pixels(format.format) || is_drawing(path) || is_table(path)) continue;
         throw std::runtime_error(
-            fmt::format("{}: {} is not read; give points (.csv, .tsv, .txt), a drawing by dapple render "
-                        "(.json, .svg), or "
-                        "a picture",
+            fmt::format("{}: the dots of {} files cannot be read; give points (.csv, .tsv, .txt), a drawing "
+                        "by dapple render (.json, .svg), or a picture",
                         path.string(), format.shown));
     }
 }
@@ -129,11 +128,11 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     if (options.input && has_points(*options.input)) {
         refuse(command, tone, "is for pictures, and points have none");
         if (is_drawing(*options.input))
-            refuse(command, {"--width", "--height"}, "is in the drawing itself; leave it out");
+            refuse(command, {"--width", "--height"}, "is known from the drawing itself; leave it out");
         refuse(
             command,
             {"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius", "--relax"},
-            "says how to place dots, and a table has them already");
+            "says how to place dots, and these are placed already; leave it out");
         refuse(command, {"--huge"}, "is for pictures");
         if (is_drawing(*options.input)) refuse(command, {"--period"}, "is for tables");
         if (options.width.has_value() != options.height.has_value())
@@ -146,7 +145,7 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     if (options.input) refuse(command, {"--height"}, "follows from the picture");
     if (!options.input) refuse(command, {"--huge"}, "is for pictures, and none is given");
     if (!options.input && options.drawing.dot_size.sizing == DotSizing::fixed)
-        refuse(command, {"--dot-radius"}, "a constant grey has no millimetres; leave it out");
+        refuse(command, {"--dot-radius"}, "a constant grey has no size in millimetres; leave it out");
     if (!options.input) refuse(command, {"--width", "--height"}, "a constant grey fills a square of side 1");
 }
 
@@ -175,7 +174,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         ->add_option("input", options_.input,
                      "Points (.csv, .tsv, .txt: columns x_mm and y_mm, x and y, or the first two), a drawing "
                      "by dapple render (.json, .csv, .svg of dots: with its page's size), or a picture to "
-                     "stipple, drawings saved as pixels among them; without it a constant grey is")
+                     "stipple, which may be a drawing saved as pixels; without it, a constant grey")
         ->type_name("POINTS|DRAWING|IMAGE");
     command
         ->add_option("-o,--output", options_.output,
@@ -189,20 +188,19 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         ->add_option("--method", options_.method,
                      "A constant grey drawn by another method, one that dapple compare measures")
         ->type_name("NAME");
-    add_seed(*command, options_.seed, "The seed of a --method that throws dice");
+    add_seed(*command, options_.seed, "The seed for a --method that draws random numbers");
     add_choice(
         *command, "--topology", options_.topology,
-        "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a "
-        "constant grey (which is not relaxed without --relax, and is a window with it), and window else");
+        "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a constant "
+        "grey without --relax, otherwise window. A constant grey is relaxed only if --relax is given");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
     add_number(*command, "--width", options_.width, length, "LENGTH",
-               "What the points fill, from (0, 0), in their unit; without it, the page that a table by "
-               "dapple render "
-               "names, or their own box. For a picture, the "
-               "page's width in mm, 200 without it");
-    add_number(*command, "--height", options_.height, length, "LENGTH", "The same downwards, for points");
+               "How wide the area of the points is, from (0, 0), in their unit; without it, as the page that "
+               "a table by dapple render names, or as the points reach. For a picture, the page's width in "
+               "mm, 200 without it");
+    add_number(*command, "--height", options_.height, length, "LENGTH", "How high the area of the points is");
     add_number(*command, "--period", options_.period, length, "LENGTH",
-               "Look for a repetition of points after multiples of this length");
+               "Look whether the points repeat at multiples of this length");
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
     add_dot_options(*command, options_.drawing);

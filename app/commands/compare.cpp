@@ -79,7 +79,7 @@ void check_ending(const std::optional<fs::path>& file, const std::string& ending
     if (!file) return;
     if (ending_of(*file) != ending && ending_of(*file) != other)
         throw std::runtime_error(
-            fmt::format("{}: does not end in {}; {} is for that", file->string(), ending, option));
+            fmt::format("{}: does not end in {}, which {} needs", file->string(), ending, option));
     check_can_save(*file);
 }
 
@@ -175,15 +175,16 @@ CompareCommand::CompareCommand(CLI::App& program) {
     command->add_option("--json", options_.json, "Save all numbers for programs")->type_name("FILE");
     command->add_option("--page", options_.page, "Save a page to look at, with plots, spectra and drawings")
         ->type_name("FILE");
-    command->footer(in_lines("Methods: " + contender_names() + ".") +
-                    "\n\n"
-                    "Time is processor time, all work done by one thread. Of pictures each method has the\n"
-                    "density that the overlap of its own dots asks for. Ctrl+C stops; the tables then have\n"
-                    "those methods that were finished.\n\n"
-                    "Examples:\n"
-                    "  dapple compare --page compare.html              all of them; takes some minutes\n"
-                    "  dapple compare cat.jpg --methods dapple,lloyd,sobol --most 100000\n"
-                    "  dapple compare --methods dapple --dots 65536,92672,131072 --json levels.json");
+    command->footer(
+        in_lines("Methods: " + contender_names() + ".") +
+        "\n\n"
+        "Time is processor time, all work done by one thread. For pictures each method has a\n"
+        "density that allows for the overlap of its own dots. Ctrl+C stops; the tables then have\n"
+        "those methods that were finished.\n\n"
+        "Examples:\n"
+        "  dapple compare --page compare.html              all of them; takes some minutes\n"
+        "  dapple compare cat.jpg --methods dapple,lloyd,sobol --most 100000\n"
+        "  dapple compare --methods dapple --dots 65536,92672,131072 --json levels.json");
     command->callback([this, command] {
         std::vector<FileInUse> written;
         if (options_.json) written.push_back({*options_.json, "the numbers"});

@@ -126,13 +126,12 @@ LightsCommand::LightsCommand(CLI::App& program) {
             [&request](const std::string& text) {
                 request.count = count_in("--samples", text, kMostLightSamples);
             },
-            "Exactly so many samples")
+            "Exactly this many samples")
         ->type_name("N")
         ->default_str(fmt::format("{}", request.count));
-    add_choice(
-        *command, "--convention", options_.convention,
-        "Which way in space a place on the map lies: openexr, usd, mitsuba, blender or pbrt; without it "
-        "pbrt for .pbrt, mitsuba for .xml, else openexr");
+    add_choice(*command, "--convention", options_.convention,
+               "Which direction in space each place on the map stands for: openexr, usd, mitsuba, blender or "
+               "pbrt; without it pbrt for .pbrt, mitsuba for .xml, else openexr");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Turn the map about the up axis, by the right-hand rule");
     add_choice(
@@ -153,7 +152,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     add_whole_number(*command, "--threads", request.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the samples are the same");
     add_number(*command, "--exposure", options_.exposure, {.least = -100, .most = 100}, "STOPS",
-               "PNG: lighter or darker than by itself");
+               "PNG: how much lighter or darker the map is shown");
     command->footer(
         "Weights are irradiances on a surface that faces the light; they sum to the map's total flux.\n\n"
         "Examples:\n"
@@ -163,11 +162,11 @@ LightsCommand::LightsCommand(CLI::App& program) {
         "  dapple lights hall.hdr -n 300 -o hall.pbrt --rotate 90\n"
         "  dapple lights hall.hdr -n 8000 -o hall.png           the map with the samples drawn over it\n"
         "  dapple lights hall.hdr --compare -o hall.html        how good they are, beside other ways");
-    CLI::Option* const compare = command->add_flag(
-        "--compare", options_.compare,
-        std::string("Instead: how much irradiance by samples of several kinds errs, against "
-                    "their number; the output ends in ") +
-            kReportEndings);
+    CLI::Option* const compare =
+        command->add_flag("--compare", options_.compare,
+                          std::string("Instead of a list, a report of how far the irradiance by samples of "
+                                      "several kinds is off, against their number; the output ends in ") +
+                              kReportEndings);
     command->callback([this, command, compare] {
         if (options_.compare) {
             if (!is_report(options_.output)) {

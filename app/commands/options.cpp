@@ -370,22 +370,20 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
             throw CLI::ValidationError("--rotate", text + " is not known; there are 0, 90, 180, 270");
         page.quarter_turns = *degrees / 90;
     })->default_str("0");
-    add_pens(
-        app, settings.pens,
-        "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
-        "picture, or auto:N:fineliners for those of a palette that do, each with a width if wanted as in "
-        "cmyk:0.3mm; or your own as "
-        "name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen on each line, or with JSON; or a "
-        "palette by its name, such as fineliners, or one that the window saved. Dots of all "
-        "pens keep apart, and overlap only where it is dark. With a width all dots are that large, and so "
-        "much larger as the dot gain says "
-        "behind it, as in 0.3+0.05; dapple testsheet finds that out. cmyk may end in black=0 to "
-        "black=1, as in cmyk:0.3:black=0.8: how much of greys is black ink")
+    add_pens(app, settings.pens,
+             "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
+             "picture, or auto:N:fineliners for the N of a palette that do, each with a width if wanted, as "
+             "in cmyk:0.3mm; or your own as name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen "
+             "on each line, or with JSON; or a palette by its name, such as fineliners, or one that the "
+             "window saved. Dots of all pens keep apart, and overlap only where it is dark. With a width all "
+             "dots are that large, and larger by the dot gain if one is given behind it, as in 0.3+0.05; "
+             "dapple testsheet finds it out. cmyk may end in black=0 to black=1, as in cmyk:0.3:black=0.8, "
+             "which says how much of the greys is black ink")
         ->default_str("one");
     add_choice(
         app, "--pen-order", settings.pens.order,
         "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
-        "darker ink along; darkest, for inks that cover it; listed, as --pens has them");
+        "darker ink along; darkest, for inks that cover darker ones; listed, in the order of --pens");
     add_choice(app, setting::pen_ink, settings.pens.ink);
     add_colour(app, setting::ink, settings.ink);
     add_colour(app, setting::paper, settings.paper);
@@ -432,7 +430,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         settings.automatic_tone = false;
     }
     if (given("--tone-strength") && !settings.automatic_tone)
-        throw CLI::ValidationError("--tone-strength", "is of automatic tone, and the tone is not automatic");
+        throw CLI::ValidationError("--tone-strength",
+                                   "applies to automatic tone only; leave it out, or give --tone auto");
     // True light is left as it is.
     if (was_automatic != settings.automatic_tone && !given("--detail"))
         settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;
@@ -450,7 +449,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
                                                       : "has no effect on lines; leave it out");
     if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
-                                   "the figure8 placer's dots are shown as they are; leave it out");
+                                   "the figure8 placer's dots stay where they are placed; leave it out");
     if (command.count("--dots") > 0 && command.count("--scale") > 0) {
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
     }
@@ -464,7 +463,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         if (given("--width")) page.height_mm.reset();
     }
     if (given("--page")) {
-        refuse(command, {"--width", "--height"}, "cannot be given together with --page, which says it");
+        refuse(command, {"--width", "--height"}, "cannot be given together with --page, which sets it");
     } else if (page.paper == Paper::as_picture && command.get_option_no_throw("--fit")) {
         refuse(command, {"--orientation", "--fit"},
                "has no effect where the page has the picture's shape; give --page, or --width and --height, "

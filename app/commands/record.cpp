@@ -85,7 +85,7 @@ RecordCommand::RecordCommand(CLI::App& program) {
     add_number(*command, "--seconds", options_.film.seconds, {.least = kShortestFilm, .most = kLongestFilm},
                "S", "How long the film is");
     add_whole_number(*command, "--fps", options_.film.frames_per_second, {.least = 1, .most = 60},
-                     "Pictures in each second");
+                     "Frames per second");
     add_whole_number(*command, "--size", options_.film.longer_side, {.least = 16, .most = 4096},
                      "Pixels along the longer side");
     add_number(*command, "--depth", options_.film.depth, {.least = 1, .most = kDeepestFilm}, "TIMES",
@@ -113,13 +113,14 @@ RecordCommand::RecordCommand(CLI::App& program) {
     command->callback([this, command] {
         check_options(*command, options_.drawing, automatic_tone_);
         const FilmKind kind = options_.film.kind;
-        if (kind != FilmKind::zoom) refuse(*command, {"--depth"}, "is of a zoom; give --show zoom too");
+        if (kind != FilmKind::zoom)
+            refuse(*command, {"--depth"}, "applies to a zoom only; give --show zoom too");
         if (kind != FilmKind::plot)
             refuse(*command,
                    {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--placer"},
-                   "shows in the film of a plot only; give --show plot too");
+                   "applies to the film of a plot only; give --show plot too");
         if (kind != FilmKind::plot && kind != FilmKind::growth)
-            refuse(*command, {"--relax"}, "shows in the films of growth and of a plot only");
+            refuse(*command, {"--relax"}, "applies to the films of growth and of a plot only; leave it out");
         std::vector<FileInUse> written;
         for (const std::filesystem::path& file : files_of(options_.output, options_.film))
             written.push_back({file, "the film"});

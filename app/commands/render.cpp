@@ -125,7 +125,7 @@ void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOp
     if (dots > 0 || loses || !draws_whole_page(options) || plan.density->mean() == 0) return;
     const bool by_size = options.drawing.dot_size.sizing == DotSizing::by_tone;
     throw std::runtime_error(
-        by_size ? "--dot-radius: no dots so large come out; choose smaller ones"
+        by_size ? "--dot-radius: no dots come out, as they are too large; choose smaller ones"
                 : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.placing.scale));
 }
 

@@ -78,13 +78,13 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
             throw CLI::ValidationError(
                 "--sheets", "the standard input can be read once only; save the picture as a file");
     } else if (command.count("--sheet") == 0)
-        refuse(command, {"--overlap"}, "is of sheets; give --sheets or --sheet too");
+        refuse(command, {"--overlap"}, "applies to sheets only; give --sheets or --sheet too");
     if (options.drawing.pens.set == PenSet::one)
         refuse(command, {"--registration", "--pen-order", "--pen-ink", "--pen-files"},
                "is for several pens; give --pens too");
     if (has_pixels(format) || is_table(format)) {
         const std::string plotted =
-            "is of what is plotted; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
+            "applies to files for plotting only; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
         refuse(command, {"--pen-files"}, plotted);
         if (!has_pixels(format)) refuse(command, {"--registration"}, plotted);
         if (!options.saving.separations)
@@ -97,20 +97,21 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (options.drawing.pens.set == PenSet::one)
         refuse(command, {"--separations"}, "is for several pens; give --pens too");
     if (!has_pixels(format))
-        refuse(command, {"--separations"}, "are of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
+        refuse(command, {"--separations"},
+               "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif"));
     if (is_standard_stream(options.output))
-        refuse(command, {"--separations", "--pen-files"}, "makes several files; name one to call them after");
+        refuse(command, {"--separations", "--pen-files"},
+               "makes several files; name a file to call them after");
     if (!has_pixels(format))
-        refuse(command, {"--bits"}, "is of a PNG or a TIFF; " + let_it_end_in(".png or .tif"));
+        refuse(command, {"--bits"}, "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif"));
     const DrawingSettings& drawing = options.drawing;
     if (!has_order(format, drawing.style))
         refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
     if (is_table(format))
         refuse(command, {"--style", "--dot-shape", "--pen-width"},
-               "a table has the dots alone; leave it out");
+               "a table has no shapes or lines, only dots; leave it out");
     if (drawing.style != DrawingStyle::dots)
-        refuse(command, {"--dot-shape"},
-               "shows where each dot stands by itself; leave it out, or give --style dots");
+        refuse(command, {"--dot-shape"}, "applies to --style dots only; leave it out, or give that style");
     if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
         refuse(command, {"--dot-radius"},
                "a point is as large as the pen makes it; leave it out, or give another --dot-shape");
@@ -119,18 +120,17 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (command.count("--pen-width") > 0 && drawing.mark.shape == DotShape::spiral &&
         finest < drawing.pen_width_mm / 2 - kSmallestRadiusMm)
         refuse(command, {"--dot-radius"},
-               fmt::format("no dot finer than {:g} mm comes of a pen {:g} mm wide; give that or more",
+               fmt::format("cannot be below {:g} mm with a pen {:g} mm wide; give that or more",
                            drawing.pen_width_mm / 2, drawing.pen_width_mm));
     const bool pen_draws =
         draws_strokes(drawing) || dots_as(drawing, options.saving, format) == DotsAs::touches;
     if (!pen_draws)
         refuse(command, {"--pen-width"},
-               "is of the pen of a plotter, or one that draws --style line or nearest, or another "
-               "--dot-shape than circle; give one "
-               "of those too");
+               "applies to a plotter's pen, to --style line or nearest, and to a --dot-shape other than "
+               "circle; give one of those too");
     if (!is_plotted(format))
         refuse(command, {"--machine"},
-               "is for what is plotted; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
+               "applies to files for plotting only; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
     if (!has_colours(format)) {
         const std::string what = is_table(format) ? "a table has" : "a file for machines has";
         refuse(command, {"--ink", "--paper", "--background"},
@@ -156,7 +156,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
         throw CLI::ValidationError(
             "--order",
-            "priority: the first dots of a relaxed drawing are not one with fewer; give --relax 0");
+            "priority: the first dots of a relaxed drawing do not make one with fewer dots; give --relax 0");
     }
 }
 

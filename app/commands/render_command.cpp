@@ -100,10 +100,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
         automatic_tone_ = read.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::string>(
-            "--settings-from", read_settings,
-            "Draw as a project or as a drawing (.svg, .png) that Dapple made, with "
-            "what the other options change")
+        ->add_option_function<std::string>("--settings-from", read_settings,
+                                           "Draw with the settings of a project, or of a drawing (.svg, "
+                                           ".png) that Dapple made; the other options change them")
         ->type_name("FILE");
     const auto read_preset = [this](const std::string& name) {
         const SavedSettings preset = preset_named(name, presets_folder()).settings;
@@ -112,9 +111,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
         automatic_tone_ = preset.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::string>(
-            "--preset", read_preset,
-            "Draw as a preset says, with what the other options change; `dapple presets` lists them")
+        ->add_option_function<std::string>("--preset", read_preset,
+                                           "Draw with the settings of a preset; the other options change "
+                                           "them. `dapple presets` lists the presets")
         ->type_name("PRESET")
         ->excludes("--settings-from");
     command
@@ -125,7 +124,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->type_name("OUT")
         ->required();
     add_choice(*command, "--format", options_.format,
-               "What is written where no name says it: an SVG without this");
+               "The format where no file's name gives it; without it, an SVG");
     add_whole_number(
         *command, "--jobs", jobs_, {.least = 0, .most = 256},
         "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
@@ -152,9 +151,10 @@ RenderCommand::RenderCommand(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "--mask", read_mask,
-            "A grey picture that lies over the picture as it was opened: middle grey (#808080) changes "
-            "nothing, darker has fewer dots, black none, lighter more, white four times as many where the "
-            "tone leaves room; kept with 512 pixels along its longer side. none: without the project's")
+            "A grey picture laid over the whole picture, before it is cropped or turned: middle grey "
+            "(#808080) changes nothing, darker gives fewer dots, black none, lighter more, white four times "
+            "as many where the tone leaves room; kept with 512 pixels along its longer side. none: drops the "
+            "mask of the project")
         ->type_name("FILE|none")
         ->group("Tone");
     add_page_options(*command, options_.drawing);

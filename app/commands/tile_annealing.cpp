@@ -58,8 +58,11 @@ void finish(const TileSearchOptions& options, std::string what, std::uint64_t mo
         again = "stopped: this is the best so far, and cannot be made again";
         comments.clear();
     } else if (options.seconds) {
-        again = "timed: the same again would be another tile; about as long, and always the same: " + same;
-        comments = {fmt::format("found by {} --seconds {}; timed, so that the same again is another tile",
+        again =
+            "timed, so running it again finds another tile; this takes about as long and always finds the "
+            "same one: " +
+            same;
+        comments = {fmt::format("found by {} --seconds {}; timed, so running it again finds another tile",
                                 what, *options.seconds)};
     }
     save_tile(*options.output, ranked(std::move(tile), RankingMethod::energy), comments);

@@ -51,9 +51,10 @@ void check_nothing_is_lost(const fs::path& file) {
     try {
         if (read_search_state(text_of_file(file, kSearch)).finished) return;
     } catch (const std::runtime_error&) {
-        throw std::runtime_error(fmt::format(
-            "{}: is not a saved search, but one that is stopped would be saved there; rename or delete it",
-            name));
+        throw std::runtime_error(
+            fmt::format("{}: is in the way, as this search would be saved there if it is stopped; rename or "
+                        "delete that file",
+                        name));
     }
     throw std::runtime_error(fmt::format(
         "{}: holds an unfinished search; --resume {} goes on with it, and deleting it allows a new one", name,
@@ -120,7 +121,7 @@ void search_cycle_sets(const TileSearchOptions& options, std::ostream& out) {
     if (options.output && !result.best.empty())
         save_tile(*options.output, ranked(make_tile(Rule{}, result.best[0].words), RankingMethod::energy));
     if (result.best.empty()) {
-        out << (result.finished ? "no such tile has its points apart\n" : "no tile found yet\n");
+        out << (result.finished ? "in each such tile some points coincide\n" : "no tile found yet\n");
     } else {
         out << fmt::format("{:>4}  {:<15}  {:<11}  {:<8}  {}\n", "", "relative radius", "discrepancy",
                            "symmetry", "words");

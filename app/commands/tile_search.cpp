@@ -26,8 +26,8 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                      "Points of the tile, a multiple of 4; up to 60 for identity")
         ->default_str("");
     add_whole_number(command, "--kinds", options.kinds, {.least = 1, .most = static_cast<int>(kMaxKinds)},
-                     "Look for a tile of so many kinds, with --points of each, none of them turned: they fit "
-                     "each other without seams, and a picture repeats less the more there are");
+                     "Look for a tile of this many kinds, each with --points points and none turned: they "
+                     "fit each other without seams, and a picture repeats less the more there are");
     command
         .add_option_function<std::string>(
             "--rule",
@@ -61,10 +61,10 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                 for (std::string part; std::getline(parts, part, ',');)
                     options.cycles.push_back(static_cast<int>(count_in("--cycles", part, kMostCycleLength)));
             },
-            fmt::format("identity: instead of --points, look at tiles of several cycles, of so many points "
-                        "each, {} at "
-                        "most; 4,4,4,4 is the paper's 16 points from four tiles of 4",
-                        kMostCycleLength))
+            fmt::format(
+                "identity: instead of --points, look at tiles of several cycles, each of the number of "
+                "points given for it, {} at most; 4,4,4,4 is the paper's 16 points from four tiles of 4",
+                kMostCycleLength))
         ->type_name("N,N,...");
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
@@ -74,18 +74,16 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                "every tile is looked at, which takes seconds for 12 points, minutes for 16 and hours for 20, "
                "the most there may be");
     add_number(command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
-               "identity: stop after so many seconds, to go on later; any and kinds: search for so many. "
-               "Which tile is "
-               "found then depends on the machine's speed; with --moves it is the same on all");
+               "identity: stop after this many seconds, to go on later; any and kinds: search for this many. "
+               "Which tile is found then depends on the machine's speed; with --moves it is the same on all");
     command
         .add_option_function<std::string>(
             "--moves",
             [&options](const std::string& text) {
                 options.moves = count_in("--moves", text, 1'000'000'000'000'000);
             },
-            fmt::format("any and kinds: how many moves to try; of any in each run, half of them to choose "
-                        "the rule; without "
-                        "it, {} a point",
+            fmt::format("any and kinds: how many moves to try; any tries that many in each run, half of them "
+                        "to choose the rule. Without it, {} a point",
                         kMovesPerPoint))
         ->type_name("N");
     add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},

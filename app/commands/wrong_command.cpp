@@ -48,7 +48,7 @@ std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* co
     if (2 * slips_between(word, name) < name.size())
         sentence += "; did you mean \"" + name + "\"?";
     else
-        sentence += "; --help shows those there are";
+        sentence += "; --help lists them all";
     return sentence;
 }
 
@@ -75,7 +75,7 @@ std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* con
             names, {}, [&](const auto& known) { return slips_between(name, known); });
         const bool near = 3 * slips_between(name, nearest) <= nearest.size();
         return "there is no option --" + std::string(name) +
-               (near ? "; did you mean --" + nearest + "?" : "; " + usage + " --help lists those there are");
+               (near ? "; did you mean --" + nearest + "?" : "; " + usage + " --help lists them all");
     }
     return std::nullopt;
 }

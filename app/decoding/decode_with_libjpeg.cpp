@@ -113,7 +113,8 @@ void decode(int file, PictureFormat, const DecodeRequest& request, const BeforeP
                 "not a picture that can be read");
     check_size(jpeg.image_width, jpeg.image_height, jpeg.num_components, request);
     if (jpeg.num_components != 1 && jpeg.num_components != 3)
-        throw DecodeError("has the inks of a print, which cannot be mixed here; save it as RGB or grey");
+        throw DecodeError(
+            "is in inks for print, such as CMYK, which cannot be read here; save it as RGB or grey");
     const bool grey = jpeg.num_components == 1;
     const unsigned eighths =
         request.enough_side > 0

@@ -268,7 +268,8 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, const 
     const OIIO::ImageSpec spec = input->spec();
     check_size(spec.width, spec.height, spec.nchannels, request);
     if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")
-        throw DecodeError("has the inks of a print, which cannot be mixed here; save it as RGB or grey");
+        throw DecodeError(
+            "is in inks for print, such as CMYK, which cannot be read here; save it as RGB or grey");
 
     const std::size_t row_values = static_cast<std::size_t>(spec.width) * spec.nchannels;
     const bool in_doubles = format == PictureFormat::tiff && spec.format == OIIO::TypeDesc::DOUBLE;

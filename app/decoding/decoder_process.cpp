@@ -173,7 +173,8 @@ class Process {
         if (signal == SIGXCPU) throw DecodeError(kTooMuchTime);
         if (signal == SIGSYS)
             throw DecodeError(
-                "cannot be read: its decoder asked the system for what no picture needs, and was ended");
+                "cannot be read: its decoder asked the system for something that no picture needs, and was "
+                "stopped");
         if (signal == SIGINT || signal == SIGTERM || signal == SIGKILL)
             throw DecodeError("cannot be read: its decoder was stopped");
         throw DecodeError(std::string("the picture is damaged: its decoder crashed (") + ::strsignal(signal) +

@@ -17,7 +17,8 @@ bool is_light(float value) {
 [[noreturn]] void fail_at(std::size_t x, int y, std::span<const float> pixel) {
     const auto bad = std::ranges::find_if(pixel, [](float v) { return !std::isfinite(v); });
     const std::string place = "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is ";
-    if (bad == pixel.end()) throw DecodeError(place + "lighter than any light; divide its values first");
+    if (bad == pixel.end())
+        throw DecodeError(place + "brighter than any light can be; scale the picture's values down first");
     throw DecodeError(place + (std::isnan(*bad) ? "not a number (NaN)" : "infinite") +
                       "; repair the picture first, for example with oiiotool --fixnan box3");
 }

@@ -32,7 +32,7 @@ std::string reason(int error) {
         case EDQUOT:
             return "the disk is full";
         case EFBIG:
-            return "the file grows over the size that is allowed here";
+            return "the file grew beyond the size that is allowed here";
         case EPIPE:
             return "the program that read it has ended or stopped reading";
         default:

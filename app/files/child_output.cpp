@@ -101,7 +101,7 @@ std::optional<ChildOutput> output_of(const std::vector<std::string>& words, cons
         if (got <= 0) break;
         output.bytes.append(buffer.data(), static_cast<std::size_t>(got));
         if (output.bytes.size() > limits.most_bytes)
-            throw child_error(words[0], "gives more than is taken and was ended");
+            throw child_error(words[0], "gave more than can be taken and was stopped");
     }
     output.status = child.wait();
     return output;

@@ -39,7 +39,8 @@ OwnTemplate read_gcode_template(const std::filesystem::path& file) {
         throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
     }
     // Projects are UTF-8.
-    if (!is_utf8(own.text)) throw std::runtime_error(fmt::format("{}: is not UTF-8; save it as that", name));
+    if (!is_utf8(own.text))
+        throw std::runtime_error(fmt::format("{}: is not text in UTF-8; save it as UTF-8", name));
     return own;
 }
 

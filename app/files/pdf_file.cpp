@@ -173,16 +173,15 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
     // What is rounded up to a hundredth of a millimetre is taken too.
     if (std::max(page.width_mm, page.height_mm) > kLongestPdfSideMm + 0.01) {
         throw std::runtime_error(
-            fmt::format("a PDF's page is {:g} mm wide and high at most, and this one has {:g} x {:g} mm; "
-                        "choose a smaller "
-                        "width, a part of it or SVG",
+            fmt::format("a page in a PDF is at most {:g} mm wide and high, and this one is {:g} x {:g} mm; "
+                        "choose a smaller width, a part of the page or SVG",
                         kLongestPdfSideMm, page.width_mm, page.height_mm));
     }
     if (dots > kMostPdfDots) {
-        throw std::runtime_error(fmt::format(
-            "a PDF is made in memory and has {} dots at most, and these are {}; choose fewer, a part of "
-            "the page or SVG",
-            grouped(kMostPdfDots), grouped(dots)));
+        throw std::runtime_error(
+            fmt::format("a PDF is made in memory and has at most {} dots, and this one would have {}; choose "
+                        "fewer, a part of the page or SVG",
+                        grouped(kMostPdfDots), grouped(dots)));
     }
 }
 

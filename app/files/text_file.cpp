@@ -60,7 +60,7 @@ std::string text_of_file(const std::filesystem::path& file, const TextKind& kind
     }
     // Sentences about it would end there.
     if (!kind.beginning && text.find('\0') != text.npos)
-        fail("has bytes of value 0 in it, as no text in UTF-8 has");
+        fail("is not text in UTF-8, as it has bytes of value 0");
     return text;
 }
 

@@ -111,8 +111,7 @@ SavedSettings settings_from(const fs::path& file) {
     if (!inside)
         throw std::runtime_error(
             printable(file.native()) +
-            ": there are no settings of Dapple's in it; projects and drawings that Dapple "
-            "made have some");
+            ": has no Dapple settings in it; choose a project or a drawing that Dapple made");
     read_settings(*inside, {file}, describe_it);
     return settings;
 }

@@ -87,10 +87,10 @@ NamedPalette palette_named(const std::string& name, const fs::path& folder) {
 
 void save_palette(const std::string& name, const Palette& pens, const fs::path& folder) {
     if (!names_a_palette(name))
-        throw std::runtime_error(fmt::format(
-            "\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - _ . ( ), "
-            "and not a set's, as cmyk is",
-            printable(name)));
+        throw std::runtime_error(
+            fmt::format("\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - "
+                        "_ . ( ), and not the name of a set, such as cmyk",
+                        printable(name)));
     files_in(folder).save(name, pens_text(own_pens(pens).own));
 }
 

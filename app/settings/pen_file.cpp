@@ -73,7 +73,7 @@ Pen pen_of(const Json& object) {
     pen.gain_mm = length_in(object, "gain_mm", kMostGainMm);
     for (const char* field : {"gap_mm", "gain_mm"})
         if (pen.width_mm == 0 && object.contains(field) && object[field] != 0)
-            throw wrong(field, "is of a pen with a width; give width_mm too");
+            throw wrong(field, "applies to a pen with a width only; give width_mm too");
     return pen;
 }
 

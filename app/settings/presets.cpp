@@ -105,8 +105,8 @@ Preset preset_named(const std::string& name, const fs::path& folder) {
     if (found != built_in.end()) return *found;
     const fs::path file = files_in(folder).find(name);
     if (file.empty())
-        throw std::runtime_error(fmt::format(
-            "there is no preset \"{}\"; `dapple presets` lists those there are", printable(name)));
+        throw std::runtime_error(
+            fmt::format("there is no preset \"{}\"; `dapple presets` lists them all", printable(name)));
     Preset preset{name, "", {}};
     read_settings(text_of_settings(file), {file}, all_of_preset(preset.settings));
     return preset;

@@ -37,7 +37,7 @@ Json parsed_settings(const std::string& text, const SettingsPlace& place) {
     try {
         return Json::parse(text, watch_size);
     } catch (const TooDeep&) {
-        fail_to_read(place, "brackets within brackets, deeper than any settings go");
+        fail_to_read(place, "has brackets within brackets, deeper than any settings have them");
     } catch (const TooMany&) {
         fail_to_read(place, fmt::format("more than {} fields, as no settings have", kMostFields));
     } catch (const Json::parse_error& error) {
@@ -55,7 +55,7 @@ void check_version(const Json& document, const SettingsPlace& place) {
     const auto version = document.is_object() ? document.find(kVersionField) : document.end();
     if (!document.is_object() || version == document.end() || !version->is_number())
         fail_to_read(place,
-                     fmt::format("not settings of Dapple's, which say \"{}\": {}", kVersionField, kVersion));
+                     fmt::format("not Dapple settings, which have \"{}\": {}", kVersionField, kVersion));
     const double number = version->get<double>();
     if (number > kVersion)
         fail_to_read(place, fmt::format("written by a newer Dapple, in version {:g} of the format; this one "

@@ -196,9 +196,10 @@ std::vector<glm::dvec2> parse_point_table(std::string_view text, const std::stri
         if (!std::isfinite(*value)) fail(fmt::format("{} is {}, not a place", axis, field));
         if (const std::size_t mark = field.find_first_of(".,"); mark != field.npos) {
             if (decimal_mark != 0 && decimal_mark != field[mark])
-                fail(fmt::format("{} has its decimals after a {}, numbers before it after a {}",
-                                 quoted(field), field[mark] == ',' ? "comma" : "point",
-                                 decimal_mark == ',' ? "comma" : "point"));
+                fail(fmt::format(
+                    "{} has a decimal {}, while numbers before it have a decimal {}; write all with the same",
+                    quoted(field), field[mark] == ',' ? "comma" : "point",
+                    decimal_mark == ',' ? "comma" : "point"));
             decimal_mark = field[mark];
         }
         return *value;
@@ -207,8 +208,8 @@ std::vector<glm::dvec2> parse_point_table(std::string_view text, const std::stri
         const std::size_t named = table.names().size() + table.before_first(), fields = table.row().size();
         if (!table.names().empty() && fields > named)
             fail(
-                fmt::format("there are {} fields, and the header names {}; with commas before decimals, "
-                            "semicolons have to part the fields",
+                fmt::format("there are {} fields, and the header names {}; if decimals have commas, part the "
+                            "fields with semicolons",
                             fields, table.names().size()));
         const double x = coordinate(table.before_first() + x_column, "x");
         points.push_back({x, coordinate(table.before_first() + y_column, "y")});

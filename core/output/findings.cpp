@@ -178,13 +178,13 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
                  fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse {}",
                              lines ? fmt::format("a line through more than about {} dots", grouped(most))
                                    : fmt::format("more than {} dots", grouped(most))),
-                 "fewer dots, a region or sheets are read, and so is a PDF",
+                 "they do read fewer dots, a region, sheets or a PDF",
                  facts.whole_page ? static_cast<double>(most) : 0});
     }
     if (!facts.measured && facts.ink.as != DotsAs::listed)
         found.push_back({FindingKind::not_looked,
-                         "how near so many dots are to each other and to the edges was not looked at",
-                         "a region of the page tells"});
+                         "there are too many dots to check how near they are to each other and to the edges",
+                         "a region of the page can be checked"});
 }
 
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -204,7 +204,7 @@ void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
             {FindingKind::dwell,
              fmt::format("Grbl rests {:g} s where {:g} s are asked for, as it rounds up to {:g} s", rest,
                          facts.dwell_s, kGrblRestStepS),
-             fmt::format("a dwell of {:g} s says what it does", rest), rest});
+             fmt::format("with a dwell of {:g} s the file says what the machine does", rest), rest});
     if (facts.burst_s > 0)
         found.push_back(
             {FindingKind::dwell,

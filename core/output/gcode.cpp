@@ -166,16 +166,16 @@ void check_whole(const GcodeTemplate& lines, const TextLines& at) {
     const bool any = !lines.down.empty() || !lines.line.empty() || !lines.up.empty();
     if (any && (!has_place(lines.line) || !has_place(lines.move) || lines.down.empty() || lines.up.empty()))
         at.fail(
-            "the template ends; with down, line or up there have to be all three, and {x} and {y} in line "
-            "and in move");
+            "the template ends without all of down, line and up; give all three or none, and {x} and {y} in "
+            "line and in move");
     for (const auto& once : {lines.start, lines.end, lines.pen}) {
         if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
-            at.fail("{x}, {y} and {radius} are of a dot; start, pen and end lines have none");
+            at.fail("{x}, {y} and {radius} belong to a dot; leave them out of start, pen and end lines");
     }
     for (const auto& other :
          {lines.start, lines.end, lines.each_dot, lines.move, lines.down, lines.line, lines.up}) {
         if (std::ranges::any_of(other, is_of_a_pen, &GcodePiece::kind))
-            at.fail("{pen} and {name} are of a pen; only lines that begin with pen have them");
+            at.fail("{pen} and {name} belong to a pen; use them only in lines that begin with pen");
     }
 }
 
@@ -310,8 +310,8 @@ void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, do
     if (points.size() == 1) return write(lines.each_dot, points[0]);
     if (lines.line.empty())
         throw std::runtime_error(
-            "the template for G-code says nothing of lines to draw; add lines that begin with down, line and "
-            "up");
+            "the template for G-code does not say how to draw lines; add lines that begin with down, line "
+            "and up");
     write(lines.move, points[0]);
     write(lines.down, points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) write(lines.line, points[i]);

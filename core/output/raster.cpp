@@ -166,9 +166,8 @@ RasterSize raster_size(const PageSize& page, double dpi) {
     // Written so that what is not a number is refused too.
     if (!(shrink >= 1)) {
         throw std::runtime_error(fmt::format(
-            "the page would be {:.0f} x {:.0f} pixels, and {:.0f} a side and {:.0f} gigapixels in "
-            "all are the most; choose {:.4g} dots per inch or less (--dpi), a smaller page or a part "
-            "of it",
+            "the page would be {:.0f} x {:.0f} pixels, and the most is {:.0f} a side and {:.0f} gigapixels "
+            "in all; choose {:.4g} dots per inch or less (--dpi), a smaller page or a part of it",
             width, height, kLargestSide, kMostPixels * 1e-9, rounded_down(dpi * shrink)));
     }
     return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};

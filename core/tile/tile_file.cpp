@@ -131,7 +131,7 @@ std::vector<int> read_packed(TextLines& lines, std::size_t count, int bits) {
         try {
             return bytes_of_base64(line);
         } catch (const std::runtime_error&) {
-            lines.fail("base64 is expected, and this is none");
+            lines.fail("base64 is expected here");
         }
     }();
     const std::size_t expected = (count * static_cast<std::size_t>(bits) + 7) / 8;

@@ -80,7 +80,8 @@ nlohmann::ordered_json method_json(const MeasuredMethod& one, const CompareReque
 std::string compare_text(std::span<const MeasuredMethod> measured, const CompareRequest& request) {
     std::string text;
     for (const CompareTable& table : compare_tables(measured, request)) text += in_markdown(table);
-    text += fmt::format("\nA dash: longer than {:g} s, or not of this method.\n", request.seconds);
+    text += fmt::format("\nA dash: took longer than {:g} s, or does not apply to this method.\n",
+                        request.seconds);
     for (const PlacesTable& places : places_tables(measured, request)) {
         CompareTable table{places.title, kPlacesHead, {}};
         for (const PlacesTable::Row& row : places.rows) table.rows.push_back(row.cells);

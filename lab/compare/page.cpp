@@ -127,11 +127,11 @@ void add_drawings(HtmlPage& page, std::span<const MeasuredMethod> measured, cons
 
 std::string compare_page(std::span<const MeasuredMethod> measured, const CompareRequest& request) {
     HtmlPage page("Dapple and related methods, measured");
-    page.paragraph(fmt::format(
-        "By dapple compare, on this machine, seed {}. Each method is a plain program from its own paper; a "
-        "dash is what took longer than {:g} seconds, or what a method has not. Time is processor time, all "
-        "work done by one thread.",
-        request.seed, request.seconds));
+    page.paragraph(
+        fmt::format("By dapple compare, on this machine, seed {}. Each method is a plain program from its "
+                    "own paper; a dash stands for what took longer than {:g} seconds, or does not apply to a "
+                    "method. Time is processor time, all work done by one thread.",
+                    request.seed, request.seconds));
     for (const PlacesTable& places : places_tables(measured, request)) {
         page.heading(places.title);
         std::vector<HtmlPage::Row> rows;
@@ -149,12 +149,11 @@ std::string compare_page(std::span<const MeasuredMethod> measured, const Compare
         "Nearest: distances to the nearest neighbour, over the largest possible. Power below 0.3 and 0.5: of "
         "the spectrum, up to that many times the root of the number of dots, where 1 is white noise. Highest "
         "bin and top 0.1 %: how strongly the dots repeat. Effective Nyquist: the finest waves that are "
-        "sampled "
-        "cleanly. Seam: bare paper along the borders of tiles on black, over the page's. Opposite edges of "
-        "the "
-        "grey are taken to meet, also for those methods that know nothing of it. On pictures: SSIM and "
-        "gradients say how much structure is kept, tone error how far the light is off, each seen through a "
-        "blur of one dot spacing. Each method has the density that the overlap of its own dots asks for.");
+        "sampled cleanly. Seam: bare paper along the borders of tiles on black, over the page's. Opposite "
+        "edges of the grey are taken to meet, also for those methods that know nothing of it. On pictures: "
+        "SSIM and gradients say how much structure is kept, tone error how far the light is off, each seen "
+        "through a blur of one dot spacing. Each method has a density that allows for the overlap of its own "
+        "dots.");
     page.heading("Spectra and time");
     add_plots(page, measured, request);
     if (!request.dots.empty()) {

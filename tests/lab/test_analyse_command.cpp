@@ -76,7 +76,7 @@ TEST_CASE("the dots of a drawing that was saved are analysed on its own page, th
     scene.put("other.json", "[1, 2]");
     scene.refuses(scene("other.svg") + " -o " + scene("old.json"), "is not an SVG that dapple render wrote");
     scene.refuses(scene("other.json") + " -o " + scene("old.json"), "is not a drawing in JSON");
-    scene.refuses(svg + " --width 3 -o " + scene("old.json"), "--width: is in the drawing itself");
+    scene.refuses(svg + " --width 3 -o " + scene("old.json"), "--width: is known from the drawing itself");
     scene.refuses(csv + " --gamma 2 -o " + scene("old.json"), "--gamma: is for pictures");
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("analyse says why a drawing without its dots cannot be read") {
         const std::string file = scene("d." + ending);
         REQUIRE(run_dapple("render -o " + file + " --dots 300 --width 120").status == 0);
         scene.refuses(file + to_old,
-                      "is not read; give points (.csv, .tsv, .txt), a drawing by dapple render");
+                      "files cannot be read; give points (.csv, .tsv, .txt), a drawing by dapple render");
     }
     REQUIRE(run_dapple("render -o " + scene("line.svg") + " --dots 300 --style line").status == 0);
     scene.refuses(scene("line.svg") + to_old, "is drawn with strokes");
@@ -287,7 +287,7 @@ TEST_CASE("bad input to an analysis is refused in words, and an old report stays
     scene.refuses(scene("missing.csv") + to_old, "missing.csv: no such file");
     scene.refuses(scene("missing") + to_old, "missing: no such file");
     scene.put("zeros.csv", std::string(10, '\0'));
-    scene.refuses(scene("zeros.csv") + to_old, "zeros.csv: has bytes of value 0 in it");
+    scene.refuses(scene("zeros.csv") + to_old, "zeros.csv: is not text in UTF-8");
     scene.refuses(scene("") + "/.csv" + to_old, ".csv");
     scene.refuses(scene("picture.png") + to_old, "picture.png");
     scene.refuses(scene("good.csv") + " -o " + scene("r.pdf"), "r.pdf: does not end in .json, .html or .png");

@@ -145,7 +145,7 @@ void GlFramebuffer::resize(glm::ivec2 size, Texels texels, std::size_t pictures)
     }
     glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error("The graphics driver offers no picture of " + std::to_string(size.x) +
+        throw std::runtime_error("The graphics driver cannot make a picture of " + std::to_string(size.x) +
                                  " x " + std::to_string(size.y) + " pixels to draw into.");
 }
 

@@ -43,8 +43,8 @@ ClipboardProgram clipboard_program() {
         return {{"xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"},
                 {"xclip", "-selection", "clipboard", "-o", "-t"}};
     throw std::runtime_error(
-        "No file is named on the clipboard, and a picture is pasted with the help of xclip, or wl-paste on "
-        "Wayland: install that, or save the picture to a file and open it");
+        "The clipboard names no file, and pasting a picture needs xclip, or wl-paste on Wayland: install "
+        "that, or save the picture to a file and open it");
 }
 
 const PictureKind* first_picture_in(const std::string& kinds) {
@@ -91,7 +91,7 @@ std::optional<fs::path> save_pasted_picture(const fs::path& folder, const std::s
     const auto picture = output_of(get, kPicture, stop);
     if (!picture) return std::nullopt;
     if (picture->status != 0 || picture->bytes.empty())
-        throw std::runtime_error("The picture on the clipboard could not be had from " + get[0] +
+        throw std::runtime_error("The picture on the clipboard could not be read from " + get[0] +
                                  "; copy it again, or save it to a file and open that");
     make_folder(folder);
     fs::path file = new_file(folder, kind->ending);

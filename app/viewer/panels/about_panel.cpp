@@ -31,7 +31,7 @@ bool draw_preferences(Appearance& appearance, bool& desktop_dialog) {
                : appearance.text_size < 1.4f ? 2
                                              : 3;
     if (segmented_row("Text", size, std::array{"small", "usual", "large", "huge"},
-                      "The size of all text and rows, beside the scale that the desktop asks for.", 1)) {
+                      "The size of all text and rows, on top of the desktop's own scale.", 1)) {
         appearance.text_size = std::array{0.85f, 1.0f, 1.25f, 1.6f}[static_cast<std::size_t>(size)];
         changed = true;
     }

@@ -36,10 +36,14 @@ bool draw_crop_rows(std::optional<Crop>& crop, glm::ivec2 picture, bool& framing
                "Shows all of the picture, with a frame around what is drawn: drag its edges, its corners or "
                "all of it.");
     Rectangle<double> box = crop_percent(crop, picture);
-    bool changed = side_row("From left, %", box.low.x, 0, "Of the picture's width, before it is turned.");
-    changed |= side_row("From top, %", box.low.y, 0, "Of the picture's height, before it is turned.");
-    changed |= side_row("To right, %", box.high.x, 100, "Of the picture's width, before it is turned.");
-    changed |= side_row("To bottom, %", box.high.y, 100, "Of the picture's height, before it is turned.");
+    bool changed =
+        side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before it is turned.");
+    changed |=
+        side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before it is turned.");
+    changed |=
+        side_row("To right, %", box.high.x, 100, "In percent of the picture's width, before it is turned.");
+    changed |=
+        side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before it is turned.");
     if (changed) crop = crop_of_percent(box);
     return changed;
 }

@@ -31,7 +31,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows) 
         grouped(drawn.most_dots));
     int by = request.count ? 1 : 0;
     if (segmented_row("Dots by", by, std::array{"tone", "number"},
-                      "number: so many dots, whatever the picture. tone: a darker picture gets more dots.",
+                      "number: exactly as many dots as you ask for, whatever the picture. tone: a darker "
+                      "picture gets more dots.",
                       1)) {
         if (by == 0)
             use_scale(request, drawn);
@@ -157,8 +158,8 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUn
     bool changed = false;
     {
         const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
-        const Greyed greyed(follows ? "Dots sized by tone are as many as their sizes and the tone ask for."
-                                    : nullptr);
+        const Greyed greyed(
+            follows ? "The number of dots sized by tone follows from their sizes and the tone." : nullptr);
         changed |= draw_amount(settings.placing, drawn, follows);
     }
     changed |= draw_size(settings.dot_size, drawn, unit);

@@ -76,7 +76,7 @@ bool draw_gcode(SavingChoice& saving) {
         std::string file = own.file;
         if (text_row(
                 "Template", file, [](const std::string& name) { return template_in(name).has_value(); },
-                "No file with a template: its lines begin with start, move, dot or end.",
+                "That file has no template: its lines begin with start, move, dot or end.",
                 "The file that says what the machine does at a dot. What it says is kept in the project.")) {
             own = template_in(file).value_or(own);
             changed = true;
@@ -238,7 +238,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
     if (has_pixels(format)) changed |= slider_row(setting::dpi, settings.saving.dpi);
     if (has_pixels(format)) {
         int deep = settings.saving.bits == 16;
-        if (segmented_row("Bits", deep, std::array{"8", "16"}, "For each channel of a pixel.")) {
+        if (segmented_row("Bits", deep, std::array{"8", "16"}, "Bits for each channel of a pixel.")) {
             settings.saving.bits = deep ? 16 : 8;
             changed = true;
         }
@@ -273,7 +273,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
     note_place("File size");
     changed |= draw_findings(info.findings, settings);
     if (settings.drawing.show_tiles && format != DrawingFormat::svg)
-        hint("Without the tile boundaries: only an SVG has layers.");
+        hint("Saved without the tile boundaries: only an SVG has layers.");
     return changed;
 }
 

@@ -152,12 +152,11 @@ bool draw_light_export_panel(LightsSettings& settings, LightFile format) {
     const auto at =
         settings.convention ? std::ranges::find(kConventions, *settings.convention) : kConventions.end();
     int chosen = at == kConventions.end() ? 0 : static_cast<int>(at - kConventions.begin()) + 1;
-    const bool changed =
-        choice_row("Axes", chosen, names,
-                   "Which way is up and where the map's middle lies: as the renderer has them that "
-                   "reads the file.");
+    const bool changed = choice_row(
+        "Axes", chosen, names,
+        "Which way is up and where the map's middle lies, as the renderer that reads the file has them.");
     if (changed) settings.convention = chosen == 0 ? std::nullopt : std::optional(kConventions[chosen - 1]);
-    hint("Turned by the view's rotation.");
+    hint("The samples are turned by the view's rotation.");
     return changed;
 }
 

@@ -59,8 +59,8 @@ bool draw_shown(ViewerSettings& settings) {
     bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
     int colouring = static_cast<int>(settings.colouring);
     if (choice_row("Dots coloured", colouring, std::array{"as ink", "by level", "by rank", "by tile"},
-                   "by level: how often the page was divided. by rank: how early in its tile. by tile: of "
-                   "which kind its tile is, or how it is turned if there is one kind.")) {
+                   "by level: how often the page was divided. by rank: how early in its tile. by tile: which "
+                   "kind its tile is, or how it is turned if all are of one kind.")) {
         settings.colouring = static_cast<DotColouring>(colouring);
         changed = true;
     }

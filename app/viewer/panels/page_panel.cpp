@@ -107,7 +107,7 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
     bool changed = draw_number_of_sheets("Sheets across", sheets.columns);
     changed |= draw_number_of_sheets("Sheets down", sheets.rows);
     {
-        const Greyed greyed(is_several(sheets) ? nullptr : "One sheet shares nothing.");
+        const Greyed greyed(is_several(sheets) ? nullptr : "Applies to several sheets only.");
         changed |= slider_row(setting::overlap, sheets.overlap_mm, {.unit = unit});
     }
     // Always a line, so that rows below keep their places.
@@ -128,10 +128,9 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
     if (!section("Page")) return false;
     bool changed = false;
     int shown_in = unit == LengthUnit::inch ? 1 : 0;
-    if (segmented_row(
-            "Lengths in", shown_in, std::array{"mm", "inch"},
-            "What lengths are shown in, and what a number that is typed alone means; 8in and 21cm are "
-            "understood in either.")) {
+    if (segmented_row("Lengths in", shown_in, std::array{"mm", "inch"},
+                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
+                      "are understood in either.")) {
         unit = shown_in == 1 ? LengthUnit::inch : LengthUnit::mm;
         changed = true;
     }
@@ -142,7 +141,7 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
         const Greyed greyed(shaped);
         int orientation = static_cast<int>(setup.orientation);
         if (choice_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"},
-                       "How the sheet lies; auto is as the picture lies.")) {
+                       "Whether the sheet is portrait or landscape; auto: as the picture is.")) {
             setup.orientation = static_cast<PageOrientation>(orientation);
             changed = true;
         }
@@ -153,8 +152,8 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
         const Greyed greyed(shaped);
         int fit = static_cast<int>(setup.fit);
         if (segmented_row("Fit", fit, std::array{"inside", "fill"},
-                          "inside: all of the picture, in the middle of the page. fill: the middle of the "
-                          "picture, cut to the shape that the margins leave.")) {
+                          "inside: all of the picture, centred within the margins. fill: the middle of the "
+                          "picture, cut so that it fills the page up to the margins.")) {
             setup.fit = static_cast<PageFit>(fit);
             changed = true;
         }

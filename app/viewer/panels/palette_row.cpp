@@ -27,7 +27,7 @@ bool PaletteRow::draw(PenChoice& pens, const Palette& now, Banner& banner) {
     KeptThings things{
         .label = "Palette",
         .tip =
-            "Pens of one's own by a name: common ones, and those that you save here. The command takes "
+            "Sets of pens, each with a name: common ones, and those that you save here. The command takes "
             "them as --pens NAME. Automatic pens are chosen from them.",
         .what = "palette",
         .present = automatic ? "own pens" : "as set below",

@@ -34,8 +34,8 @@ SliderRange gap_range(LengthUnit unit) {
             .typed = TypedKind::length,
             .unit = unit,
             .tip =
-                "Dots of this pen that are nearer run together on your paper: how many will is told when the "
-                "drawing is saved."};
+                "Dots of this pen that are nearer than this run together on your paper; saving the drawing "
+                "tells you how many will."};
 }
 
 SliderRange gain_range(LengthUnit unit) {
@@ -97,12 +97,12 @@ bool draw_made_set(PenChoice& pens, LengthUnit unit) {
             changed = true;
         }
     }
-    const char* const no_width = pens.set == PenSet::one
-                                     ? "Applies to several pens only; one pen is as wide as its dots, or as "
-                                       "Dots says."
-                                 : pens.set == PenSet::own ? "Each pen of your own has its width below."
-                                 : from_own                ? "Each pen of the palette has its width."
-                                                           : nullptr;
+    const char* const no_width =
+        pens.set == PenSet::one
+            ? "Applies to several pens only; one pen is as wide as its dots, or as set under Dots."
+        : pens.set == PenSet::own ? "Each pen of your own has its width below."
+        : from_own                ? "Each pen of the palette has its width."
+                                  : nullptr;
     const Greyed greyed(no_width);
     changed |= slider_row("Tip width", pens.width_mm, width_range(unit));
     const Greyed no_gain(no_width || pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
@@ -225,8 +225,8 @@ void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
     {
         const Greyed greyed(drawn.empty() ? "Applies to several pens only." : nullptr);
         if (choice_row("Look at", chosen, entries,
-                       "The dots of all pens or of one alone, as its layer has them. A way of looking: files "
-                       "have all pens."))
+                       "Shows the dots of all pens or of one alone, as its layer has them. Only a way of "
+                       "looking: files have all pens."))
             shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
     }
     const Greyed greyed(chosen > 0 ? "One pen is looked at alone, as the row above says." : nullptr);

@@ -55,9 +55,9 @@ ChangesAnswer ask_about_changes(const std::string& name) {
 }
 
 ChangesAnswer ask_about_saving(const std::string& name) {
-    return ask("Quit while a file is being saved?", name + " is not whole yet.",
+    return ask("Quit while a file is being saved?", name + " is not completely written yet.",
                {"Quit once it is saved", Key::enter, "Return"},
-               {"Quit without it", Key::d, "What was at its place stays.   D"});
+               {"Quit without it", Key::d, "What was there before stays.   D"});
 }
 
 ChangesAnswer ask_about_kept(const std::string& name, std::size_t others) {
@@ -66,7 +66,7 @@ ChangesAnswer ask_about_kept(const std::string& name, std::size_t others) {
     if (others > 0) {
         sentence += fmt::format("\nThere {} from before.",
                                 others == 1 ? "is one more" : fmt::format("are {} more", others));
-        next = Button{"An older one", Key::o, "This one stays, and the next is asked about.   O"};
+        next = Button{"An older one", Key::o, "This one is kept, and you are asked about the next.   O"};
     }
     return ask("Bring the drawing back?", sentence, {"Bring it back", Key::enter, "Return"},
                {"Discard", Key::d, "It is lost.   D"}, next);

@@ -268,7 +268,7 @@ void DrawingDocument::show_lights() {
         successor_ = std::make_unique<LightsDocument>(session_.picture_path(), LightsSettings{});
     else
         session_.say(session_.picture().name +
-                     " is no environment map; open one: a picture in HDR, twice as wide as high");
+                     " is not an environment map; open an HDR picture that is twice as wide as high");
 }
 
 void DrawingDocument::stop_what_takes_long() {

@@ -182,7 +182,7 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::st
     } else if (is_folder(path)) {
         trouble_ = "That is a folder.";
     } else if (!refusal.empty()) {
-        trouble_ = "That cannot be written; above it says why.";
+        trouble_ = "That cannot be written; the reason is shown above.";
     } else if (replaced_ = files_there(path); !replaced_.empty()) {
         replaces_ = path;
     } else {

@@ -236,7 +236,7 @@ void Shell::keep_unsaved(Document& document) {
         if (!left_behind_.empty() && !asks_about_left_)
             UnsavedDrawings::remove(std::exchange(left_behind_, {}).front());
     } catch (const std::exception& error) {  // as of what is remembered
-        std::fprintf(stderr, "dapple: %s; nothing is kept of what is not saved\n", error.what());
+        std::fprintf(stderr, "dapple: %s; changes that are not saved are not kept\n", error.what());
     }
 }
 
@@ -358,8 +358,7 @@ void Shell::paste(Document& document) {
     if (!files.empty()) return take_files(std::move(files), document);
     if (pasting_.busy()) return;
     const std::filesystem::path folder = pasted_folder();
-    if (folder.empty())
-        return document.say("A pasted picture has no place to be kept: there is no home folder");
+    if (folder.empty()) return document.say("A pasted picture cannot be kept: there is no home folder");
     pasting_.begin([folder](const auto& todo) { return save_pasted_picture(folder, todo.stop()); });
 }
 

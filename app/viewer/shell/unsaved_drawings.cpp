@@ -41,7 +41,7 @@ fs::path UnsavedDrawings::own_file() {
     const fs::path own = folder_ / fmt::format("{}-{}{}", seconds, ::getpid(), kProjectEnding);
     lock_ = Descriptor(::open(lock_of(own).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     if (!lock_ || ::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0)
-        throw std::runtime_error(folder_.string() + ": what is not saved cannot be kept there");
+        throw std::runtime_error(folder_.string() + ": drawings that are not saved cannot be kept there");
     return own_ = own;
 }
 

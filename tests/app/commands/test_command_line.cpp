@@ -52,7 +52,7 @@ TEST_CASE("a misspelt command is told with the nearest one, and a name that may 
     scene.must_fail("render --dotz 5 -o a.svg", "there is no option --dotz; did you mean --dots?");
     scene.must_fail("tile search --poinst=5", "there is no option --poinst; did you mean --points?");
     scene.must_fail("render --frobnicate", "there is no option --frobnicate; dapple render --help lists");
-    scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help shows");
+    scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help lists");
     scene.must_fail("missing.png --nonsense", "--nonsense");
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--crop 0%,0%,1e-9%x100%", "--crop: the part is"},
           Wrong{"--dot-shape point --dot-radius 1", "--dot-radius: a point is as large as the pen makes it"},
           Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
-          Wrong{"--dot-radius 900..1000", "--dot-radius: no dots so large come out"},
+          Wrong{"--dot-radius 900..1000", "--dot-radius: no dots come out, as they are too large"},
           Wrong{"--nonsense", "--nonsense"}}) {
         scene.must_fail(from + wrong.option, wrong.words);
     }

@@ -97,10 +97,10 @@ TEST_CASE("what cannot be filmed is said in a sentence, and nothing is written")
     const std::string cat = "record " + scene("cat.png") + " -o ";
     scene.must_fail(cat + scene("old.svg"), "a film's name ends in .webp");
     scene.must_fail(cat + scene("none/a.webp"), "none");
-    scene.must_fail(cat + scene("a.webp") + " --depth 5", "--depth: is of a zoom");
-    scene.must_fail(cat + scene("a.webp") + " --style line", "--style: shows in the film of a plot only");
+    scene.must_fail(cat + scene("a.webp") + " --depth 5", "--depth: applies to a zoom only");
+    scene.must_fail(cat + scene("a.webp") + " --style line", "--style: applies to the film of a plot only");
     scene.must_fail(cat + scene("a.webp") + " --show zoom --relax 3",
-                    "--relax: shows in the films of growth");
+                    "--relax: applies to the films of growth");
     scene.must_fail(cat + scene("a.webp") + " --seconds 0", "--seconds");
     scene.must_fail(cat + scene("a.webp") + " --size 5000", "--size");
     scene.must_fail("record " + scene("none.png") + " -o " + scene("a.webp"), "none.png");

@@ -108,7 +108,7 @@ TEST_CASE("settings and templates that cannot be read are refused with the true 
         scene.must_fail(from + option + scene("loop.svg"), "loop.svg: ");
     put_text(scene("zeros"), std::string(100, '\0'));
     for (const char* option : {" --gcode ", " --pens ", " --tile "})
-        scene.must_fail(from + option + scene("zeros"), "zeros: has bytes of value 0 in it");
+        scene.must_fail(from + option + scene("zeros"), "zeros: is not text in UTF-8");
 }
 
 TEST_CASE("drawings that cannot be saved are refused in a sentence") {

@@ -215,9 +215,9 @@ TEST_CASE("a pen's width alone makes each dot of a plot a touch of it, and the t
     CHECK_FALSE(finding(scene("b.hpgl") + " --dot-radius 0.6 --pen-width 0.3"));
     CHECK(plotted_hpgl(text_of(scene("b.hpgl")), Lines::drawn).lines.size() == 3000);
     scene.must_fail("render -o " + scene("c.svg") + " --dot-radius 0.1 --pen-width 0.3",
-                    "--dot-radius: no dot finer than 0.15 mm comes of a pen 0.3 mm wide");
+                    "--dot-radius: cannot be below 0.15 mm with a pen 0.3 mm wide");
     scene.must_fail("render -o " + scene("c.pdf") + " --pen-width 0.3",
-                    "--pen-width: is of the pen of a plotter");
+                    "--pen-width: applies to a plotter's pen");
 }
 
 TEST_CASE("a template of one's own is followed to the letter, and one that is wrong is told with its line") {
@@ -242,7 +242,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
           Wrong{"move X{x} Y{z}", "line 1: \"{z}\" is not known"},
           Wrong{"move X{x} Y{y", "line 1: \"{y\" is not known"},
           Wrong{"move X{x}", "no line for a dot has {x} and {y}"},
-          Wrong{"start {x}\nmove {x} {y}", "start, pen and end lines have none"}}) {
+          Wrong{"start {x}\nmove {x} {y}", "leave them out of start, pen and end lines"}}) {
         put_text(scene("wrong.txt"), wrong.text);
         scene.must_fail("render -o " + scene("b.nc") + " --gcode " + scene("wrong.txt"), wrong.words);
     }
@@ -253,7 +253,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
               .status == 0);
     scene.must_fail(
         "render --dots 20 --dot-shape cross -o " + scene("cross.nc") + " --gcode " + scene("touch.txt"),
-        "says nothing of lines to draw");
+        "does not say how to draw lines");
     scene.must_fail("render -o " + scene("b.nc") + " --pen-up 0 --pen-down 0",
                     "--pen-down: the pen is up at 0 and down at 0, so it would never be lifted");
     scene.must_fail("render -o " + scene("b.nc") + " --gcode servo --pen-up 90",
@@ -531,7 +531,7 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
                     "--pen-order: is for several pens");
     scene.must_fail("render -o " + scene("x.svg") + " --pen-ink opaque", "--pen-ink: is for several pens");
     scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
-                    "--registration: is of what is plotted");
+                    "--registration: applies to files for plotting only");
 }
 
 TEST_CASE(

@@ -97,7 +97,7 @@ TEST_CASE("steps that are too many, too few or no number are refused in a senten
     scene.must_fail(from + "2.5", "--relax: 2.5 is not a whole number");
     scene.must_fail(from + "''", "--relax");
     scene.must_fail(from + "3 --placer figure8 --scale 300",
-                    "--relax: the figure8 placer's dots are shown as they are");
+                    "--relax: the figure8 placer's dots stay where they are placed");
     CHECK(run_dapple(from + "101").status ==
           run_dapple("render -o " + scene("new.svg") + " --contrast 7").status);
 }

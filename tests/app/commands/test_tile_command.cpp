@@ -157,8 +157,8 @@ TEST_CASE("a timed search does not claim that it can be made again, and takes th
     REQUIRE(outcome.status == 0);
     CHECK(std::chrono::steady_clock::now() - begin >= std::chrono::milliseconds(1500));
     CHECK(outcome.out.find("the same again: ") == std::string::npos);
-    CHECK(outcome.out.find("about as long, and always the same: dapple tile search --points 16 --rule 3760 "
-                           "--seed 1 --runs 3 --moves ") != std::string::npos);
+    CHECK(outcome.out.find("this takes about as long and always finds the same one: dapple tile search "
+                           "--points 16 --rule 3760 --seed 1 --runs 3 --moves ") != std::string::npos);
     CHECK(text_of(file).find(" --seconds 1.5; timed, ") != std::string::npos);
     // However short, it is a search.
     CHECK(run_dapple("tile search --points 4 --rule any --seconds 0.01 -o " + file).status == 0);
@@ -250,7 +250,7 @@ TEST_CASE("several cycles together are searched for, printed and saved") {
     check_refused("tile search --cycles 4,4 --by symmetry", "does not go with --cycles");
     check_refused("tile search --cycles 4,4 --rule any -o " + file,
                   "belongs to a search with --rule identity");
-    CHECK(run_dapple("tile search --cycles 1,1,1,1").out == "no such tile has its points apart\n");
+    CHECK(run_dapple("tile search --cycles 1,1,1,1").out == "in each such tile some points coincide\n");
 }
 
 TEST_CASE("tile search finds the tile of lowest discrepancy, or of most symmetry, and saves it") {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kEnded =
-    "cannot be read: its decoder asked the system for what no picture needs, and was ended";
+    "cannot be read: its decoder asked the system for something that no picture needs, and was stopped";
 
 // Somebody's home, and a picture in it.
 class Home {

@@ -88,7 +88,7 @@ TEST_CASE("a full disk is said in words, the old file stays, and there is no lit
     const std::string limited = sentence_of(folder / "a.txt", write_much);
     setrlimit(RLIMIT_FSIZE, &before);
     CHECK(limited == (folder / "a.txt").string() +
-                         ": cannot be written: the file grows over the size that is allowed here");
+                         ": cannot be written: the file grew beyond the size that is allowed here");
     CHECK(text_of(folder / "a.txt") == "old");
     CHECK(folder.entries() == 1);
 

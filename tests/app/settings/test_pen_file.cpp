@@ -63,7 +63,7 @@ TEST_CASE("a file of pens that is wrong is told with its name, the pen and the f
           Wrong{R"([{"name": "A", "colour": "#111", "width_mm": 1, "gain_mm": true}])",
                 "pen 1: gain_mm: true"},
           Wrong{R"([{"name": "A", "colour": "#111", "gap_mm": 1}])",
-                "pen 1: gap_mm: is of a pen with a width"},
+                "pen 1: gap_mm: applies to a pen with a width only"},
           Wrong{R"(["A"])", R"(pen 1: "A" is no pen)"},
           Wrong{R"({"pens": []})", "has no array of pens"},
           Wrong{"[]", "0 pens are not possible"},

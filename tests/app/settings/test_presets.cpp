@@ -56,7 +56,7 @@ TEST_CASE("a preset of one's own comes back as it was, and can be removed") {
     remove_preset("My pen", presets);
     CHECK(own_presets(presets).empty());
     CHECK_THROWS_WITH_AS(preset_named("My pen", presets),
-                         "there is no preset \"My pen\"; `dapple presets` lists those there are",
+                         "there is no preset \"My pen\"; `dapple presets` lists them all",
                          std::runtime_error);
     for (const char* name : {"", "a/b", "../up", ".hidden", "a\nb", "night"})
         CHECK_THROWS_AS(save_preset(name, mine, presets), std::runtime_error);

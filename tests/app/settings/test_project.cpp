@@ -249,7 +249,7 @@ TEST_CASE("a drawing has its settings inside it, which the window and the comman
     CHECK(!settings_inside(icon));
     put_text(folder / "other.svg", "<svg></svg>");
     CHECK_THROWS_WITH(settings_from(folder / "other.svg"),
-                      doctest::Contains("other.svg: there are no settings"));
+                      doctest::Contains("other.svg: has no Dapple settings"));
     const std::string damaged = "\x89PNG\r\n\x1a\n\xff\xff\xff\xfftEXtdapple";
     put_text(folder / "damaged.png", damaged + std::string(20, '\0'));
     CHECK(!settings_inside(folder / "damaged.png"));
@@ -475,7 +475,7 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
           "p.dapple: drawing.mask has levels that are not as many as width and height say, or damaged");
     CHECK(complaint_about(R"({"dapple": 9})") ==
           "p.dapple: written by a newer Dapple, in version 9 of the format; this one reads version 1");
-    CHECK(complaint_about("[1, 2]") == "p.dapple: not settings of Dapple's, which say \"dapple\": 1");
+    CHECK(complaint_about("[1, 2]") == "p.dapple: not Dapple settings, which have \"dapple\": 1");
     CHECK(complaint_about("{\"dapple\": 1,\n \"drawing\" {}}") ==
           "p.dapple: line 2 is not JSON: a quote, comma, bracket or value is missing, or one is too many");
 }

@@ -100,10 +100,11 @@ TEST_CASE("a malformed table is refused with its name, its line and what is wron
     CHECK(message("place,size\n1,2\n") ==
           "dots.csv, line 1: \"place\" is neither a number nor a header with x_mm and y_mm, or x and y");
     CHECK(message("1,5;2,5\n1.5;2\n") ==
-          "dots.csv, line 2: \"1.5\" has its decimals after a point, numbers before it after a comma");
+          "dots.csv, line 2: \"1.5\" has a decimal point, while numbers before it have a decimal comma; "
+          "write all with the same");
     CHECK(message("x,y\n1,5,2,5\n") ==
-          "dots.csv, line 2: there are 4 fields, and the header names 2; with commas before decimals, "
-          "semicolons have to part the fields");
+          "dots.csv, line 2: there are 4 fields, and the header names 2; if decimals have commas, part the "
+          "fields with semicolons");
     CHECK(message("1,500,000;2\n") ==
           "dots.csv, line 1: \"1,500,000\" is neither a number nor a header with "
           "x_mm and y_mm, or x and y");

@@ -61,8 +61,8 @@ TEST_CASE("it is told where Grbl rests for longer than it is asked to, or needs 
     }
     facts.dwell_s = 0.01;
     CHECK(sentences_of(facts) ==
-          "Grbl rests 0.05 s where 0.01 s are asked for, as it rounds up to 0.05 s; a dwell of 0.05 s says "
-          "what it does\n");
+          "Grbl rests 0.05 s where 0.01 s are asked for, as it rounds up to 0.05 s; with a dwell of 0.05 s "
+          "the file says what the machine does\n");
     facts.dwell_s = 0.12;
     CHECK(findings_of(facts).at(0).amount == doctest::Approx(0.15));
     facts.dwell_s = 0;

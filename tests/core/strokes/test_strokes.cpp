@@ -285,7 +285,7 @@ TEST_CASE("machines that read strokes draw them, and touch the paper where a str
     CHECK(count("\nPOINT\n") == touches.size());
     const GcodeTemplate only_dots = parse_gcode_template("start G21\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n");
     CHECK_THROWS_WITH(write_gcode(dxf, stream_of(strokes, 0.4), kStrokePage, {.lines = only_dots}),
-                      doctest::Contains("says nothing of lines to draw"));
+                      doctest::Contains("does not say how to draw lines"));
 }
 
 TEST_CASE("parts of a page have all of its lines, and nothing beyond their edges") {

@@ -162,7 +162,7 @@ TEST_CASE("of a first look whose whole picture was stopped nothing is saved") {
     listen(worker, [](const WorkerEvent& n) { return std::holds_alternative<OpeningStopped>(n); });
     worker.save("out.svg", [](Workbench&, const std::stop_token&) -> WriteFile { return {}; });
     const auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
-    CHECK(failed(event.back())->message.find("large.jpg: only a first look") == 0);
+    CHECK(failed(event.back())->message.find("large.jpg: only a preview") == 0);
 }
 
 TEST_CASE("another picture is stippled as requested last without being asked") {
