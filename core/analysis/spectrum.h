@@ -1,8 +1,8 @@
 #pragma once
 // Numbers from a power spectrum: its average over rings, its low frequencies, its peaks.
 //
-// Frequencies f are over sqrt(n) (see periodogram.h). Every frequency counts once of k and -k, which changes
-// no mean. P(0) never counts. Where a spectrum ends below the frequencies asked for, what is there counts.
+// Frequencies f are over sqrt(n) (see periodogram.h). Only one of k and -k counts, which changes no mean.
+// P(0) never counts. Where a spectrum ends below the frequencies asked for, what is there counts.
 
 #include <cstddef>
 #include <vector>

@@ -131,14 +131,15 @@ class OverlappingDots {
     }
 
  private:
-    // Of pens that overlap: the luminance that both take of the paper's, and the shares that look alike.
+    // Two pens that overlap: the luminance that both together take from the paper's, and the shares that look
+    // alike.
     struct Pair {
         std::size_t first, second;
         float darkness;
         Shares looks_like;
     };
 
-    // Of all pens.
+    // The dots of all pens together.
     struct AllDots {
         float density, covered;
     };
@@ -159,7 +160,7 @@ class OverlappingDots {
         }
         return {all, std::lerp(ink_.coverage(all), alone_.coverage(all), evenness(dots))};
     }
-    // That cover so much, where pens share them nearly so.
+    // All dots, if they cover so much and pens share them about like this.
     AllDots dots_covering(float covered, const Shares& dots) const {
         return {std::lerp(ink_.density(covered), alone_.density(covered), evenness(dots)), covered};
     }
@@ -178,7 +179,7 @@ class OverlappingDots {
         return alone == 1 ? own_power(all) : std::lerp(kOfMany, own_power(all, kOfMany), alone);
     }
 
-    // Of dots that cover so much, where they are some of all dots: by Newton's method, from below.
+    // The density of dots that cover so much and are some of all dots: by Newton's method, from below.
     float density_of(float covered, const AllDots& all, float power) const {
         constexpr int kRounds = 4;
         constexpr float kLeastSlope = 0.2f;  // of the load, where the formula overshoots

@@ -17,9 +17,9 @@ namespace dapple {
 /// brown paper, would hardly be seen in transparent ink.
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper);
 
-/// Of a picture whose tone is to be seen as `seen`, linear light 0..1: each colour is made lighter or darker
-/// until it has that luminance, and paler where it would be too bright. Inverted: the negative. Without
-/// colours, which are else as large as `seen`, it is grey.
+/// The colours of a picture whose tone is to be seen as `seen`, linear light 0..1: each is made lighter or
+/// darker until it has that luminance, and paler where it would be too bright. `colours` are as large as
+/// `seen`, or empty for a grey picture. `invert`: the negative.
 struct ColourTone {
     const Grid<float>& seen;
     const ColourGrid& colours;
@@ -27,8 +27,8 @@ struct ColourTone {
 };
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
-/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h), in
-/// steps of relaxation, of which there were so many before.
+/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h): as
+/// even as after so many steps of relaxation. `steps` is how many there were before that.
 int steps_among_pens(int steps);
 
 /// Each pen's density, so that its dots are seen on the share of paper that its separation asks for. Where

@@ -234,7 +234,7 @@ class SameLooks {
 Separation::Separation(std::span<const Pen> pens, glm::vec3 paper, double black) : mixer_(pens, paper) {
     darkest_ = lightest_ = mixer_.paper();
     for (const glm::vec3 pen : mixer_.pens()) {
-        // Of a coloured pen, the grey as dark or as light: it is not to colour the whole picture.
+        // A coloured pen counts as the grey of its luminance, so that it does not colour the whole picture.
         if (luminance(pen) < luminance(darkest_)) darkest_ = glm::vec3(luminance(pen));
         if (luminance(pen) > luminance(lightest_)) lightest_ = glm::vec3(luminance(pen));
     }

@@ -54,8 +54,8 @@ class Separation {
  public:
     Separation(std::span<const Pen> pens, glm::vec3 paper, double black = kUsualBlack);
 
-    /// Of a colour of the picture, linear, 0..1; clamped. Between the solutions on a lattice of 33 colours
-    /// along each axis, in tetrahedra.
+    /// The shares for a colour of the picture, linear, 0..1; clamped. Interpolated in tetrahedra between the
+    /// solutions on a lattice of 33 colours along each axis.
     Shares shares(glm::vec3 colour) const;
 
     /// The same with the shares of each of the lattice's colours changed; from several threads at once.

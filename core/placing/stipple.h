@@ -1,5 +1,6 @@
 #pragma once
-// The pipeline, density to dots, as the window, the commands, the tests and the benchmark all call it.
+// From a density to its dots: a tile made ready for placing, the choice between the two placers, and dots
+// either kept or streamed. core/drawing/pipeline.h calls this for a picture.
 
 #include <cstdint>
 #include <functional>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kFan = 4;  // links in a box, boxes in one of the next level
 constexpr int kLongestRow = 3;     // of dots that are carried into a link
-// Of a usual link's length: gains below this are rounding, or not worth a move.
+// A gain below this share of a usual link's length is rounding, or not worth a move.
 constexpr double kLeastGain = 1e-6;
 // Links that one thread looks at before another may.
 constexpr std::size_t kAtOnce = 1024;
@@ -199,7 +199,7 @@ struct Move {
     std::uint32_t end = 0;
 };
 
-// Of the moves that put something else in the place of a link, the one that gains most.
+// The move that gains most of those that put something else in the place of a link.
 class BestMove {
  public:
     BestMove(const LinkedTour& tour, std::uint32_t number, double least_gain)
