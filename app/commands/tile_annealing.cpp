@@ -26,7 +26,7 @@
 namespace dapple {
 namespace {
 
-// Of a search for several kinds, for the one tile that all of them start as.
+// The share of a search for several kinds that goes into the one tile that all of them start as.
 constexpr double kShareOfStart = 0.25;
 // Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
 constexpr std::size_t kRulesTried = 20;

@@ -135,7 +135,7 @@ Encoding encoding_of(const OIIO::ImageSpec& spec) {
     return {Encoding::Kind::srgb};
 }
 
-// Of integers: floats are light, whatever they are shown by.
+// The ICC profile of integer pixels; floats are light, whatever profile they are shown by.
 std::string profile_of(const OIIO::ImageSpec& spec) {
     const OIIO::ParamValue* const icc = spec.find_attribute("ICCProfile");
     if (!icc || icc->type().basetype != OIIO::TypeDesc::UINT8 || spec.format.is_floating_point()) return {};

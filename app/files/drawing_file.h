@@ -1,9 +1,10 @@
 #pragma once
-// From a plan to a file, the one way that window and commands go:
+// A plan's dots on their way into a file, or into those of its sheets, for the window and `dapple render`:
 //
-//     plan ──► dots, placed once ──► those of the page, a sheet or a region ──► in order ──► file
+//     plan ──► its dots, not yet placed ──► those of the page, a sheet or a region ──► in order ──► file
 //
-// Only the first step needs the pipeline, which may then go on with other drawings.
+// Only the first step, dots_for(), needs the pipeline, which may then go on with other drawings. It finds the
+// scale; dots are placed for each part anew, except for Figure 8's and those of several pens, which are kept.
 
 #include <filesystem>
 #include <optional>
@@ -64,7 +65,7 @@ struct DotsForFile {
     double radius_mm() const { return plan.radius_mm(dots.scale); }
 };
 
-/// Of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
+/// The dots of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
 std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
                                     const std::stop_token& stop = {});
 

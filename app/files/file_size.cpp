@@ -175,7 +175,7 @@ bool PixelPatches::meet(glm::dvec2 low, glm::dvec2 high) const {
     high *= pixels_per_unit;
     const glm::dvec2 first = index(low), last = index(high);
     if (last.x - first.x > 1 || last.y - first.y > 1) return true;
-    // Of the patches of either end only, the first one's far side or the last one's near side counts.
+    // Only the patches at either end can be met: the first on its far side, or the last on its near side.
     const auto along = [&](int axis) {
         const bool in_first = in_patch(low, first)[axis] < patch[axis] && in_patch(high, first)[axis] >= 0;
         const bool in_last = in_patch(low, last)[axis] < patch[axis] && in_patch(high, last)[axis] >= 0;

@@ -29,8 +29,8 @@ struct Picture {
     /// sRGB-encoded colours over white paper, opaque, same aspect as light; exposed by the stops below.
     Grid<glm::u8vec4> preview{};
     ColourGrid colours{};  // of the same pixels, if they were asked for
-    /// A value of the light is the mean of so many by so many of the file's pixels: 1, but of pictures with
-    /// more of them than kMostLight. At the right and lower edge it may be of fewer.
+    /// A value of the light is the mean of so many by so many of the file's pixels: 1, except for pictures
+    /// with more pixels than kMostLight. At the right and lower edge it may be the mean of fewer.
     int pixels_in_one = 1;
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
@@ -45,16 +45,16 @@ enum class PictureLimit {
 
 enum class PictureColours { left_out, kept };
 
-/// Of a file that no decoder makes a picture of, as long as it stays what it is.
+/// Thrown for a file that no decoder makes a picture of, as long as the file stays what it is.
 struct NoPicture : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
-/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise, of
-/// integers by an ICC profile first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent parts show
-/// white paper. Pixels that are no squares are made so.
+/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise:
+/// for integers an ICC profile counts first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent
+/// parts show white paper. Pixels that are no squares are made so.
 /// Memory: 4 bytes a value of the light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time, which on Linux can do nothing else.

@@ -254,7 +254,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     const DotOrder order =
         drawing.saving.order.value_or(usual_order(format, drawing.dots.count, settings.style));
     DrawingToSave ordered = drawing;
-    // Of the bar, half is the pen's way.
+    // Half of the progress is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
     if (order != DotOrder::recursion) {
         const RoutingWatch way_watch{.stop = watch.stop, .progress = [&](double share) {

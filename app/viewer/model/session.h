@@ -183,7 +183,7 @@ class Session {
     void take(SavingCancelled& event);
     void take(OpeningStopped& event);
 
-    // Of the page requested last, and of the one placed last.
+    // The settings of the page requested last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
     int changes_named_ = 0;                // of the history, by the words

@@ -23,7 +23,7 @@ SmallPicture fitted(const SmallPicture& picture) {
     SmallPicture small(side(picture.width), side(picture.height));
     const glm::dvec2 covered{static_cast<double>(picture.width) / small.width,
                              static_cast<double>(picture.height) / small.height};
-    // Of the pixel at `place`, how much lies in the stretch from `begin` to `end`.
+    // How much of the pixel at `place` lies in the stretch from `begin` to `end`.
     const auto share = [](int place, double begin, double end) {
         return std::min(place + 1.0, end) - std::max<double>(place, begin);
     };

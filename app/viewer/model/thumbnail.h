@@ -13,7 +13,7 @@ namespace dapple {
 /// A larger file is not read for it.
 inline constexpr std::uintmax_t kLargestThumbnailFile = 200'000'000;
 
-/// Of the file as it is now: another once it is written anew.
+/// A key for the file as it is now: another one once it is written anew.
 std::string thumbnail_key(const std::filesystem::path& file);
 
 /// The longer side is at most kLargeThumbnailSide. What is kept of the file in the folder of all programs'
@@ -22,7 +22,8 @@ std::string thumbnail_key(const std::filesystem::path& file);
 SmallPicture thumbnail_of(const std::filesystem::path& file, const std::filesystem::path& kept,
                           const std::stop_token& stop);
 
-/// Of the copies that mipmaps_of() makes of a picture, the largest that is so small.
+/// The largest of the copies that mipmaps_of() makes of a picture whose longer side is no longer than that;
+/// empty if there is none.
 SmallPicture small_copy(const std::vector<SmallPicture>& mipmaps, int longest_side);
 
 }  // namespace dapple

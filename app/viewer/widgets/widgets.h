@@ -30,7 +30,7 @@ struct WidgetPlace {
     bool operator==(const WidgetPlace&) const = default;
 };
 
-/// Of the widgets drawn in a frame, by label.
+/// The places of the widgets drawn in a frame, by label.
 using WidgetPlaces = std::map<std::string, WidgetPlace>;
 
 /// A row as a list of all of them tells it.
@@ -96,7 +96,7 @@ struct SliderRange {
 /// are, so that nothing moves under the pointer when what they depend on is changed.
 class Greyed {
  public:
-    /// Without a reason the rows are as ever.
+    /// Without a reason the rows can be used as usual.
     explicit Greyed(const char* reason);
     ~Greyed();
     Greyed(const Greyed&) = delete;
@@ -107,8 +107,8 @@ class Greyed {
     float top_ = 0;
 };
 
-/// Of every window that is no dialog: one that asks for the focus when it appears, in the frame in which a
-/// dialog opens, ends the program by an assertion of ImGui's.
+/// A flag for every window that is no dialog: one that asks for the focus when it appears, in the frame in
+/// which a dialog opens, ends the program by an assertion of ImGui's.
 inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
 
 /// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
