@@ -3,7 +3,7 @@
 //
 // F_g(k) below is the sum over the tile's points p, about its centre and turned by g, of exp(-2 pi i k .
 // g(p)), with the tile's side as the unit; N is the number of points, and r_max = sqrt(1 / (2 sqrt(3) N)).
-// Of a tile of several kinds all of them count alike.
+// The kinds of a tile of several count alike.
 
 #include <array>
 #include <vector>

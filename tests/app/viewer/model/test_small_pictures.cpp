@@ -141,7 +141,7 @@ TEST_CASE("thumbnails are kept as the standard says, for as long as the file sta
     write_half_red(file, 200);
     fs::last_write_time(file, written + std::chrono::seconds(20));
     CHECK(thumbnail_of(file, kept, {}).height == 64);
-    // Of thumbnails none are made.
+    // None are made of thumbnails.
     CHECK(thumbnail_of(thumbnail, kept, {}).width == 256);
     CHECK_FALSE(fs::exists(kept / "large" / (md5_of("file://" + thumbnail.string()) + ".png")));
 }
