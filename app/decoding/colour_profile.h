@@ -23,9 +23,9 @@ glm::vec3 shown_hlg(glm::vec3 seen);
 
 class ColourProfile {
  public:
-    /// `icc`: the profile's bytes, if there are any. `values`: of a pixel, 1 of a grey picture, else 3. A
-    /// profile of other values or one that is damaged counts for nothing, nor does one that says what the
-    /// usual encoding says, as most do.
+    /// `icc`: the profile's bytes, if there are any. `values`: how many a pixel has, 1 in a grey picture,
+    /// otherwise 3. A profile for another number of values, or a damaged one, counts for nothing, and so does
+    /// one that says what the usual encoding says, as most do.
     ColourProfile(std::string_view icc, int values, const Encoding& usual);
     ColourProfile(const ColourProfile&) = delete;
     ColourProfile& operator=(const ColourProfile&) = delete;

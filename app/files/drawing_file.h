@@ -69,12 +69,13 @@ struct DotsForFile {
 std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
                                     const std::stop_token& stop = {});
 
-/// What is to be saved of them, in the order that `file` asks for. In what is seen rather than plotted there
-/// are also the dots that reach over the part's edges. If stopped, some are missing.
+/// What is to be saved of them, in the order that `file` asks for. Formats that are seen rather than plotted
+/// also get the dots that reach over the part's edges from beside it. If stopped, some are missing.
 DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const std::stop_token& stop = {});
 
-/// Writes files_of() it: the page, or its sheets and their plan. False if stopped: sheets that were written
-/// before then stay. Throws what save_drawing() throws, or if the sheets' overlap is too wide.
+/// Writes the page, or its sheets and their plan: see files_of() in sheet_files.h. False if stopped: sheets
+/// that were written before then stay. Throws what save_drawing() throws, or if the sheets' overlap is too
+/// wide.
 bool save_page(const DotsForFile& dots, const SavingWatch& watch);
 
 }  // namespace dapple

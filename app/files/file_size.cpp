@@ -56,7 +56,7 @@ double bytes_of(DrawingFormat format, const DrawingSettings& settings, const Dra
 }
 
 // Some of the dots in runs, as how well they are compressed follows from their neighbours, those of a pen
-// together. Of when they appear any numbers with as many digits will do: a drawing on screen has none.
+// together. For when they appear any numbers with as many digits will do: a drawing on screen has none.
 DotPieces sample_of(const DotStream& dots) {
     DotPieces sample;
     constexpr std::uint64_t kRun = 50;

@@ -65,10 +65,10 @@ struct NoPicture : std::runtime_error {
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
                      PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
 
-/// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time:
-/// smaller, its longer side kFirstLookSide pixels or up to twice as many, half of the whole's in a raw file,
-/// and described as the whole is. Nothing of a picture that is small or of another kind, or cannot be read:
-/// read_picture() says why.
+/// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time. It
+/// is smaller, its longer side kFirstLookSide pixels or up to twice as many, or half of the whole's in a raw
+/// file, and described as the whole is. Nothing for a picture that is small, of another kind, or cannot be
+/// read: read_picture() says why.
 std::optional<Picture> read_first_look(const std::filesystem::path& path,
                                        PictureColours colours = PictureColours::left_out,
                                        std::stop_token stop = {});

@@ -24,7 +24,7 @@ struct Ring {
 /// Anisotropy (Lau & Ulichney 2006, "Blue-noise halftoning for hexagonal grids") is the ring's variance, over
 /// bins - 1, over its squared mean, in decibel. One set of an isotropic process has 0 dB however many points,
 /// since each P is exponentially distributed about the mean; peaks make it positive. The average of m spectra
-/// would have -10 log10(m). Of a ring with fewer than two bins or no power it is 0 dB, and never below -100.
+/// would have -10 log10(m). A ring with fewer than two bins or no power has 0 dB, and none is below -100.
 std::vector<Ring> radial_power(const Periodogram& spectrum);
 
 /// The mean of P over from <= |k| < f, but 0; 0 if there is no such k.

@@ -30,8 +30,8 @@ bool has_to_cover(const Pen& pen, glm::vec3 paper) {
     return luminance(light) > luminance(bare) && seen(light * bare) < kHardly * seen(light);
 }
 
-// Where one pen has nearly all dots they only get more even: so many steps that many pens' are as even as
-// after `among`, and the pens' own.
+// Where one pen has nearly all dots they only get more even: they are as after the steps that leave many
+// pens' dots as even as `among` does, and the pens' own steps.
 int steps_of_one_pen(int among) {
     constexpr int kOfPens = 4;
     return among == 0 ? 0 : static_cast<int>(std::lround(std::pow(among / 2.0, 4))) + kOfPens;
@@ -84,8 +84,8 @@ class OverlappingDots {
     }
 
     // Where two pens' dots overlap, the light is multiplied by both, which looks much like some of the pens
-    // side by side. So many dots of each pen as have it seen as its share asks for; and of all as many as
-    // have the place as dark as it is to be, also where a pen without a share is seen.
+    // side by side. Each pen gets as many dots as make it seen as its share asks for; and all together are as
+    // many as make the place as dark as it is to be, also where a pen without a share is seen.
     Shares transparent(const Shares& shares) const {
         constexpr int kRounds = 12;
         constexpr float kLeastSeen = 0.5f;  // of a pen's area: what is left out of account has bounds

@@ -35,11 +35,12 @@ int steps_among_pens(int steps);
 /// pens have widths of their own, dot gain and all, a thin one has more dots.
 ///
 /// How much lies under other dots follows from the number of all dots and what they cover, which depends on
-/// how even they are: where many pens share them less than dots of one pen, as they are moved for their own
-/// pens too. Of what overlaps, a pen's own dots have less than by chance, as Demichel's areas (1924) have it,
-/// and so have pairs of pens that both have few. Of opaque inks the upper one is seen. Of transparent ones
-/// the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left out of
-/// account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the screen.
+/// how even they are: dots that many pens share are less even than those of one pen, as they are moved for
+/// their own pens too. A pen's own dots overlap less than by chance, as Demichel's areas (1924) have it, and
+/// so do pairs of pens that both have few. Where opaque inks overlap the upper one is seen. Where transparent
+/// ones do, the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left
+/// out of account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the
+/// screen.
 ///
 /// `dots` were relaxed for steps_among_pens().
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,

@@ -69,20 +69,21 @@ struct DrawingWatch {
     std::function<bool(const Stippling& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
-/// The dots of a plan, for a file: of parts of the page, in any thread, while the pipeline draws others.
+/// The dots of a plan, for a file: those on any part of the page, placed in any thread while the pipeline
+/// draws others.
 struct PlannedDots {
     double scale = 0;  // that the drawing came to
-    /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, but for
-    /// Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order. The
-    /// stream owns what it needs. Throws as stream() does. If stopped, none.
+    /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, except
+    /// for Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order.
+    /// The stream owns what it needs. Throws as stream() does. If stopped, none.
     std::function<DotStream(const PagePart& part, const std::stop_token& stop)> on;
 };
 
 class Pipeline {
  public:
     /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
-    /// exposure comes to, in stops. Crops are in pixels of the file, so many by so many of which became a
-    /// value of the light.
+    /// exposure comes to, in stops. Crops are in pixels of the file; `pixels_in_one` by as many of these
+    /// became one value of the light.
     void set_light(Grid<float> light, float usual_exposure = 0, int pixels_in_one = 1);
     /// The same picture's colours, for several pens; without them it is drawn as a grey one.
     void set_colours(ColourGrid colours);

@@ -182,7 +182,7 @@ glm::vec3 PenMixer::seen(const Shares& shares) const {
 
 namespace {
 
-// Shares of four pens that look the same, and the bare paper's: all of them, and how far the line goes.
+// All shares of four pens and the bare paper that look the same: a line, which ends where one of them is 0.
 class SameLooks {
  public:
     explicit SameLooks(const PenMixer& mixer) {

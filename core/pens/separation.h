@@ -72,7 +72,7 @@ class Separation {
 };
 
 /// Whether automatic pens are chosen from one's own, which have their own widths: if there are more of these
-/// than are wanted. Else from common_pens(), all as wide as the choice says.
+/// than are wanted. Otherwise they are chosen from common_pens(), all as wide as the choice says.
 bool chooses_from_own(const PenChoice& choice);
 
 /// As many of the candidates as asked for whose mixtures come nearest to the colours (linear, 0..1): each the

@@ -209,7 +209,7 @@ class Window {
         return false;
     }
 
-    // The edge a-b is to go; `freed` is what those that went are longer than those that came.
+    // The edge a-b is to go; `freed` is by how much the edges that went are longer than those that came.
     bool lengthen_chain(std::uint32_t a, std::uint32_t b, double freed) {
         struct Choice {
             double freed;

@@ -35,8 +35,8 @@ class LightSession {
     /// `wake` is called from other threads whenever there is an event.
     LightSession(const LightsSettings& first, std::function<void()> wake);
 
-    /// Reads a map in the background; the one shown stays until then, or if it fails. Of several that are
-    /// opened the last one counts, and what is being read before it is given up.
+    /// Reads a map in the background; the one shown stays until then, or if it fails. If several are opened,
+    /// the last one counts, and reading those before it is given up.
     void open(const std::filesystem::path& map);
     void open_sky();
 

@@ -119,12 +119,12 @@ bool press_area(const char* name, ImVec2 size);
 double track_position(double value, const SliderRange& range);
 double track_value(double position, const SliderRange& range);
 
-/// A slider row. True while it changes the value. Of a length the label goes on with its unit: "Margin" is
-/// shown as "Margin, mm".
+/// A slider row. True while it changes the value. A length's label goes on with its unit: "Margin" is shown
+/// as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
 
-/// What of a setting's row depends on the moment.
+/// What depends on the moment in a setting's row.
 struct SliderNow {
     std::optional<double> usual = {};  // none: the setting's
     std::optional<double> most = {};   // that can be typed, if less than the setting's
