@@ -29,7 +29,7 @@ struct CellMoments {
 std::vector<CellMoments> weighted_cells(const std::vector<glm::dvec2>& dots, const Density& density,
                                         LloydWeight weight);
 
-/// The same of weight 1; without a domain on the unit square, whose opposite edges meet.
+/// The same for weight 1; without a domain on the unit square, whose opposite edges meet.
 std::vector<CellMoments> plain_cells(const std::vector<glm::dvec2>& dots, const Domain& domain = {});
 
 }  // namespace dapple

@@ -47,7 +47,7 @@ std::vector<double> orientation_coincidence(const Rule& rule, int lags = 64);
 /// The same for tiles of one kind, of several, whatever their orientations; 1 / kinds would be chance.
 std::vector<double> kind_coincidence(const NextKinds& next_kind, int lags = 32);
 
-/// The same of a page: one tile of kind 0, divided so often, 1..10, whose edges meet their opposites. The
+/// The same for a page: one tile of kind 0, divided so often, 1..10, whose edges meet their opposites. The
 /// share of its tiles that lie on one of their kind when the page is moved by whole tiles, 0..1; the highest
 /// of all moves.
 double page_coincidence(const NextKinds& next_kind, int divisions);
