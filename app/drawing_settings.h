@@ -29,19 +29,21 @@ inline constexpr std::uint64_t kDefaultDots = 40'000;
 /// The built-in tile whose pictures look best.
 inline constexpr const char* kDefaultTile = "kinds4096";
 
-/// At which automatic tone keeps most of what is dark and of what is light: at this much, in eleven
-/// photographs, drawings follow both the lightest and the darkest third of a photograph better than at all.
+/// The strength at which automatic tone keeps most of both what is dark and what is light: in eleven
+/// photographs, drawings follow the darkest and the lightest third of a photograph better with it than
+/// without.
 inline constexpr double kUsualToneStrength = 0.6;
 
-/// Of a page, 100 m: longer ones are slips of the keyboard, or of a picture one pixel wide.
+/// The longest side of a page, 100 m: a longer one is a slip of the keyboard, or comes of a picture one pixel
+/// wide.
 inline constexpr double kLongestSideMm = 100'000;
-/// Of a page, a region, or what a margin leaves: finer than any pen.
+/// The shortest side of a page, of a region, or of what margins leave: finer than any pen.
 inline constexpr double kShortestSideMm = 0.01;
 
-/// Of a dot.
+/// The range of a dot's radius.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
 
-/// With which tile dots are placed, and what is drawn of them.
+/// Which tile dots are placed with, and how they are drawn.
 struct DrawnWith {
     std::string tile = kDefaultTile;       // a name for tile_named()
     std::optional<RankingMethod> ranking;  // none: the tile's own
@@ -80,33 +82,33 @@ struct SavingChoice {
     std::optional<DotOrder> order = {};   // none: the usual one; pixels have none
     double dpi = 300;                     // of pixels
     GcodeTool tool = GcodeTool::pen;      // that G-code is for
-    std::optional<Machine> machine = {};  // whose time is told; none: usual_machine()
+    std::optional<Machine> machine = {};  // that plotting times are told for; none: usual_machine()
     int bits = 8;                         // a channel of them: 8 or 16
     OwnTemplate gcode_template = {};      // instead of the tool's
-    // Of G-code; the machine is told the first two, and how fast it gains speed only its time.
+    // For G-code. The first two are written into it; the third only serves to tell how long it takes.
     double feed_mm_per_min = 3000, dwell_s = 0.1, acceleration_mm_per_s2 = 10;
     std::optional<double> pen_up = {}, pen_down = {};  // as GcodeHeights; none: usual_heights()
     double laser_power = 250;                          // the S of G-code for a laser
-    // Of several pens, see separations.h:
+    // For several pens, see separations.h:
     bool separations = false;  // in pixels: a grey picture for each too
     bool pen_files = false;    // as lines: a file for each in place of one for all
 
     bool operator==(const SavingChoice&) const = default;
 };
 
-/// The tile drawn with: settings.tile, but for the default one, which is of several kinds, the paper's own
-/// where the placer is the paper's, and the turned one of as many points where the ranking is one of a single
-/// tile.
+/// The tile drawn with: settings.tile. But in place of the default one, which is of several kinds, it is the
+/// paper's own where the placer is the paper's, and the turned one of as many points where the ranking is for
+/// a tile of one kind.
 std::string tile_in_use(const DrawingSettings& settings);
 
-/// Whether a pen draws lines, rather than that dots are filled circles.
+/// Whether a pen draws lines, rather than dots being filled circles.
 bool draws_strokes(const DrawingSettings& settings);
 
 /// What pens do: ink spreads about a dot where the pen rests, and not along a line.
 enum class PenUse { lines, touches };
 
-/// How wide the lines are that the choice's pens draw, or the dots that they touch the paper for, in
-/// millimetres: their own width, with the dot gain if they touch; or else the pen's width.
+/// How wide the choice's pens draw lines, or dots by touching the paper, in millimetres: their own width,
+/// with the dot gain if they touch; or else pen_width_mm.
 std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
                                   PenUse use);
 

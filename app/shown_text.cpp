@@ -50,7 +50,7 @@ std::string written_out(std::uint32_t code) {
     return code < 0x100 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
 }
 
-// Of "\xff" at the beginning.
+// The byte that "\xff" at the beginning stands for.
 std::optional<unsigned char> written_byte(std::string_view text) {
     unsigned char byte = 0;
     if (text.size() < 4 || !text.starts_with("\\x")) return std::nullopt;

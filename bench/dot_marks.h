@@ -18,7 +18,7 @@ struct DotMarks {
     double structure_01 = 0, structure_03 = 0;  // the structure factor's mean from 0.03 to 0.1, to 0.3
 };
 
-/// Of dots of which black has an area of `load` pages.
+/// The marks of dots that in black have an area of `load` pages together.
 DotMarks dot_marks(const std::vector<glm::dvec2>& points, double load);
 
 /// The dots stirred as before relaxing (core/relaxing/stir.h), in the same order. `scale` is a sixteenth of
@@ -30,8 +30,8 @@ std::vector<glm::dvec2> stirred_on_torus(const std::vector<glm::dvec2>& points, 
 std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, double scale, int steps,
                                          float kernel = kPictureKernel);
 
-/// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off;
-/// of the worst of all moves up to eight tiles. At least 2 tiles lie side by side.
+/// The share of the dots that meet another when all are moved by whole tiles of this side, chance taken off:
+/// the worst of all moves up to eight tiles. At least 2 tiles lie side by side.
 double coincidence(const std::vector<glm::dvec2>& points, double tile_side);
 
 }  // namespace dapple

@@ -69,7 +69,7 @@ Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens, std::uint
             oklab_of(glm::vec3(sum / static_cast<double>(count)))};
 }
 
-// Of differences, mean and largest.
+// The mean and the largest of some differences.
 struct Differences {
     float sum = 0, largest = 0;
     void add(float difference) {

@@ -215,7 +215,7 @@ void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
     }
 }
 
-// Of a drawing in automatic tone, as it would be saved.
+// Prints what a drawing in automatic tone comes to with that black, as it would be saved.
 void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count, std::optional<double> black,
                  std::optional<int> steps) {
     DrawingRequest request;

@@ -1,5 +1,5 @@
 #pragma once
-// As readers.h has it, of pictures: with the decoder that the program is linked with.
+// A reader as in readers.h, for pictures: it uses the decoder that the program is linked with.
 
 #include <string>
 

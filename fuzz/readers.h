@@ -1,6 +1,6 @@
 #pragma once
-// What is fuzzed: each takes any bytes. What a reader says in a sentence is as it should be; whatever else
-// goes wrong ends the process.
+// What is fuzzed: each takes any bytes. A refusal in a sentence is as it should be; whatever else goes wrong
+// ends the process.
 
 #include <string>
 

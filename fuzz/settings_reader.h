@@ -1,5 +1,5 @@
 #pragma once
-// As readers.h has it, of projects and other settings.
+// A reader as in readers.h, for projects and other settings.
 
 #include <string>
 

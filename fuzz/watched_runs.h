@@ -11,8 +11,8 @@ namespace dapple {
 struct WatchedRequest {
     std::uint64_t first = 0, runs = 0;
     double seconds = 1e9;  // no more is begun after that
-    // Of processor time, which does not depend on what else the machine does. One that takes longer is ended,
-    // and so is one that takes twenty times as long on the wall, as it waits for something.
+    // In processor time, which does not depend on what else the machine does. A run that takes longer is
+    // ended, and so is one that takes twenty times as long by the clock, as it waits for something.
     double longest_run_seconds = 30;
 };
 

@@ -57,7 +57,7 @@ struct SplitSession {
     }
 };
 
-/// Of a close view's dots, on the page; in order.
+/// The places of a close view's dots on the page, in order.
 inline std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
     const glm::dvec2 corner = in_page_units({shown.window.x, shown.window.y});
     std::vector<glm::dvec2> places;

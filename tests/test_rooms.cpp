@@ -30,7 +30,7 @@ std::string room_of(const fs::path& file) {
     return file == "app/main.cpp" ? "main" : file.parent_path().generic_string();
 }
 
-/// Of our own files; generated ones are left out.
+/// The includes of our own files; those of generated ones are left out.
 std::vector<Include> includes_below(const char* folder) {
     const std::regex include("#include \"((?:core|app|lab)/[^\"]+)\"");
     std::vector<Include> found;

@@ -71,7 +71,7 @@ const RelatedMethod& method_of(const std::string& name) {
     throw std::runtime_error(fmt::format("--method: {} is not known; there are {}", name, known));
 }
 
-// Of a tile, 16 to a unit of scale.
+// As many as a tile would be drawn with: 16 to a unit of scale where the density is 1.
 std::size_t dots_asked_for(const AnalyseOptions& options) {
     const PlacingRequest& placing = options.drawing.placing;
     return placing.count ? *placing.count : std::size_t(std::lround(16 * placing.scale * options.grey));

@@ -83,7 +83,7 @@ void check_ending(const std::optional<fs::path>& file, const std::string& ending
     check_can_save(*file);
 }
 
-// Of a terminal's width.
+// A text in lines of a terminal's width.
 std::string in_lines(const std::string& text) {
     std::string lines;
     std::size_t width = 0;

@@ -16,8 +16,8 @@ bool is_hidden(const CLI::App& command) {
     return command.get_group().empty();
 }
 
-// Of an option or a positional: "NAME" in capitals stands for anything, "auto|true" for these two.
-// `begun` is what is there of the value already.
+// The values that an option or a positional takes: "NAME" in capitals stands for anything, "auto|true" for
+// these two. `begun` is what is there of the value already.
 std::vector<Completion> values_of(const CLI::Option& option, const std::string& begun) {
     std::vector<Completion> values;
     const std::string type = option.get_type_name();

@@ -19,7 +19,7 @@ namespace dapple {
 void check_apart(const CLI::App& command, std::initializer_list<std::string_view> written_by,
                  const std::vector<FileInUse>& written, const std::vector<FileInUse>& more_read = {});
 
-/// The same of `dapple render`, of one picture or of several into a folder: its drawings, their sheets, the
+/// The same for `dapple render`, of one picture or of several into a folder: its drawings, their sheets, the
 /// pens' own files and the figures. Files of pens that are chosen from a picture are not known yet: what they
 /// must not be written over is left in options.read.
 void check_apart(const CLI::App& command, RenderOptions& options,

@@ -1,5 +1,5 @@
 #pragma once
-// A search that takes hours saves what it has as it goes.
+// Saves what a search of hours has found so far, as it goes.
 
 #include <chrono>
 #include <functional>

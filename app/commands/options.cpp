@@ -458,7 +458,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     if (given("--width") && given("--height")) {
         page.paper = Paper::custom;
     } else if ((given("--width") || given("--height")) && !given("--page")) {
-        // Of one the other follows, whatever a project says.
+        // If one is given, the other follows from it, whatever a project says.
         page.paper = Paper::as_picture;
         if (given("--width")) page.height_mm.reset();
     }

@@ -37,7 +37,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& help);
 
-/// The same of a setting that has an option; its help is that of the row, and what else the command has to
+/// The same for a setting that has an option; its help is that of the row, and what else the command has to
 /// say.
 template <class Number>
 CLI::Option* add_number(CLI::App& app, const Setting& setting, Number& target) {

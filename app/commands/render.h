@@ -35,7 +35,7 @@ struct RenderOptions {
 /// What is written: as --format, or else the output's name, says. Throws std::runtime_error if neither does.
 DrawingFormat format_of(const RenderOptions& options);
 
-/// Of the picture; false where there is none, and the built-in sample is drawn.
+/// Whether the picture comes from there; false where there is none, and the built-in sample is drawn.
 bool reads_standard_input(const RenderOptions& options);
 /// For messages: "cat.jpg".
 std::string name_of_image(const RenderOptions& options);

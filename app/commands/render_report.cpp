@@ -22,8 +22,8 @@
 namespace dapple {
 namespace {
 
-// Of the drawing that was saved, or of the files that each pen has in its place; none of the standard output
-// or a pipe.
+// The size of the drawing that was saved, or of the files that each pen has in its place; none for the
+// standard output or a pipe.
 std::optional<std::uint64_t> bytes_written(const RenderOptions& options, const Rendered& drawn) {
     if (is_standard_stream(options.output)) return std::nullopt;
     std::vector<std::filesystem::path> files{options.output};

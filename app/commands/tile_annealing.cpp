@@ -26,7 +26,7 @@
 namespace dapple {
 namespace {
 
-// Of a search for several kinds, for the one tile that all of them start as.
+// The share of a search for several kinds that goes into the one tile that all of them start as.
 constexpr double kShareOfStart = 0.25;
 // Those under which fewer than a quarter of the tiles are turned alike at every lag; the others repeat.
 constexpr std::size_t kRulesTried = 20;
@@ -43,8 +43,8 @@ void weigh(const TileSearchOptions& options, PairShape& shape, double& peaks) {
     peaks *= options.peaks / larger;
 }
 
-// Saves the tile with how it was found, and tells how it is found again: by so many moves in each run. `what`
-// are the options as a person gives them, without the weights.
+// Saves the tile with how it was found, and tells how to find it again: by so many moves in each run. `what`
+// has the options as a person gives them, without the weights.
 void finish(const TileSearchOptions& options, std::string what, std::uint64_t moves, bool interrupted,
             Tile tile, const std::string& found, std::ostream& out) {
     what.insert(0, "dapple tile search ");

@@ -16,7 +16,7 @@ std::size_t second_column(std::string_view line) {
     const std::size_t first = line.find_first_not_of(' ');
     if (first == line.npos) return line.npos;
     const std::size_t gap = line.find("  ", first);
-    // Of a name that is too long to have the second column beside it, the line before has the name.
+    // A name that is too long to have the second column beside it stands in the line before.
     if (gap == line.npos) return first >= 10 ? first : line.npos;
     return line.find_first_not_of(' ', gap);
 }

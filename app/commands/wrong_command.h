@@ -1,5 +1,5 @@
 #pragma once
-// What was mistyped: a command, told from the name of a picture, or an option.
+// What was mistyped: a command, as opposed to the name of a picture, or an option.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -12,7 +12,7 @@ namespace dapple {
 /// or may be a picture.
 std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words);
 
-/// The same of the first option that there is not: "--dotz" for "--dots".
+/// The same for the first option that does not exist: "--dotz" for "--dots".
 std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words);
 
 }  // namespace dapple

@@ -97,7 +97,7 @@ ColourProfile::ColourProfile(std::string_view icc, int values, const Encoding& u
         for (std::size_t i = 0; i < kLevels; ++i)
             stored[i * count + k] = static_cast<float>(i) / (kLevels - 1);
         transform(stored, parts_.emplace_back(kLevels));
-        // Of black, which all of them have in them, one is enough.
+        // All parts have black in them; it is to count once.
         const glm::vec3 black = parts_[k][0];
         if (k > 0)
             for (glm::vec3& part : parts_[k]) part -= black;

@@ -13,8 +13,8 @@ struct Encoding {
     enum class Kind { linear, srgb, power, pq, hlg } kind = Kind::srgb;
     float gamma = 1;  // of a power
 
-    /// Of PQ, 1 is 203 cd/m2, the white of a sheet of paper in Rec. BT.2408. Of HLG, what a camera saw: see
-    /// shown_hlg().
+    /// The linear light of a stored value. With PQ, 1 is 203 cd/m2, the white of a sheet of paper in Rec.
+    /// BT.2408; with HLG it is what a camera saw: see shown_hlg().
     float light(float stored) const;
 };
 
@@ -23,9 +23,9 @@ glm::vec3 shown_hlg(glm::vec3 seen);
 
 class ColourProfile {
  public:
-    /// `icc`: the profile's bytes, if there are any. `values`: of a pixel, 1 of a grey picture, else 3. A
-    /// profile of other values or one that is damaged counts for nothing, nor does one that says what the
-    /// usual encoding says, as most do.
+    /// `icc`: the profile's bytes, if there are any. `values`: how many a pixel has, 1 in a grey picture,
+    /// otherwise 3. A profile for another number of values, or a damaged one, counts for nothing, and so does
+    /// one that says what the usual encoding says, as most do.
     ColourProfile(std::string_view icc, int values, const Encoding& usual);
     ColourProfile(const ColourProfile&) = delete;
     ColourProfile& operator=(const ColourProfile&) = delete;
@@ -34,8 +34,8 @@ class ColourProfile {
     /// Whether it counts.
     explicit operator bool() const { return transform_; }
 
-    /// Of as many pixels as there are colours, 0..1: linear light, of sRGB's primaries, 0 where that would be
-    /// below.
+    /// Turns stored values, 0..1, of as many pixels as there are colours into linear light of sRGB's
+    /// primaries, 0 where that would be below.
     void to_light(std::span<const float> stored, std::span<glm::vec3> light) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The libraries' part: each decoder program has one of them.
+// Decoding with a library: each decoder program is linked with one of the functions that do it.
 
 #include <functional>
 

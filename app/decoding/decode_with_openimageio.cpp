@@ -135,7 +135,7 @@ Encoding encoding_of(const OIIO::ImageSpec& spec) {
     return {Encoding::Kind::srgb};
 }
 
-// Of integers: floats are light, whatever they are shown by.
+// The ICC profile of integer pixels; floats are light, whatever profile they are shown by.
 std::string profile_of(const OIIO::ImageSpec& spec) {
     const OIIO::ParamValue* const icc = spec.find_attribute("ICCProfile");
     if (!icc || icc->type().basetype != OIIO::TypeDesc::UINT8 || spec.format.is_floating_point()) return {};
@@ -228,8 +228,8 @@ void forget_unused_alpha(PixelLayout& layout, const OIIO::ImageSpec& spec, int b
     layout.premultiplied = false;
 }
 
-// How wide a pixel is for its height, by the dots that there are across and down, of which JFIF's are read
-// here: of those OpenImageIO keeps some, and others it has the wrong way round.
+// How wide a pixel is for its height, by the resolutions across and down. Those of JFIF are read here:
+// OpenImageIO leaves some of them out, and has others the wrong way round.
 float pixel_aspect_of(const OIIO::ImageSpec& spec, int file, PictureFormat format) {
     std::array<unsigned char, 18> jfif{};
     if (format == PictureFormat::jpeg && ::pread(file, jfif.data(), jfif.size(), 0) == 18 &&

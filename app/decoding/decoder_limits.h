@@ -1,5 +1,6 @@
 #pragma once
-// What a decoder's process may use. A file that makes a library go wild then costs a sentence.
+// What a decoder's process may use, so that a file that makes a library go wild costs no more than a
+// sentence.
 
 #include <cstdint>
 
@@ -21,7 +22,7 @@ void limit_decoder(std::int64_t most_pixels);
 /// For good: afterwards there is only less.
 void limit_decoder_to(const PixelBytes& pixels);
 
-/// Of these, memory alone, and not for good.
+/// Limits memory alone, and not for good.
 void limit_decoder_memory(std::uint64_t pixel_bytes);
 
 }  // namespace dapple

@@ -10,8 +10,8 @@
 namespace dapple {
 namespace {
 
-// Of `from` things that become `to`, which are more: the first of them that the i-th covers, and how much of
-// the i-th it is; the rest is the next one.
+// What the i-th of `to` things covers when fewer, `from`, are stretched into them: the first that it covers,
+// and how much of the i-th that is; the rest is the next one.
 struct Cover {
     std::int64_t first;
     float share;

@@ -11,12 +11,12 @@ namespace dapple {
 
 class TiffDoubles {
  public:
-    /// Of an open file, which stays open, the page that comes after so many others. Throws DecodeError, also
-    /// where it is not of that size.
+    /// The page that comes after `page` others in an open file, which stays open. Throws DecodeError, also if
+    /// it is not of that size.
     TiffDoubles(int file, int page, int width, int height, int channels);
 
     /// Rows [begin, end) as floats, all channels of a pixel beside each other. `begin` is the first row of a
-    /// strip or of a row of tiles. Throws DecodeError where the file has them not.
+    /// strip or of a row of tiles. Throws DecodeError if the file does not have them.
     void read(int begin, int end, float* pixels);
 
  private:

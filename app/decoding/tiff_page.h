@@ -8,8 +8,8 @@ namespace dapple {
 
 class TiffPage {
  public:
-    /// Of an open file descriptor, which stays where it is. Of a file that is no TIFF, or is broken, it says
-    /// something, but harms nobody.
+    /// The page of an open file, whose descriptor keeps its place. For a file that is no TIFF, or is broken,
+    /// it says something, but harms nobody.
     explicit TiffPage(int file);
 
     /// The first of the numbers, or the place of them, that an entry has. Nothing: there is no such entry.
@@ -23,7 +23,7 @@ class TiffPage {
 
     int file_;
     bool big_endian_ = false;
-    // Of files over 4 gigabytes, all of these are longer.
+    // In files over 4 gigabytes, all of these are longer.
     int place_bytes_ = 4, entry_bytes_ = 12;
     std::uint64_t first_ = 0, entries_ = 0;
 };

@@ -183,8 +183,8 @@ fs::path destination_of(const fs::path& target) {
     return place;
 }
 
-// Of a file that is there its place on the disk, which all its names and links share; else its one name.
-// Nothing of a pipe or a device.
+// A file's place on the disk, which all its names and links share; its one name if it is not there yet.
+// Nothing for a pipe or a device.
 std::optional<std::string> identity_of(const fs::path& file) {
     struct stat status;
     if (::stat(file.c_str(), &status) == 0) {

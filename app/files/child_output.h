@@ -1,5 +1,5 @@
 #pragma once
-// What another program of the desktop's says: one that is asked, waited for, and ended if need be.
+// The output of another of the desktop's programs, which is run, waited for, and ended if need be.
 
 #include <chrono>
 #include <cstddef>

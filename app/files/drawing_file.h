@@ -1,9 +1,10 @@
 #pragma once
-// From a plan to a file, the one way that window and commands go:
+// A plan's dots on their way into a file, or into those of its sheets, for the window and `dapple render`:
 //
-//     plan ──► dots, placed once ──► those of the page, a sheet or a region ──► in order ──► file
+//     plan ──► its dots, not yet placed ──► those of the page, a sheet or a region ──► in order ──► file
 //
-// Only the first step needs the pipeline, which may then go on with other drawings.
+// Only the first step, dots_for(), needs the pipeline, which may then go on with other drawings. It finds the
+// scale; dots are placed for each part anew, except for Figure 8's and those of several pens, which are kept.
 
 #include <filesystem>
 #include <optional>
@@ -64,16 +65,17 @@ struct DotsForFile {
     double radius_mm() const { return plan.radius_mm(dots.scale); }
 };
 
-/// Of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
+/// The dots of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
 std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
                                     const std::stop_token& stop = {});
 
-/// What is to be saved of them, in the order that `file` asks for. In what is seen rather than plotted there
-/// are also the dots that reach over the part's edges. If stopped, some are missing.
+/// What is to be saved of them, in the order that `file` asks for. Formats that are seen rather than plotted
+/// also get the dots that reach over the part's edges from beside it. If stopped, some are missing.
 DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const std::stop_token& stop = {});
 
-/// Writes files_of() it: the page, or its sheets and their plan. False if stopped: sheets that were written
-/// before then stay. Throws what save_drawing() throws, or if the sheets' overlap is too wide.
+/// Writes the page, or its sheets and their plan: see files_of() in sheet_files.h. False if stopped: sheets
+/// that were written before then stay. Throws what save_drawing() throws, or if the sheets' overlap is too
+/// wide.
 bool save_page(const DotsForFile& dots, const SavingWatch& watch);
 
 }  // namespace dapple

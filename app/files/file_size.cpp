@@ -56,7 +56,7 @@ double bytes_of(DrawingFormat format, const DrawingSettings& settings, const Dra
 }
 
 // Some of the dots in runs, as how well they are compressed follows from their neighbours, those of a pen
-// together. Of when they appear any numbers with as many digits will do: a drawing on screen has none.
+// together. For when they appear any numbers with as many digits will do: a drawing on screen has none.
 DotPieces sample_of(const DotStream& dots) {
     DotPieces sample;
     constexpr std::uint64_t kRun = 50;
@@ -175,7 +175,7 @@ bool PixelPatches::meet(glm::dvec2 low, glm::dvec2 high) const {
     high *= pixels_per_unit;
     const glm::dvec2 first = index(low), last = index(high);
     if (last.x - first.x > 1 || last.y - first.y > 1) return true;
-    // Of the patches of either end only, the first one's far side or the last one's near side counts.
+    // Only the patches at either end can be met: the first on its far side, or the last on its near side.
     const auto along = [&](int axis) {
         const bool in_first = in_patch(low, first)[axis] < patch[axis] && in_patch(high, first)[axis] >= 0;
         const bool in_last = in_patch(low, last)[axis] < patch[axis] && in_patch(high, last)[axis] >= 0;

@@ -16,7 +16,8 @@ namespace dapple {
 
 namespace {
 
-// Of {dwell} after G4 P, which Grbl rounds, and after other words, which it does not know.
+// How long {dwell} rests in these lines, in seconds: rounded as Grbl does after G4 P, as it is after other
+// words.
 double rests_s(std::span<const GcodePiece> lines, double dwell_s) {
     double seconds = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// How G-code is written, as it was chosen.
+// How the chosen G-code is written, and how a machine then moves.
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What stands at the head of a file for a machine, for whoever finds it a year later.
+// The comments at the head of a file for a machine, for whoever finds it a year later.
 
 #include <optional>
 #include <string>

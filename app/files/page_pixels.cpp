@@ -10,7 +10,7 @@ namespace dapple {
 
 namespace {
 
-// Of a drawing with one pen, or with several.
+// The pixels of a drawing with one pen, or with several.
 template <class Ink>
 Grid<glm::u8vec3> pixels_of(const DrawingSettings& settings, const Ink& ink, std::span<const Pen> pens,
                             const PageSize& page, const RasterRequest& request) {

@@ -10,7 +10,7 @@ namespace dapple {
 /// The pixels that save_drawing() would write as a PNG, of dots in the order given.
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
 
-/// The same of strokes.
+/// The same for strokes.
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
                               std::span<const Pen> pens, const PageSize& page, double dpi);
 

@@ -42,7 +42,7 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots);
 void write_pdf(std::ostream& out, const DotStream& dots, const PageSize& page, const PdfStyle& style,
                const WritingProgress& progress = {});
 
-/// The same of strokes, as wide as the pen, with round ends; their points count as dots.
+/// The same for strokes, as wide as the pen, with round ends; their points count as dots.
 void write_pdf(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const PdfStyle& style,
                const WritingProgress& progress = {});
 

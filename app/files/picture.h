@@ -29,8 +29,8 @@ struct Picture {
     /// sRGB-encoded colours over white paper, opaque, same aspect as light; exposed by the stops below.
     Grid<glm::u8vec4> preview{};
     ColourGrid colours{};  // of the same pixels, if they were asked for
-    /// A value of the light is the mean of so many by so many of the file's pixels: 1, but of pictures with
-    /// more of them than kMostLight. At the right and lower edge it may be of fewer.
+    /// A value of the light is the mean of so many by so many of the file's pixels: 1, except for pictures
+    /// with more pixels than kMostLight. At the right and lower edge it may be the mean of fewer.
     int pixels_in_one = 1;
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
@@ -46,9 +46,9 @@ enum class PictureColours { left_out, kept };
 
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
-/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise, of
-/// integers by an ICC profile first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent parts show
-/// white paper. Pixels that are no squares are made so.
+/// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise:
+/// for integers an ICC profile counts first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent
+/// parts show white paper. Pixels that are no squares are made so.
 /// Memory: 4 bytes a value of the light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time, which on Linux can do nothing else.
@@ -58,10 +58,10 @@ enum class PictureColours { left_out, kept };
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
                      PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
 
-/// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time:
-/// smaller, its longer side kFirstLookSide pixels or up to twice as many, half of the whole's in a raw file,
-/// and described as the whole is. Nothing of a picture that is small or of another kind, or cannot be read:
-/// read_picture() says why.
+/// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time. It
+/// is smaller, its longer side kFirstLookSide pixels or up to twice as many, or half of the whole's in a raw
+/// file, and described as the whole is. Nothing for a picture that is small, of another kind, or cannot be
+/// read: read_picture() says why.
 std::optional<Picture> read_first_look(const std::filesystem::path& path,
                                        PictureColours colours = PictureColours::left_out,
                                        std::stop_token stop = {});

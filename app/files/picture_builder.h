@@ -10,7 +10,7 @@
 
 namespace dapple {
 
-/// How a camera was held: the EXIF orientation, 1..8. 1 is upright, as is what is none; 5..8 swap width and
+/// How a camera was held: the EXIF orientation, 1..8. 1 and any other number are upright; 5..8 swap width and
 /// height.
 struct ExifOrientation {
     int value = 1;
@@ -35,7 +35,7 @@ class PictureBuilder {
         float count = 0;
     };
 
-    /// Of the picture as it is kept.
+    /// Keeps a row of the picture as it will be.
     void keep_row(int y, std::span<const glm::vec3> colours);
 
     int pixels_in_one_, rows_in_file_;

@@ -262,7 +262,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
                   const DrawingToSave& drawing, const SavingWatch& watch) {
     const DotOrder order = order_of(path, settings, drawing);
     if (order == DotOrder::recursion) return save_ordered(path, settings, drawing, watch);
-    // Of the bar, half is the pen's way.
+    // Half of the progress is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
     const auto tell = [&](double share) {
         if (watch.progress) watch.progress(share);

@@ -56,7 +56,7 @@ DotStream only(const DotStream& dots, int pen) {
     return own;
 }
 
-// The same of strokes.
+// The same for strokes.
 StrokeStream as_of_one(const StrokeStream& strokes, int pen) {
     StrokeStream own = only(strokes, pen);
     own.width_mm = strokes.width_of(pen);

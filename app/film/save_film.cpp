@@ -20,7 +20,7 @@ bool is_film(const fs::path& path) {
     return ending_of(path) == ".webp";
 }
 
-// Of a picture, the whole film being one.
+// Where in the film a picture lies, 0..1.
 double share_of(int frame, int frames) {
     return frames > 1 ? static_cast<double>(frame) / (frames - 1) : 1;
 }

@@ -80,7 +80,7 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.tile(setting::tile, tile);
     fields.choice(setting::ranking, ranking);
     fields.choice(setting::placer, placer);
-    // Of the placing, what people choose; the number of threads belongs to the computer.
+    // What people choose of the placing; the number of threads belongs to the computer.
     fields.whole(setting::count, placing.count);
     fields.number(setting::scale, placing.scale);
     fields.whole(setting::relax, relax);

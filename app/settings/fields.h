@@ -68,9 +68,9 @@ class Fields {
  public:
     enum class Way { read, write };
 
-    /// Of a JSON object, which is changed only when writing, and then only where it has these fields: what
-    /// else it holds stays. What is read and not there leaves its member as it is; null stands for an empty
-    /// optional.
+    /// Reads or writes the fields of a JSON object. It is changed only when writing, and then only where it
+    /// has these fields: what else it holds stays. A field that is not there to be read leaves its member as
+    /// it is; null stands for an empty optional.
     ///
     /// Reading throws std::runtime_error with a sentence that names file, field and what is wrong.
     Fields(nlohmann::ordered_json& object, Way way, SettingsPlace place);
@@ -96,7 +96,7 @@ class Fields {
               const std::function<void(const std::string& text)>& take);
     /// {"width": 512, "height": 341, "levels": see packed_levels()}; an empty one is null.
     void mask(FieldName name, Mask& value);
-    /// A name for tile_named(). Of a tile's file, its path.
+    /// A name for tile_named(); for a tile in a file, its path.
     void tile(FieldName name, std::string& value);
     /// A file; none is null. Reading throws MissingFile if it is not there, as tile() does.
     void file(FieldName name, std::optional<std::filesystem::path>& value);

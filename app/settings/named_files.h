@@ -13,9 +13,9 @@ struct NamedFiles {
     const char* ending = "";                 // of the files' names, ".dapple"
     std::vector<std::string> built_in = {};  // names of those that come with the program
 
-    /// Of the person's own, sorted. No file is read.
+    /// The names of the person's own, sorted. No file is read.
     std::vector<std::string> names() const;
-    /// Where it is, if it is one of names(); else empty.
+    /// Where the file of that name is, if it is one of names(); otherwise empty.
     std::filesystem::path find(const std::string& name) const;
     /// Where it would be.
     std::filesystem::path path_of(const std::string& name) const;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of common pens.
+// The common pens of these names, all of that width.
 Palette of_width(double width_mm, std::initializer_list<const char*> names) {
     Palette pens;
     for (const char* const name : names) {

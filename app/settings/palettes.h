@@ -20,7 +20,7 @@ struct NamedPalette {
 /// Sets that many people own, with the width that they draw; in the order to show them.
 const std::vector<NamedPalette>& built_in_palettes();
 
-/// Of the person's own, by name; without a folder, none. A file is not read before it is used.
+/// The names of the person's own, sorted; none without a folder. A file is not read before it is used.
 std::vector<std::string> own_palettes(const std::filesystem::path& folder);
 
 /// Throws std::runtime_error with one sentence if there is none of that name, naming those there are, or if

@@ -20,7 +20,7 @@ struct Preset {
 /// In the order to show them.
 const std::vector<Preset>& built_in_presets();
 
-/// Of the person's own, by name; without a folder, none. A file is not read before it is used.
+/// The names of the person's own, sorted; none without a folder. A file is not read before it is used.
 std::vector<std::string> own_presets(const std::filesystem::path& folder);
 
 /// Throws std::runtime_error with one sentence if there is none of that name, or its file is wrong.
@@ -33,7 +33,7 @@ void save_preset(const std::string& name, const SavedSettings& settings, const s
 /// Throws std::runtime_error if it is not there or stays.
 void remove_preset(const std::string& name, const std::filesystem::path& folder);
 
-/// Settings as a preset says, but for what is the picture's own: its crop, its turns, its exposure, its mask.
+/// A preset's settings, except for what is the picture's own: its crop, its turns, its exposure, its mask.
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present);
 
 /// Where a person's own are: below config_folder(); empty if there is none.

@@ -1,5 +1,6 @@
 #pragma once
-// How far dots keep from each other in a picture, whose dots are near in the dark and far in the light.
+// How far apart dots keep in a picture, where they lie near each other in the dark and far apart in the
+// light.
 
 #include <glm/vec2.hpp>
 #include <span>
@@ -19,10 +20,10 @@ struct LocalDistances {
 /// Dots that density 1 would put on an area of 1, when there are so many in all.
 double dots_at_full_density(const Density& density, std::size_t count);
 
-/// `full` is dots_at_full_density() or, of placed dots, kDotsPerScale * scale. Left out are dots where the
-/// density is below 1 %, whose distances chance decides, and those nearer to the page's edge than a mean
-/// spacing, the root of the page's area over the number of dots: they have neighbours on one side only. All 0
-/// if none is left. Dots lie on the page.
+/// `full` is dots_at_full_density() or, for placed dots, kDotsPerScale * scale. Two sorts of dots are left
+/// out: those where the density is below 1 %, whose distances chance decides, and those nearer to the page's
+/// edge than a mean spacing, the root of the page's area over the number of dots, which have neighbours on
+/// one side only. All 0 if none is left. Dots lie on the page.
 LocalDistances local_distances(std::span<const glm::dvec2> dots, const Density& density, double full);
 
 }  // namespace dapple

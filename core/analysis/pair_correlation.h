@@ -1,5 +1,5 @@
 #pragma once
-// How many points lie at each distance of a point, over how many there would be of white noise.
+// How many points lie at each distance from a point, over how many there would be in white noise.
 
 #include <glm/vec2.hpp>
 #include <span>

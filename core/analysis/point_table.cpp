@@ -111,7 +111,7 @@ class Table {
         }
     }
 
-    // Of the columns; empty: the table does not say.
+    // The columns' names; empty: the table does not say.
     const std::vector<std::string_view>& names() const { return names_; }
     std::size_t line_number() const { return number_; }
 

@@ -92,7 +92,7 @@ Peaks spectral_peaks(const Periodogram& spectrum) {
 double effective_nyquist(const std::vector<Ring>& rings, double threshold) {
     double highest = 0;
     for (std::size_t halves = 1; halves <= rings.size(); ++halves) {
-        // Of the circle of radius r about the origin the disc holds the arc 2 acos(r / 2 f), 2 f = halves;
+        // The disc holds the arc 2 acos(r / 2 f), 2 f = halves, of the circle of radius r about the origin;
         // the half ring more gives the last ring a share.
         double noise = 0, weight = 0;
         for (std::size_t r = 1; r <= halves; ++r) {

@@ -1,8 +1,8 @@
 #pragma once
 // Numbers from a power spectrum: its average over rings, its low frequencies, its peaks.
 //
-// Frequencies f are over sqrt(n) (see periodogram.h). Every frequency counts once of k and -k, which changes
-// no mean. P(0) never counts. Where a spectrum ends below the frequencies asked for, what is there counts.
+// Frequencies f are over sqrt(n) (see periodogram.h). Only one of k and -k counts, which changes no mean.
+// P(0) never counts. Where a spectrum ends below the frequencies asked for, what is there counts.
 
 #include <cstddef>
 #include <vector>
@@ -24,7 +24,7 @@ struct Ring {
 /// Anisotropy (Lau & Ulichney 2006, "Blue-noise halftoning for hexagonal grids") is the ring's variance, over
 /// bins - 1, over its squared mean, in decibel. One set of an isotropic process has 0 dB however many points,
 /// since each P is exponentially distributed about the mean; peaks make it positive. The average of m spectra
-/// would have -10 log10(m). Of a ring with fewer than two bins or no power it is 0 dB, and never below -100.
+/// would have -10 log10(m). A ring with fewer than two bins or no power has 0 dB, and none is below -100.
 std::vector<Ring> radial_power(const Periodogram& spectrum);
 
 /// The mean of P over from <= |k| < f, but 0; 0 if there is no such k.

@@ -88,7 +88,7 @@ void check_room(double left, double right, double page, const char* first, const
     throw std::runtime_error(fmt::format("{} leave no room on a page {:g} mm {}", margins, page, direction));
 }
 
-// Of a page that has a size of its own, what the margins leave.
+// What the margins leave of a page that has a size of its own.
 glm::dvec2 room_on(glm::dvec2 page, const Margins& margins) {
     check_room(margins.left, margins.right, page.x, "left", "right", "wide");
     check_room(margins.top, margins.bottom, page.y, "above", "below", "high");

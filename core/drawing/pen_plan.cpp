@@ -30,8 +30,8 @@ bool has_to_cover(const Pen& pen, glm::vec3 paper) {
     return luminance(light) > luminance(bare) && seen(light * bare) < kHardly * seen(light);
 }
 
-// Where one pen has nearly all dots they only get more even: so many steps that many pens' are as even as
-// after `among`, and the pens' own.
+// Where one pen has nearly all dots they only get more even: they are as after the steps that leave many
+// pens' dots as even as `among` does, and the pens' own steps.
 int steps_of_one_pen(int among) {
     constexpr int kOfPens = 4;
     return among == 0 ? 0 : static_cast<int>(std::lround(std::pow(among / 2.0, 4))) + kOfPens;
@@ -84,8 +84,8 @@ class OverlappingDots {
     }
 
     // Where two pens' dots overlap, the light is multiplied by both, which looks much like some of the pens
-    // side by side. So many dots of each pen as have it seen as its share asks for; and of all as many as
-    // have the place as dark as it is to be, also where a pen without a share is seen.
+    // side by side. Each pen gets as many dots as make it seen as its share asks for; and all together are as
+    // many as make the place as dark as it is to be, also where a pen without a share is seen.
     Shares transparent(const Shares& shares) const {
         constexpr int kRounds = 12;
         constexpr float kLeastSeen = 0.5f;  // of a pen's area: what is left out of account has bounds
@@ -131,14 +131,15 @@ class OverlappingDots {
     }
 
  private:
-    // Of pens that overlap: the luminance that both take of the paper's, and the shares that look alike.
+    // Two pens that overlap: the luminance that both together take from the paper's, and the shares that look
+    // alike.
     struct Pair {
         std::size_t first, second;
         float darkness;
         Shares looks_like;
     };
 
-    // Of all pens.
+    // The dots of all pens together.
     struct AllDots {
         float density, covered;
     };
@@ -159,7 +160,7 @@ class OverlappingDots {
         }
         return {all, std::lerp(ink_.coverage(all), alone_.coverage(all), evenness(dots))};
     }
-    // That cover so much, where pens share them nearly so.
+    // All dots, if they cover so much and pens share them about like this.
     AllDots dots_covering(float covered, const Shares& dots) const {
         return {std::lerp(ink_.density(covered), alone_.density(covered), evenness(dots)), covered};
     }
@@ -178,7 +179,7 @@ class OverlappingDots {
         return alone == 1 ? own_power(all) : std::lerp(kOfMany, own_power(all, kOfMany), alone);
     }
 
-    // Of dots that cover so much, where they are some of all dots: by Newton's method, from below.
+    // The density of dots that cover so much and are some of all dots: by Newton's method, from below.
     float density_of(float covered, const AllDots& all, float power) const {
         constexpr int kRounds = 4;
         constexpr float kLeastSlope = 0.2f;  // of the load, where the formula overshoots

@@ -17,9 +17,9 @@ namespace dapple {
 /// brown paper, would hardly be seen in transparent ink.
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper);
 
-/// Of a picture whose tone is to be seen as `seen`, linear light 0..1: each colour is made lighter or darker
-/// until it has that luminance, and paler where it would be too bright. Inverted: the negative. Without
-/// colours, which are else as large as `seen`, it is grey.
+/// The colours of a picture whose tone is to be seen as `seen`, linear light 0..1: each is made lighter or
+/// darker until it has that luminance, and paler where it would be too bright. `colours` are as large as
+/// `seen`, or empty for a grey picture. `invert`: the negative.
 struct ColourTone {
     const Grid<float>& seen;
     const ColourGrid& colours;
@@ -27,19 +27,20 @@ struct ColourTone {
 };
 glm::vec3 colour_at(const ColourTone& tone, int x, int y);
 
-/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h), in
-/// steps of relaxation, of which there were so many before.
+/// How even all dots of a drawing are once many pens have shared and moved them (core/pens/pen_dots.h): as
+/// even as after so many steps of relaxation. `steps` is how many there were before that.
 int steps_among_pens(int steps);
 
 /// Each pen's density, so that its dots are seen on the share of paper that its separation asks for. Where
 /// pens have widths of their own, dot gain and all, a thin one has more dots.
 ///
 /// How much lies under other dots follows from the number of all dots and what they cover, which depends on
-/// how even they are: where many pens share them less than dots of one pen, as they are moved for their own
-/// pens too. Of what overlaps, a pen's own dots have less than by chance, as Demichel's areas (1924) have it,
-/// and so have pairs of pens that both have few. Of opaque inks the upper one is seen. Of transparent ones
-/// the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left out of
-/// account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the screen.
+/// how even they are: dots that many pens share are less even than those of one pen, as they are moved for
+/// their own pens too. A pen's own dots overlap less than by chance, as Demichel's areas (1924) have it, and
+/// so do pairs of pens that both have few. Where opaque inks overlap the upper one is seen. Where transparent
+/// ones do, the paper's light is multiplied by both (Neugebauer 1937), in pairs; a third dot on top is left
+/// out of account, and so is light that spreads in the paper (Yule & Nielsen 1951), as it does not on the
+/// screen.
 ///
 /// `dots` were relaxed for steps_among_pens().
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,

@@ -1,5 +1,5 @@
 #pragma once
-// From a picture to its dots: the one line that window, commands, tests and benchmarks go along.
+// From a picture to its dots: the one way that window, commands, tests and benchmarks go.
 //
 //      light ──► tone ──► density, under its mask ──► placed dots ──► relaxed dots, each with its size
 //                                              tile ──────────┘
@@ -47,7 +47,7 @@ struct DrawingPlan {
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
-    /// Of all dots, or of the largest ones, in page units, of a drawing that came to that scale.
+    /// The radius of all dots, or of the largest ones, in page units, in a drawing that came to that scale.
     double radius(double scale) const;
     /// The same in millimetres, on the page as it is then laid out.
     double radius_mm(double scale) const;
@@ -69,29 +69,31 @@ struct DrawingWatch {
     std::function<bool(const Stippling& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
-/// The dots of a plan, for a file: of parts of the page, in any thread, while the pipeline draws others.
+/// The dots of a plan, for a file: those on any part of the page, placed in any thread while the pipeline
+/// draws others.
 struct PlannedDots {
     double scale = 0;  // that the drawing came to
-    /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, but for
-    /// Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order. The
-    /// stream owns what it needs. Throws as stream() does. If stopped, none.
+    /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, except
+    /// for Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order.
+    /// The stream owns what it needs. Throws as stream() does. If stopped, none.
     std::function<DotStream(const PagePart& part, const std::stop_token& stop)> on;
 };
 
 class Pipeline {
  public:
     /// Draws another picture from now on, of linear light: see Picture. `usual_exposure` is what automatic
-    /// exposure comes to, in stops. Crops are in pixels of the file, so many by so many of which became a
-    /// value of the light.
+    /// exposure comes to, in stops. Crops are in pixels of the file; `pixels_in_one` by as many of these
+    /// became one value of the light.
     void set_light(Grid<float> light, float usual_exposure = 0, int pixels_in_one = 1);
     /// The same picture's colours, for several pens; without them it is drawn as a grey one.
     void set_colours(ColourGrid colours);
     /// A density in the picture's place, which no tone changes; none: the picture again.
     void set_plain(std::optional<Density> density);
     bool has_picture() const { return plain_ || !light_.empty(); }
-    /// Of the picture as it was opened; as it was framed by the last plan().
+    /// The light of the picture as it was opened. framed_light() is it as the last plan() framed it.
     const Grid<float>& light() const { return light_; }
-    /// Of that light, in pixels of the file. It may end beyond the file's last pixel by less than a value.
+    /// The size of that light in pixels of the file. It may end beyond the file's last pixel by less than a
+    /// value.
     glm::ivec2 pixels() const { return pixels_in_one_ * glm::ivec2(light_.width, light_.height); }
     const Framing& framing() const { return framing_; }
     const Grid<float>& framed_light() const { return framed_ ? *framed_ : light_; }
@@ -147,7 +149,8 @@ class Pipeline {
         bool operator==(const Detailed&) const = default;
     };
 
-    // What a scale came to: as many dots, of which black and steps follow, which decide about them.
+    // What a scale came to: so many dots, from which black and steps follow, which in turn decide about the
+    // dots.
     struct ByScale {
         Toned toned;  // as the histogram has it
         Mask mask;

@@ -57,7 +57,7 @@ struct DrawingRequest {
     Tone tone = {};
     Mask mask = {};  // over the picture's density
     PlacerKind placer = PlacerKind::exact;
-    /// Of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.
+    /// The placing of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.
     PlacingRequest placing = {};
     std::optional<int> relax =
         {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed

@@ -39,7 +39,7 @@ std::optional<Levels> levels_of(const Histogram& histogram, bool invert) {
     return Levels{black, white};
 }
 
-// Of a picture that is nearly all black only noise would be lightened.
+// Less where a picture is nearly all black: only noise would be lightened.
 float most_gamma(double ink) {
     constexpr double kDark = 0.85, kNight = 0.97;
     const auto night = static_cast<float>(std::clamp((ink - kDark) / (kNight - kDark), 0.0, 1.0));

@@ -30,7 +30,7 @@ class SrgbTables {
         encoded_[kSteps] = light_[kSteps] = 1;  // white stays white, to the bit
     }
 
-    // Of 0..1.
+    // Both take 0..1.
     float encoded(float light) const { return between(encoded_, light); }
     float light(float encoded) const { return between(light_, encoded); }
 
@@ -59,7 +59,7 @@ class WideMean {
         means_ = blurred(std::move(means_), sigma_px / side_);
     }
 
-    // Of each pixel in a row of the picture.
+    // The means at the pixels of a row of the picture.
     void row(int y, std::vector<float>& values) const {
         const auto [above, below, share_y] = neighbours(y, means_.height);
         for (int x = 0; x < static_cast<int>(values.size()); ++x) {

@@ -28,8 +28,8 @@ class EnvironmentMap {
     int height() const { return radiance_.height; }
     const Grid<glm::vec3>& radiance() const { return radiance_; }
 
-    /// Of each texel in a row, steradians, exactly: (2 pi / width) (cos theta_top - cos theta_bottom). The
-    /// texels' sum is 4 pi.
+    /// The solid angle of each texel in a row, in steradians, exactly: (2 pi / width) (cos theta_top - cos
+    /// theta_bottom). All texels sum to 4 pi.
     double solid_angle(int row) const;
 
     /// The integral of radiance over the sphere, by texels: sum of radiance * solid angle.

@@ -16,7 +16,7 @@ struct Framing {
 
     bool operator==(const Framing&) const = default;
 
-    /// Of the result.
+    /// The result's size in pixels.
     glm::ivec2 size() const {
         const glm::ivec2 cut = pixels.size();
         return quarter_turns % 2 ? glm::ivec2(cut.y, cut.x) : cut;

@@ -19,9 +19,9 @@ namespace dapple {
 /// The dots whose coverage is asked for.
 struct InkedDots {
     int relaxing_steps = 0;
-    /// Of dots that were hardly relaxed: how many levels of the tile the dots at density 1 are, 0 for as many
-    /// as the tile has points on the root square, 1 for four times as many; see level_of(). Without: what is
-    /// right on the mean over a level.
+    /// How many levels of the tile the dots at density 1 are: 0 for as many on the root square as the tile
+    /// has points, 1 for four times as many; see level_of(). Only dots that were hardly relaxed depend on it.
+    /// None: what is right on the mean over a level.
     std::optional<double> level = {};
     /// The smallest dots' area over the largest ones', 0..1: at density d a dot has smallest + (1 - smallest)
     /// * d of the largest area.
@@ -37,18 +37,18 @@ struct InkedDots {
     bool operator==(const InkedDots&) const = default;
 };
 
-/// Of the paper, where the density is 1.
+/// The share of the paper that is covered where the density is 1.
 inline constexpr float kBlackCoverage = 0.995f;
 
 /// The load from which on dots are measured as they are relaxed where nearly all paper is covered: evenly.
 inline constexpr double kSolidLoad = 1.2;
 
-/// Of the darkest tone, see InkedDots::black.
+/// The lowest InkedDots::black.
 inline constexpr double kLeastBlack = 0.5;
 
-/// The black that automatic tone draws so many dots with, in hundredths: 0.9 to 5,000, 0.95 of 20,000, 1 from
-/// 100,000 on. Covering the last twentieth of the paper takes a third of the dots that are in black, which
-/// few dots lack elsewhere.
+/// The black that automatic tone draws so many dots with, in hundredths: 0.9 up to 5,000, 0.95 at 20,000, 1
+/// from 100,000 on. Covering the last twentieth of the paper takes a third of the dots that are in black;
+/// where dots are few, they are missed elsewhere.
 double usual_black(double dots);
 
 /// log4(kDotsPerScale * scale / tile size).
@@ -67,7 +67,7 @@ struct MeasuredCoverage {
 class InkCurve {
  public:
     explicit InkCurve(const InkedDots& dots = {});
-    /// The same of dots whose load at density 1 is another.
+    /// The same for dots whose load at density 1 is `full_load`.
     InkCurve(const InkedDots& dots, double full_load);
 
     /// Density 1 is the first of the loads that covers kBlackCoverage, or the last.
@@ -79,16 +79,16 @@ class InkCurve {
     float density(float coverage) const;
 
     /// The density with which a tone is drawn that asks for that share of ink, 0..1: the inverse of
-    /// coverage(), but that where black is less than solid the darker tones come nearer to each other, so
-    /// that each stays darker than the next; light ones stay as they are.
+    /// coverage(). But where black is less than solid, the darker tones come nearer to each other, so that
+    /// each stays darker than the next; light ones stay as they are.
     float density_for(float ink) const { return density(opened(ink)); }
 
-    /// The coverage that a tone is given which asks for that share of ink.
+    /// The coverage that a tone gets which asks for that share of ink.
     float opened(float ink) const;
 
     /// The load at density 1, of dots of the largest area.
     double full_load() const { return full_load_; }
-    /// At a density, of dots of the size that they have there.
+    /// The load at a density, of dots of the size that they have there.
     float load(float density) const;
 
  private:

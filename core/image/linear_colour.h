@@ -11,7 +11,7 @@
 
 namespace dapple {
 
-/// Of an sRGB-encoded colour, and back.
+/// From an sRGB-encoded colour to linear light, and back.
 inline glm::vec3 linear_of(glm::vec3 encoded) {
     return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
 }
@@ -22,7 +22,7 @@ inline glm::u8vec3 srgb_bytes(glm::vec3 linear) {
     return {srgb_byte(linear.r), srgb_byte(linear.g), srgb_byte(linear.b)};
 }
 
-/// Rec. 709 weights, of linear light.
+/// The luminance of linear light, by Rec. 709 weights.
 inline float luminance(glm::vec3 linear) {
     return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b;
 }

@@ -44,7 +44,7 @@ class Mask {
 glm::ivec2 mask_size(glm::ivec2 picture);
 
 /// Linear light as a mask, as paint programs show it: middle grey (#808080) is neutral, black is no dots,
-/// white is most. Of a larger picture, means of the encoded values.
+/// white is most. A larger picture becomes means of the encoded values.
 Mask mask_of(const Grid<float>& light);
 
 /// What the density is multiplied with at a level 0..255.

@@ -1,5 +1,5 @@
 #pragma once
-// A rectangle along the axes, of pixels, millimetres, page units or their fractions: who has one says which.
+// A rectangle along the axes, in pixels, millimetres, page units or fractions: whoever has one says which.
 
 #include <glm/vec2.hpp>
 

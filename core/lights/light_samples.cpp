@@ -31,7 +31,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Of the dots that Figure 8 emits, each place once, and of these the `count` that appear first as its scale
+// The places of the dots that Figure 8 emits, each once: the `count` of them that appear first as its scale
 // grows.
 std::vector<glm::dvec2> figure8_dots(const RankedTile& tile, const Density& density, std::uint64_t count,
                                      const std::stop_token& stop) {

@@ -1,5 +1,6 @@
 #pragma once
-// For someone who waits for light samples: of a map of many megapixels they take seconds.
+// Progress and stopping, for whoever waits for light samples: with a map of many megapixels they take
+// seconds.
 
 #include <functional>
 #include <stop_token>

@@ -134,7 +134,7 @@ int nearest_dxf_colour(glm::vec3 colour) {
     return nearest;
 }
 
-// Of letters, digits, - and _, 31 at most, as the names of layers in older programs are.
+// Its name has letters, digits, - and _ only, 31 at most, as the names of layers in older programs have.
 DxfLayer layer_of(std::size_t number, const Pen& pen) {
     std::string name = std::to_string(number + 1) + '_' + pen.name.substr(0, 28);
     const auto is_allowed = [](char c) { return std::string_view(" .()").find(c) == std::string_view::npos; };

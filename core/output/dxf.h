@@ -23,7 +23,7 @@ void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, d
                std::span<const Pen> pens = {}, const WritingProgress& progress = {},
                std::span<const CutMark> registration = {});
 
-/// The same of strokes: an LWPOLYLINE each, on the layer "Lines"; a touch is a point.
+/// The same for strokes: an LWPOLYLINE each, on the layer "Lines"; a touch is a point.
 void write_dxf(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                std::span<const Pen> pens = {}, const WritingProgress& progress = {},
                std::span<const CutMark> registration = {});

@@ -115,7 +115,7 @@ struct GcodeStyle {
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
                  const WritingProgress& progress = {});
 
-/// The same of strokes; a touch is a dot. Throws std::runtime_error if the template has no lines for them.
+/// The same for strokes; a touch is a dot. Throws std::runtime_error if the template has no lines for them.
 void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                  const GcodeStyle& style, const WritingProgress& progress = {});
 

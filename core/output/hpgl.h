@@ -28,7 +28,7 @@ void write_hpgl(std::ostream& out, const DotStream& dots, const PageSize& page,
                 const WritingProgress& progress = {}, std::span<const CutMark> registration = {},
                 std::string_view comment = {});
 
-/// The same of strokes; coordinates are rounded to the plotter's units, 0.025 mm.
+/// The same for strokes; coordinates are rounded to the plotter's units, 0.025 mm.
 void write_hpgl(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
                 const WritingProgress& progress = {}, std::span<const CutMark> registration = {},
                 std::string_view comment = {});

@@ -23,7 +23,7 @@ struct PenFigures {
     PlottingTime time;
 };
 
-/// Of each piece, which is a pen's dots in the order of plotting.
+/// The figures of each piece, which is a pen's dots in the order of plotting.
 std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page, std::span<const Pen> pens,
                                     const MachineSpeeds& speeds);
 
@@ -37,8 +37,8 @@ struct PenEvenness {
     std::vector<Own> each;  // as the palette
 };
 
-/// Of a whole page's dots that were placed at that scale. `corner` is theirs, in page units from the
-/// picture's.
+/// The evenness of a whole page's dots that were placed at that scale. `corner` is where they count from, in
+/// page units from the picture's corner.
 PenEvenness pen_evenness(const DotPieces& by_pen, glm::dvec2 corner, const PenDensities& densities,
                          double scale);
 

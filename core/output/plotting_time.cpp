@@ -10,7 +10,7 @@
 namespace dapple {
 namespace {
 
-// Of an AxiDraw's servo over 30 % of its travel, at a rate in percent.
+// Seconds that an AxiDraw's servo takes over 30 % of its travel, at a rate in percent.
 double axidraw_lift_s(double rate) {
     const double travel = 30, servo_ms = 2.69 * travel + 45, sweep_ms = 200 * travel / rate;
     return std::pow(std::pow(servo_ms, 4) + std::pow(sweep_ms, 4), 0.25) / 1000;

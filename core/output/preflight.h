@@ -33,7 +33,7 @@ struct Preflight {
 };
 
 /// Dots, of that radius or of their own, in the order of plotting, as seen from `corner_mm` on the page, in
-/// millimetres. The margins leave that rectangle of the page; none: all of it. Of a part of a page, `paper`
+/// millimetres. The margins leave that rectangle of the page; none: all of it. For a part of a page, `paper`
 /// is the whole, as seen from the part's corner. What reaches over it by less than a thousandth of a
 /// millimetre, which is as much as files round to, is within. A million take a fraction of a second.
 Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm,

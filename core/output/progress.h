@@ -1,5 +1,5 @@
 #pragma once
-// How far a writer has come, and the last look at what it writes.
+// How far a writer has come, and a last check of the numbers that it writes.
 
 #include <cstdint>
 #include <functional>

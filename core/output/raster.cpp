@@ -108,7 +108,7 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
     return stretch;
 }
 
-// Of one pen's dots.
+// The coverage of the stretch's i-th band by one pen's dots.
 Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i, std::size_t pen) {
     const int first_row = (stretch.first_band + i) * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));

@@ -48,15 +48,15 @@ using PenCoverageSink = std::function<void(int first_row, std::span<const Grid<f
 void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
                     std::size_t pens, const PenCoverageSink& sink);
 
-/// All bands in one, of dots in memory.
+/// All bands in one, for dots in memory.
 Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request);
 
 /// sRGB-encoded pixels of that coverage, of 8 or 16 bits a channel. The colours are sRGB-encoded too.
 template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 ink, glm::vec3 paper);
 
-/// The same of several pens, each over those before it: of what is seen of a pixel as large a share is
-/// covered, or multiplied if the ink is transparent.
+/// The same for several pens, each over those before it: each covers its share of what is seen of a pixel, or
+/// multiplies that if its ink is transparent.
 template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, std::span<const Pen> pens,
                                         glm::vec3 paper);

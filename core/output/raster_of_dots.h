@@ -1,5 +1,5 @@
 #pragma once
-// Dots as the coverage of pixels of the measurer's choice.
+// The coverage of a grid of pixels by dots, for measuring: the grid may have any size.
 
 #include <glm/vec2.hpp>
 #include <span>

@@ -48,7 +48,7 @@ struct StrokeCanvas {
     }
 };
 
-// Of one pen's.
+// The coverage of a band by one pen's lines.
 Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<const SampledLine> lines,
                             std::size_t pen, bool several) {
     const int first_row = band * canvas.band_rows;

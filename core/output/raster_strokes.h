@@ -12,7 +12,7 @@ namespace dapple {
 void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
                const CoverageSink& sink);
 
-/// The same of strokes of several pens, so many: a coverage for each.
+/// The same for strokes of several pens, so many: a coverage for each.
 void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
                     std::size_t pens, const PenCoverageSink& sink);
 

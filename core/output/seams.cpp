@@ -16,7 +16,7 @@ class MeanBare {
  public:
     explicit MeanBare(const Grid<float>& coverage, int margin) : coverage_(coverage), margin_(margin) {}
 
-    // Of the pixels that `takes` wants.
+    // The mean over the pixels that `takes` wants.
     template <class Takes>
     double where(const Takes& takes) const {
         double sum = 0, pixels = 0;

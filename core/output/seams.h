@@ -15,10 +15,10 @@ struct Seams {
     double worst() const;
 };
 
-/// Of dots for even black on the unit square, drawn with radius sqrt(load / (pi count)): the dots' area
-/// together is `load` pages. A strip is two thirds of a mean spacing wide, half of it on each side of the
-/// border. A spacing along the page's edge, beyond which there are no dots, is left out of all shares. All 0
-/// where no paper is bare.
+/// The seams of dots for even black on the unit square, drawn with radius sqrt(load / (pi count)), so that
+/// their area together is `load` pages. A strip is two thirds of a mean spacing wide, half of it on each side
+/// of the border. A spacing along the page's edge, beyond which there are no dots, is left out of all shares.
+/// All 0 where no paper is bare.
 Seams seams(std::span<const glm::dvec2> dots, double load);
 
 }  // namespace dapple

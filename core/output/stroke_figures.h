@@ -25,8 +25,8 @@ struct StrokeFigures {
 /// program have, with a simpler rule for corners).
 StrokeFigures figures_of(const StrokeStream& strokes, const MachineSpeeds& speeds);
 
-/// Of circles, along whose outlines the pen goes once round each, in the dots' order. `dot_radius_mm` is of
-/// dots that have none of their own.
+/// The time for circles, each drawn once along its outline, in the dots' order. `dot_radius_mm` is for dots
+/// that have no radius of their own.
 PlottingTime plotting_time_of_rings(const Dots& dots, double mm_per_page_unit, double dot_radius_mm,
                                     const MachineSpeeds& speeds);
 

@@ -49,7 +49,7 @@ struct SvgStyle {
 void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});
 
-/// The same of strokes: a path for each, as wide as the pen and with round ends, in the layer of the pen. A
+/// The same for strokes: a path for each, as wide as the pen and with round ends, in the layer of the pen. A
 /// touch is a line of 0.05 mm, since readers drop what has no length.
 void write_svg(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
                const WritingProgress& progress = {});

@@ -63,7 +63,7 @@ constexpr auto names_of(PenSet) {
 /// Whether it is one of those that need no pens of one's own, which text that begins so is read as.
 bool names_pen_set(std::string_view name);
 
-/// In which order several pens draw. Of equally light ones, as they are listed.
+/// In which order several pens draw. Equally light ones draw as they are listed.
 enum class PenOrder {
     lightest,  // first, so that a pen's tip never drags a darker ink along
     darkest,   // first: for inks that cover darker ones, such as paint markers

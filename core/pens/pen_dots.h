@@ -18,7 +18,7 @@
 
 namespace dapple {
 
-/// Of a page, for dots to be shared out by: each pen's density, whose sum is that of all dots.
+/// The densities by which a page's dots are shared out: each pen's, and their sum, which is that of all dots.
 struct PenDensities {
     std::shared_ptr<const Density> all;
     std::vector<std::shared_ptr<const Density>> each;  // of each pen, as the palette

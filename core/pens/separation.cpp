@@ -182,7 +182,7 @@ glm::vec3 PenMixer::seen(const Shares& shares) const {
 
 namespace {
 
-// Shares of four pens that look the same, and the bare paper's: all of them, and how far the line goes.
+// All shares of four pens and the bare paper that look the same: a line, which ends where one of them is 0.
 class SameLooks {
  public:
     explicit SameLooks(const PenMixer& mixer) {
@@ -234,7 +234,7 @@ class SameLooks {
 Separation::Separation(std::span<const Pen> pens, glm::vec3 paper, double black) : mixer_(pens, paper) {
     darkest_ = lightest_ = mixer_.paper();
     for (const glm::vec3 pen : mixer_.pens()) {
-        // Of a coloured pen, the grey as dark or as light: it is not to colour the whole picture.
+        // A coloured pen counts as the grey of its luminance, so that it does not colour the whole picture.
         if (luminance(pen) < luminance(darkest_)) darkest_ = glm::vec3(luminance(pen));
         if (luminance(pen) > luminance(lightest_)) lightest_ = glm::vec3(luminance(pen));
     }

@@ -54,8 +54,8 @@ class Separation {
  public:
     Separation(std::span<const Pen> pens, glm::vec3 paper, double black = kUsualBlack);
 
-    /// Of a colour of the picture, linear, 0..1; clamped. Between the solutions on a lattice of 33 colours
-    /// along each axis, in tetrahedra.
+    /// The shares for a colour of the picture, linear, 0..1; clamped. Interpolated in tetrahedra between the
+    /// solutions on a lattice of 33 colours along each axis.
     Shares shares(glm::vec3 colour) const;
 
     /// The same with the shares of each of the lattice's colours changed; from several threads at once.
@@ -72,7 +72,7 @@ class Separation {
 };
 
 /// Whether automatic pens are chosen from one's own, which have their own widths: if there are more of these
-/// than are wanted. Else from common_pens(), all as wide as the choice says.
+/// than are wanted. Otherwise they are chosen from common_pens(), all as wide as the choice says.
 bool chooses_from_own(const PenChoice& choice);
 
 /// As many of the candidates as asked for whose mixtures come nearest to the colours (linear, 0..1): each the

@@ -62,7 +62,7 @@ struct TileRank {
 /// size.
 TileRank tile_rank_of(float threshold, std::size_t tile_size);
 
-/// The same of a dot that Figure 8 emits: its rank is 0..N-1 in a tile of any level, as in the paper's
+/// The same for a dot that Figure 8 emits: its rank is 0..N-1 in a tile of any level, as in the paper's
 /// table 1. It spreads each tile's N thresholds over those of ranks N..4N, at the root tile too.
 TileRank figure8_rank_of(float threshold, std::size_t tile_size);
 

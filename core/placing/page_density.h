@@ -1,5 +1,5 @@
 #pragma once
-// The density of a page that is drawn.
+// A page's density, with its tiles placed so that the page's edges lie off their borders.
 
 #include "core/image/density.h"
 #include "core/image/grid.h"
@@ -11,7 +11,7 @@ namespace dapple {
 /// along edges.
 glm::dvec2 corner_off_edges(int width, int height);
 
-/// The density whose tiles begin there. As Density's constructor throws.
+/// The density whose tiles begin there. Throws as Density's constructor does.
 Density page_density(Grid<float> values);
 
 }  // namespace dapple

@@ -16,7 +16,7 @@ struct PlacerMemory {
     std::vector<PieceMemory> piece_memories;
     std::vector<EmitterMemory> emitters;  // of pieces that are kept: piece i's tail is emitters[i].tail
 
-    // Of an exact count.
+    // For an exact count.
     std::vector<float> criticals;
     std::vector<TieKey> ties;
 };

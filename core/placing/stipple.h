@@ -1,5 +1,6 @@
 #pragma once
-// The pipeline, density to dots, as the window, the commands, the tests and the benchmark all call it.
+// From a density to its dots: a tile made ready for placing, the choice between the two placers, and dots
+// either kept or streamed. core/drawing/pipeline.h calls this for a picture.
 
 #include <cstdint>
 #include <functional>
@@ -47,7 +48,7 @@ class RankedTile {
 
 /// The dots of a drawing, kept.
 struct Stippling {
-    DotPieces dots;                // as emitted, or as they lie after so many
+    DotPieces dots;                // as emitted, or as they lie after `steps`
     int steps = 0;                 // of relaxation
     double scale = 0;              // the one given, or the one that gives the count
     std::uint64_t duplicates = 0;  // of them (Figure 8 only)
@@ -56,7 +57,7 @@ struct Stippling {
 };
 
 /// Places into `result` (its memory is used again). Figure 8 gives the whole page's dots with their
-/// thresholds, and of a count a few more. Returns false if stopped. Throws what the placers throw.
+/// thresholds, and a few more than a count asks for. Returns false if stopped. Throws what the placers throw.
 bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const PlacingRequest& request,
              Stippling& result, std::stop_token stop = {});
 
@@ -68,14 +69,14 @@ struct StreamRequest {
     std::function<void(Dots& piece)> finish = {};
 };
 
-/// The placing of those dots of the part and of so many page units around it: at the positions that they have
-/// on the page, and with the end of a count found, so that it is found once for all passes and parts.
+/// How to place the dots of the part, and those up to `around` page units around it, at their positions on
+/// the page. A count's end is found here, once for all passes and parts.
 PlacingRequest placing_of(Placer& placer, const Density& density, const StreamRequest& request,
                           double around = 0);
 
-/// The same dots in the same order, without holding them: finds the scale and the number of dots now, and
-/// places anew for every pass over the stream. The placer and the density have to outlive it. Throws as
-/// Placer::place() does.
+/// The dots of the part in the exact placer's order, without holding them: finds the scale and the number of
+/// dots now, and places anew for every pass over the stream. The placer and the density have to outlive it.
+/// Throws as Placer::place() does.
 DotStream stream(Placer& placer, const Density& density, const StreamRequest& request);
 
 /// Fills Dots::critical if it isn't there: Figure 8 fills Dots::threshold only. Positions have to be the

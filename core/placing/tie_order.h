@@ -19,7 +19,7 @@ struct TieKey {
     auto operator<=>(const TieKey&) const = default;
 };
 
-/// Dots that tie come by ascending key. Of a page whose positions are in page units from its corner.
+/// Dots that tie come by ascending key. Positions are in page units from the page's corner.
 TieKey tie_key(float x, float y, float threshold);
 
 }  // namespace dapple

@@ -62,7 +62,7 @@ Grid<float> halved(const Grid<float>& grid) {
     return half;
 }
 
-// Of the picture and its mirror images, one after another.
+// The pixel that stands at place i where the picture and its mirror images follow one another.
 int mirrored(int i, int length) {
     const int period = 2 * length, in = ((i % period) + period) % period;
     return std::min(in, period - 1 - in);

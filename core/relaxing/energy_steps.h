@@ -23,12 +23,12 @@ inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
 /// The density as kernels of that width see it, which dots placed at this scale have.
 BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel);
 
-/// Of the dots of a row, one row after another. All that is given has to live on.
+/// The steps of a row's dots, one row after another. All that is given has to outlive it.
 class EnergySteps {
  public:
-    /// A dot feels others in so many rows on either side at most.
+    /// A dot feels others in at most so many rows on either side.
     static constexpr int kFarthestRow = 24;
-    /// And moves through fewer than so many.
+    /// It moves through fewer rows than this.
     static constexpr int kLongestStep = 4;
 
     EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel)
@@ -36,7 +36,7 @@ class EnergySteps {
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
-    /// Of a dot of that row, each further to the right than the one before.
+    /// The step of a dot of that row; each one asked for lies further to the right than the one before.
     DotStep step(std::size_t dot);
 
  private:

@@ -17,11 +17,11 @@
 
 namespace dapple {
 
-/// Of the dots of a row, one row after another. The rows and the density have to live on.
+/// The steps of a row's dots, one row after another. The rows and the density have to outlive it.
 class LloydSteps {
  public:
     /// A cell reaches so many rows at most, so that a dot depends on its surroundings only. In light areas
-    /// where dots are further apart (below a hundredth of black) cells are cut off there.
+    /// where dots are further apart (below a hundredth of black) cells are cut off at this distance.
     static constexpr float kCellReach = 8;
     /// Dots further away than twice a corner's distance are no neighbours.
     static constexpr int kFarthestRow = 23;
@@ -35,7 +35,8 @@ class LloydSteps {
         cursors_.begin(rows_, row);
     }
 
-    /// Of a dot of that row, each further to the right than the one before. At most kCellReach long.
+    /// The step of a dot of that row, at most kCellReach long; each one asked for lies further to the right
+    /// than the one before.
     DotStep step(std::size_t dot);
 
  private:

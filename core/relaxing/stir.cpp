@@ -16,7 +16,7 @@ namespace {
 
 // Each way, over the distance between dots: how far they are carried, and how wide the flow's swirls are.
 constexpr float kSpread = 0.2f, kSwirl = 3;
-// Of the flow of a spline through independent numbers of variance 1.
+// How far the flow of a spline through independent numbers of variance 1 carries.
 constexpr float kPlainSpread = 0.7416198f;  // sqrt(11 / 20)
 // So many tiles on a black page are stirred not at all, and so many wholly.
 constexpr double kFewTiles = 2, kManyTiles = 16;

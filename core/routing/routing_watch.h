@@ -1,5 +1,5 @@
 #pragma once
-// For someone who waits for a pen's way.
+// Progress and stopping, for whoever waits for a pen's way.
 
 #include <functional>
 #include <stop_token>

@@ -26,7 +26,7 @@ constexpr int kLongestRow = 3;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
 constexpr std::size_t kLongestChain = 6;
 constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};
-// Of all the time, what windows take.
+// The share of all the time that windows take.
 constexpr double kInWindows = 0.6;
 // Guards against a search that never ends; how near real drawings come to it has not been measured.
 constexpr std::size_t kLooksPerDot = 200;
@@ -209,7 +209,7 @@ class Window {
         return false;
     }
 
-    // The edge a-b is to go; `freed` is what those that went are longer than those that came.
+    // The edge a-b is to go; `freed` is by how much the edges that went are longer than those that came.
     bool lengthen_chain(std::uint32_t a, std::uint32_t b, double freed) {
         struct Choice {
             double freed;
@@ -245,7 +245,8 @@ class Window {
         return false;
     }
 
-    // Of a chain: in place of a-b and c-d there will be a-c and b-d, by turning so many places from one on.
+    // One turn of a chain: a-c and b-d take the place of a-b and c-d, by turning `length` places from `from`
+    // on.
     struct Turn {
         std::uint32_t b, c, d;
         std::uint32_t from, length;
@@ -314,7 +315,7 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
     std::size_t done = 0;  // dots, over all rounds
     std::mutex telling;
     for (int round = 0; round < rounds && !watch.stop.stop_requested(); ++round) {
-        // Of equal windows; the first and the last are half ones in every other round.
+        // Windows are equally long; in every other round the first and the last are half as long.
         const std::size_t count = (order.size() + kWindow - 1) / kWindow, shifted = round % 2;
         const auto border = [&](std::size_t window) {
             if (window == 0) return std::size_t{0};

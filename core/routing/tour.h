@@ -1,5 +1,5 @@
 #pragma once
-// A closed way through stops, in memory as the array of those: moves turn parts of it round.
+// A closed way through stops, kept as an array of them: a move turns a stretch of it round.
 
 #include <cstdint>
 #include <utility>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kFan = 4;  // links in a box, boxes in one of the next level
 constexpr int kLongestRow = 3;     // of dots that are carried into a link
-// Of a usual link's length: gains below this are rounding, or not worth a move.
+// A gain below this share of a usual link's length is rounding, or not worth a move.
 constexpr double kLeastGain = 1e-6;
 // Links that one thread looks at before another may.
 constexpr std::size_t kAtOnce = 1024;
@@ -52,8 +52,8 @@ struct Box {
     }
 };
 
-// A tour through dots and the joint of the way's two ends, and its links, each of which keeps its number
-// until it goes; one that comes takes the number of one that went.
+// A tour through dots and the joint of the way's two ends, with its links. Each link keeps its number until
+// it goes; a new one takes the number of one that went.
 class LinkedTour {
  public:
     struct Link {
@@ -96,8 +96,8 @@ class LinkedTour {
         return std::sqrt(across * across + down * down);
     }
 
-    // Whether they do so in one point that is inside both. Of floats that are not tiny the differences are
-    // exact, and products that are rounded do not change places: whatever is said to cross does.
+    // Whether two links cross, in one point that is inside both. Differences of floats that are not tiny are
+    // exact, and rounding does not make products change places: whatever is said to cross does.
     bool cross(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
         return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
     }
@@ -190,8 +190,8 @@ class LinkedTour {
     std::vector<std::vector<Box>> levels_;
 };
 
-// Two links that are exchanged, a-b and c-d as in Tour::exchange(); or a row of dots from `c` to `end`, which
-// follow each other in that direction, that comes between a and b, with c beside a or beside b.
+// Two links that are exchanged, a-b and c-d as in Tour::exchange(); or a row of dots that is carried between
+// a and b: from `c` to `end`, following each other in that direction, with c beside a or beside b.
 struct Move {
     double gain = 0;
     std::uint32_t a = 0, b = 0, c = 0, d = 0;
@@ -199,7 +199,7 @@ struct Move {
     std::uint32_t end = 0;
 };
 
-// Of the moves that put something else in the place of a link, the one that gains most.
+// The move that gains most of those that put something else in the place of a link.
 class BestMove {
  public:
     BestMove(const LinkedTour& tour, std::uint32_t number, double least_gain)

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of things as people type them.
+// How many of something, as people type it: "40k".
 
 #include <cstdint>
 #include <optional>

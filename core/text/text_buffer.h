@@ -1,5 +1,5 @@
 #pragma once
-// Text on its way to a stream, formatted without it: millions of numbers a second.
+// Text on its way to a stream, formatted before it gets there: millions of numbers a second.
 
 #include <array>
 #include <charconv>

@@ -63,7 +63,7 @@ void Candidates::for_each_near(glm::dvec2 p, double radius, Visit visit) const {
 /// Points of several kinds, to be found by kind and place.
 class GridOfKinds {
  public:
-    /// `kinds`: of each of the points, below `count`.
+    /// `kinds`: each point's kind, below `count`.
     GridOfKinds(const std::vector<glm::dvec2>& points, const std::vector<std::size_t>& kinds,
                 std::size_t count)
         : numbers_(count) {

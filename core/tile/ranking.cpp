@@ -24,9 +24,9 @@ class Distances {
           columns_(neighbours.size() + 1),
           nearest_(candidates * columns_, kFarther) {}
 
-    /// Of a candidate, to a point of its own tile. True if none was nearer.
+    /// Takes note of a candidate's squared distance to a point of its own tile. True if none was nearer.
     bool add_own(std::uint32_t i, double squared) { return add(i, neighbours_.size(), squared); }
-    /// To a point of one of the neighbours.
+    /// The same for a point of one of the neighbours.
     bool add(std::uint32_t i, std::size_t neighbour, double squared) {
         double& nearest = nearest_[i * columns_ + neighbour];
         if (squared >= nearest) return false;

@@ -41,8 +41,8 @@ Ranking rank(const Tile& tile, RankingMethod method);
 std::vector<float> paper_newborn_ranks(const Tile& tile, std::span<const float> tile_ranks);
 
 /// Greedy farthest-point order (section 6; Eldar et al. 1997): the ranks 0..N-1 of the tile's points, the
-/// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A. Of
-/// one kind only, as above.
+/// first point having rank 0. With the identity rule, on the torus, this is the permutation of Appendix A.
+/// For tiles of one kind only: throws std::runtime_error otherwise.
 std::vector<int> farthest_point_ranks(const Tile& tile);
 
 /// The ranks of the newborn points in an order that takes them stage by stage, a whole number for each in
@@ -59,7 +59,7 @@ std::vector<int> stages_of_ranks(std::size_t tile_size, std::span<const float> n
 /// How many newborn points of a kind are born before the end of a stage.
 std::size_t born_until(std::size_t tile_size, int stage);
 
-/// The ranks that go with stages. Of each kind there must be as many points in a stage as born_until() says.
+/// The ranks that go with stages. Each kind must have as many points in a stage as born_until() says.
 std::vector<float> ranks_of_stages(std::size_t tile_size, std::span<const int> stages);
 
 }  // namespace dapple

@@ -61,7 +61,7 @@ struct Tile {
     std::size_t kinds() const { return next_kind.size(); }
     /// N, the points of one kind.
     std::size_t size() const { return points.size() / kinds(); }
-    /// Of a point, or a newborn one: of both each kind has equally many, kind after kind.
+    /// The kind of a point: each kind has size() of them, kind after kind.
     std::size_t kind_of(std::size_t point) const { return point / size(); }
 };
 

@@ -12,8 +12,8 @@ inline constexpr double kSeamLoad = 1.6;
 /// The tile's first full level of at least so many dots: N times a power of 4.
 std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots);
 
-/// Of the first full level of 40,000 dots or more as they are placed, before any relaxation. Takes about
-/// half a second.
+/// The seams of the first full level of 40,000 dots or more as they are placed, before any relaxation. Takes
+/// about half a second.
 Seams seams_on_black(RankedTile& tile);
 
 }  // namespace dapple

@@ -13,7 +13,7 @@ namespace dapple {
 /// none or has no dots.
 PlacedPoints points_of_json(std::string_view text, const std::string& name);
 
-/// The same of .svg (core/output/svg.h): its circles. They are rounded to some thousandths of a millimetre.
+/// The same for .svg (core/output/svg.h): its circles. They are rounded to some thousandths of a millimetre.
 PlacedPoints points_of_svg(std::string_view text, const std::string& name);
 
 }  // namespace dapple

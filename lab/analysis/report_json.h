@@ -1,5 +1,5 @@
 #pragma once
-// A report for programs.
+// The analysis of a point set as JSON, for programs.
 
 #include <string>
 
@@ -11,13 +11,17 @@ namespace dapple {
 /// The report as JSON. Its keys, each as the core/analysis header of the same subject defines it:
 ///
 ///   subject                 the file, or what was placed
-///   tile, ranking, placer, scale, emitted, duplicates, mean_density      only if this program placed the
-///   dots dots                    distinct points, n domain                  {width, height, topology:
-///   "torus" or "window"} density                 n / area largest_radius          r_max, in the domain's
-///   unit relative_radius         half the smallest distance / r_max nearest                 {min, p1, mean}
-///   of the distances to the nearest neighbour / (2 r_max) local_density           {columns, rows, lowest,
-///   highest, deviation} over the mean density highest_bin             greatest power at 0.5 < |k| < 2
-///   sqrt(n); white noise has 1 on average highest_bin_frequency   [i, j], in periods over the domain
+///   tile, ranking, placer, scale, emitted, duplicates, mean_density
+///                           only if this program placed the dots
+///   dots                    distinct points, n
+///   domain                  {width, height, topology: "torus" or "window"}
+///   density                 n / area
+///   largest_radius          r_max, in the domain's unit
+///   relative_radius         half the smallest distance / r_max
+///   nearest                 {min, p1, mean} of the distances to the nearest neighbour / (2 r_max)
+///   local_density           {columns, rows, lowest, highest, deviation} over the mean density
+///   highest_bin             greatest power at 0.5 < |k| < 2 sqrt(n); white noise has 1 on average
+///   highest_bin_frequency   [i, j], in periods over the domain
 ///   top_share               part of that power which the strongest 0.1 % of the bins hold, 0..1
 ///   low_frequency_power     mean power below 0.5 sqrt(n): the same number as power_below_05
 ///   power_below_03, power_below_05

@@ -1,5 +1,5 @@
 #pragma once
-// A report for people.
+// The analysis of a point set as a page, for people.
 
 #include <string>
 

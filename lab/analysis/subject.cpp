@@ -24,7 +24,7 @@
 namespace dapple {
 namespace {
 
-// Of any program, by a pipe too.
+// Written by any program, and read from a pipe too.
 constexpr TextKind kTable{.what = "table", .may_wait = true}, kDrawing{.what = "drawing", .may_wait = true};
 constexpr std::array kBlursInSpacings{0.5, 1.0, 2.0, 4.0};
 

@@ -17,7 +17,7 @@ struct MarkColumn {
     std::string_view key;   // in JSON
     std::string_view head;  // in tables
     Better better;
-    /// NaN for what a method has not.
+    /// NaN for what a method does not have.
     double (*value)(const Marks& marks);
     std::string (*written)(double value);
 };
@@ -45,8 +45,8 @@ struct Place {
     bool dapple_first = false;               // equal values share a place
 };
 
-/// Of each column with a better end, of those that were measured at the first of the counts, or of the first
-/// picture. None where dapple was not measured.
+/// The places in each column with a better end, among the methods that were measured at the first of the
+/// counts, or on that picture. None where dapple was not measured.
 std::vector<Place> grey_places(std::span<const MeasuredMethod> measured);
 std::vector<Place> drawing_places(std::span<const MeasuredMethod> measured, std::size_t picture);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What was measured, for people and for programs.
+// What dapple compare measured: as text, as JSON and as a page.
 
 #include <span>
 #include <string>
@@ -12,8 +12,8 @@ namespace dapple {
 std::string compare_text(std::span<const MeasuredMethod> measured, const CompareRequest& request);
 
 /// {"seconds_allowed", "seed", "methods": [{"name", "title", "source", "limits", "nested", "grey": [...],
-/// "pictures": [...], "growth": [...]}]}. Keys of the marks are those of lab/compare/columns.h; null is what
-/// took longer than allowed, or what a method has not.
+/// "pictures": [...], "growth": [...]}]}. Keys of the marks are those of lab/compare/columns.h; null stands
+/// for what took longer than allowed, or what a method does not have.
 std::string compare_json(std::span<const MeasuredMethod> measured, const CompareRequest& request);
 
 /// A page that needs nothing beside it: the tables, spectra and drawings side by side, plots. Needs

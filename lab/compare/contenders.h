@@ -26,7 +26,7 @@ struct Contender {
 /// which is not for several threads at once.
 std::vector<Contender> all_contenders();
 
-/// Of all, with commas between.
+/// The names of all, with commas between.
 std::string contender_names();
 
 /// Those of these names, in that order. Throws std::runtime_error saying which there are.

@@ -1,5 +1,5 @@
 #pragma once
-// What was measured as rows of words, for text and page alike.
+// What dapple compare measured, as rows of words for text and page alike.
 
 #include <span>
 #include <string>
@@ -15,12 +15,12 @@ struct CompareTable {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Grey, each picture, growth; those of which something was to be measured. Where there are several counts
-/// of grey, also the worst of each column over those after the first.
+/// Tables for grey, for each picture and for growth, where something was to be measured. With several counts
+/// of grey there is also the worst of each column over those after the first.
 std::vector<CompareTable> compare_tables(std::span<const MeasuredMethod> measured,
                                          const CompareRequest& request);
 
-/// For each column of marks who has the best, and what dapple's better row has.
+/// Who has the best of each column of marks, and what the better of dapple's rows has.
 struct PlacesTable {
     struct Row {
         std::vector<std::string> cells;
@@ -32,7 +32,7 @@ struct PlacesTable {
 };
 inline const std::vector<std::string> kPlacesHead{"what", "first", "has", "Dapple's better", "has"};
 
-/// Of grey at the first count and of each picture; none where dapple was not measured.
+/// The places on grey at the first count, and on each picture; none where dapple was not measured.
 std::vector<PlacesTable> places_tables(std::span<const MeasuredMethod> measured,
                                        const CompareRequest& request);
 

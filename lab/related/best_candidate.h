@@ -7,7 +7,7 @@ namespace dapple {
 
 /// D. P. Mitchell, "Spectrally Optimal Sampling for Distribution Ray Tracing" (1991): the dot of number i is
 /// the best of i candidates (his m = 1), so all take count^2 / 2 searches; some ten seconds for 20,000 dots.
-/// Of a picture candidates have its density, and distances count times the root of it. Every prefix is a
+/// For a picture candidates have its density, and distances count times the root of it. Every prefix is a
 /// drawing.
 PlainDots best_candidate(const DotsWanted& wanted);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRandomPacking = 0.547;  // of the plane, covered by discs of half the radius
 constexpr int kDeepest = 40;              // halvings of a cell: smaller ones are rounding
-// Of McCool and Fiume's: so many misses in a row shrink the radius by so much.
+// McCool and Fiume's: so many misses in a row shrink the radius by so much.
 constexpr int kMisses = 200;
 constexpr double kShrink = 0.97;
 

@@ -15,10 +15,10 @@ double dart_radius(std::size_t count);
 /// two dots are nearer than `radius`, 0 < radius < 1/2. None if stopped.
 PlainDots maximal_darts(double radius, std::uint64_t seed, const std::stop_token& stop = {});
 
-/// Constant: maximal_darts(dart_radius(count)), so about one in a hundred more or less than asked for. Of a
-/// picture: M. McCool & E. Fiume, "Hierarchical Poisson Disk Sampling Distributions" (1992), where the radius
-/// shrinks whenever darts miss too often, so that the count is met and every prefix is a drawing; it goes
-/// with one over the root of the density at the new dot. That one is not maximal.
+/// For constant density: maximal_darts(dart_radius(count)), so about one in a hundred more or less than asked
+/// for. For a picture: M. McCool & E. Fiume, "Hierarchical Poisson Disk Sampling Distributions" (1992), where
+/// the radius shrinks whenever darts miss too often, so that the count is met and every prefix is a drawing;
+/// it goes with one over the root of the density at the new dot. That one is not maximal.
 PlainDots dart_throwing(const DotsWanted& wanted);
 
 }  // namespace dapple

@@ -1,5 +1,5 @@
 #pragma once
-// Error diffusion: pixel after pixel is a dot or none, and what that errs by goes to those after it.
+// Error diffusion: each pixel in turn becomes a dot or none, and its error goes to the pixels after it.
 
 #include <cstdint>
 

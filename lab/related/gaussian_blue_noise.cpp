@@ -19,7 +19,7 @@ namespace {
 constexpr double kEnd = 9;             // a kernel ends at e^-kEnd of its middle
 constexpr double kLongestStep = 0.35;  // in distances between dots
 constexpr double kLeastShare = 0.02;   // of the mean density
-// Of the fourth power of a kernel's deviation: twice as long a stride would overshoot the energy's steepest
+// A stride in fourth powers of a kernel's deviation: one twice as long would overshoot the energy's steepest
 // waves.
 constexpr double kStride = 2 * 0.45 * 0.45 / (kGaussianKernel * kGaussianKernel);
 

@@ -5,8 +5,8 @@
 
 namespace dapple {
 
-/// R. L. Cook, "Stochastic Sampling in Computer Graphics" (1986), section 3. About the root of the count rows
-/// of equal height, whose cells differ by one in number where the count is no square. Of a picture the cells
+/// R. L. Cook, "Stochastic Sampling in Computer Graphics" (1986), section 3. There are about sqrt(count) rows
+/// of equal height, whose cells differ by one in number where the count is no square. For a picture the cells
 /// are those of the unit square, bent (see Warp). Any count.
 PlainDots jittered_grid(const DotsWanted& wanted);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHysteresis = 0.6, kMoreEachStep = 0.01;
 
-// Of the cell's long axis, about its centroid.
+// The direction of the cell's long axis, about its centroid.
 glm::dvec2 long_axis(const CellMoments& cell, glm::dvec2 to_centroid) {
     const double xx = cell.xx / cell.weight - to_centroid.x * to_centroid.x;
     const double yy = cell.yy / cell.weight - to_centroid.y * to_centroid.y;

@@ -49,8 +49,8 @@ constexpr std::array<Intervals, kPenroseKinds> kShares{
     one_after_the_other({{obtuse_outer, kPhi2}, {obtuse_inner, kPhi2}, {obtuse_left, kPhi3}}),
 };
 
-// Of new vertices: those on the base, which one of the two halves of a thick rhomb brings, and then those on
-// a leg, which only one of two mirrored triangles along a longest side brings.
+// The shares of new vertices: first those on the base, which one of the two halves of a thick rhomb brings,
+// and then those on a leg, which only one of two mirrored triangles along a longest side brings.
 constexpr Intervals kOnBase =
     one_after_the_other({{obtuse_inner, kPhi2}, {obtuse_left, kPhi3}, {obtuse_outer, kPhi2}});
 constexpr Intervals kOnLeg =

@@ -1,7 +1,7 @@
 #pragma once
 // Lloyd's method (S. P. Lloyd, "Least Squares Quantization in PCM", 1957, printed 1982): each dot goes to the
-// centroid of its Voronoi cell, again and again. Of pictures it is weighted Voronoi stippling (A. Secord,
-// "Weighted Voronoi Stippling", 2002), the peer that they are measured against.
+// centroid of its Voronoi cell, again and again. On pictures it is weighted Voronoi stippling (A. Secord,
+// "Weighted Voronoi Stippling", 2002), the peer that drawings are measured against.
 
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -60,7 +60,7 @@ class WeightedMoments {
     WeightedMoments(const Density& density, LloydWeight weight)
         : density_(density), squared_(weight == LloydWeight::density_squared) {}
 
-    // Of the cell of a dot, about that dot.
+    // The moments of a dot's cell, about that dot.
     CellMoments of(const Polygon& cell, glm::dvec2 dot) const {
         CellMoments sum;
         for (std::size_t i = 0; i < cell.size(); ++i)
@@ -109,7 +109,7 @@ class Cells {
         double reach = grid_.cell_size(), needed = 0;
         while (true) {
             grid_.for_each_within(dot.position, reach, [&](std::uint32_t index, glm::dvec2 offset) {
-                // Of dots in the same place the first one has the cell.
+                // The first of several dots in the same place has the cell.
                 if (offset == glm::dvec2(0)) {
                     if (index < dot.index) cell_.clear();
                 } else {

@@ -1,5 +1,5 @@
 #pragma once
-// Voronoi cells of dots, exactly and without haste, and what they weigh.
+// Voronoi cells of dots and what they weigh: exact, and not made for speed.
 
 #include <glm/vec2.hpp>
 #include <vector>
@@ -23,13 +23,13 @@ struct CellMoments {
     double area = 0;                // of the cell, whatever it weighs
 };
 
-/// Of each dot within the page, the weight integrated over triangles no longer than a pixel of the density,
-/// exactly where it is constant. Cells are exact polygons. Uses all cores; the result is the same for any
-/// number.
+/// The cell of each dot within the page: the weight integrated over triangles no longer than a pixel of the
+/// density, exactly where it is constant. Cells are exact polygons. Uses all cores; the result is the same
+/// for any number.
 std::vector<CellMoments> weighted_cells(const std::vector<glm::dvec2>& dots, const Density& density,
                                         LloydWeight weight);
 
-/// The same of weight 1; without a domain on the unit square, whose opposite edges meet.
+/// The same for weight 1; without a domain on the unit square, whose opposite edges meet.
 std::vector<CellMoments> plain_cells(const std::vector<glm::dvec2>& dots, const Domain& domain = {});
 
 }  // namespace dapple

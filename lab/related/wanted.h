@@ -16,7 +16,8 @@
 namespace dapple {
 
 struct DotsWanted {
-    /// Of a picture, whose page is a cut-out; none: constant, on the unit square whose opposite edges meet.
+    /// A picture's density, whose page is a cut-out; none: constant, on the unit square whose opposite edges
+    /// meet.
     const Density* density = nullptr;
     std::size_t count = 0;
     std::uint64_t seed = 1;  // the same dots for the same seed, on every machine

@@ -5,7 +5,7 @@
 
 namespace dapple {
 
-/// Of a picture by inversion (see Warp). Any count.
+/// For a picture by inversion (see Warp). Any count.
 PlainDots white_noise(const DotsWanted& wanted);
 
 }  // namespace dapple

@@ -1,5 +1,5 @@
 #pragma once
-// A comparison of light samplers for people and programs.
+// A comparison of light samplers: as CSV, as text, as a plot and as a page.
 
 #include <ostream>
 #include <string>

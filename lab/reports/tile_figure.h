@@ -9,7 +9,7 @@
 //      | N/4  |  | N/2  |  | 3N/4 |  | N    |        lower row: the first points of the ranking
 //      +------+  +------+  +------+  +------+
 //
-// Of several kinds it is kind 0, with copies of the kinds of its children.
+// A tile of several kinds shows kind 0, with copies of the kinds of its children.
 //
 // An F in each quadrant shows how the copy there is turned. The frame is the page's: x right, y down.
 

@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 4> kBestOf20{"0.8324", "0.7141", "0.6713"
 constexpr std::array<std::string_view, 4> kOwnBestOf16{"0.696594", "0.652788", "0.640257", "0.638781"};
 constexpr std::array<std::string_view, 5> kOwnBestOf20{"0.832358", "0.714068", "0.671330", "0.658781",
                                                        "0.649963"};
-// Of so many points as the turn or mirror that does best takes to others, counted by another program.
+// How many points the turn or mirror that does best takes to others, counted by another program.
 constexpr std::array<std::string_view, 2> kSymmetricOf16{"16", "6"};
 constexpr std::array<std::string_view, 4> kSymmetricOf20{"20", "20", "14", "8"};
 constexpr std::string_view kBestTileOf16 = "11730,8925/16";
@@ -52,7 +52,7 @@ constexpr std::string_view kBestOf24 = "0.782220";
 constexpr std::string_view kBestOf28 = "0.914419";
 constexpr std::string_view kBestTileOf32 = "794048332,154885773/32", kBestOf32 = "0.715878";
 constexpr std::string_view kBestOf36 = "0.917943";
-// Of four, five and six cycles of 4 points.
+// The best of four, five and six cycles of 4 points.
 constexpr std::array<std::string_view, 3> kBestOfCycles{"0.744484", "0.832358", "0.679618"};
 
 // Appendix A in the order of the ranks: x and y as whole numbers of 1/65535, and as the eight digits beside.

@@ -3,7 +3,7 @@
 //
 // F_g(k) below is the sum over the tile's points p, about its centre and turned by g, of exp(-2 pi i k .
 // g(p)), with the tile's side as the unit; N is the number of points, and r_max = sqrt(1 / (2 sqrt(3) N)).
-// Of a tile of several kinds all of them count alike.
+// The kinds of a tile of several count alike.
 
 #include <array>
 #include <vector>
@@ -47,7 +47,7 @@ std::vector<double> orientation_coincidence(const Rule& rule, int lags = 64);
 /// The same for tiles of one kind, of several, whatever their orientations; 1 / kinds would be chance.
 std::vector<double> kind_coincidence(const NextKinds& next_kind, int lags = 32);
 
-/// The same of a page: one tile of kind 0, divided so often, 1..10, whose edges meet their opposites. The
+/// The same for a page: one tile of kind 0, divided so often, 1..10, whose edges meet their opposites. The
 /// share of its tiles that lie on one of their kind when the page is moved by whole tiles, 0..1; the highest
 /// of all moves.
 double page_coincidence(const NextKinds& next_kind, int divisions);

@@ -184,7 +184,7 @@ bool repeats_itself(const std::string& word) {
     return (word + word).find(word, 1) < word.size();
 }
 
-// Of a time that may be over before it begins.
+// The share of the time that has passed; it may be over before it begins.
 double share_of(double elapsed, double seconds) {
     return elapsed < seconds ? elapsed / seconds : 1;
 }

@@ -20,8 +20,8 @@ struct RuleMarks {
     double mean = 0;         // of the lags' highest
 };
 
-/// The `count` rules that repeat least, the lowest coincidence first; 570 are all. Of those that are one up
-/// to symmetry only the first in the order of their digits.
+/// The `count` rules that repeat least, the lowest coincidence first; 570 are all. Rules that are the same up
+/// to symmetry are there once: the first in the order of their digits.
 std::vector<RuleMarks> best_rules(std::size_t count);
 
 }  // namespace dapple

@@ -235,7 +235,7 @@ TEST_CASE("the page says what is the paper's and what is ours, and each figure i
         CAPTURE(value);
         CHECK(std::ranges::any_of(ours.rows, [&](const auto& row) { return row.at(3) == value; }));
     }
-    // Of 20 points, the paper's "very symmetric" ones and the fourth, "not symmetric".
+    // With 20 points, the paper's "very symmetric" tiles and the fourth, "not symmetric".
     CHECK(page_says(section("Not in the paper: 16 points from four tiles of 4").sentences.at(0),
                     "0013 0211 0233 1322; 0033 0132 0231 1122; 0103 0212 0323 1213, reach 0.744484"));
     std::vector<std::string> symmetric;

@@ -321,7 +321,7 @@ TEST_CASE("whatever keyboard and mouse do at random, the window answers and ends
             std::ifstream commands(replay + kind);
             for (std::string line; std::getline(commands, line) && !viewer.has_ended();) hands(line);
         }
-        // Of this round's time.
+        // How much of this round's time has passed.
         const auto share = [&] {
             const double passed = std::chrono::duration<double>(Clock::now() - begin).count();
             return passed / (seconds / 2) - round;

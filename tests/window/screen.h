@@ -15,7 +15,7 @@
 
 namespace dapple {
 
-/// Of the display in use. As a plain PNM, which takes a fraction of the time of a PNG.
+/// The pixels of the display in use. Taken as a plain PNM, in a fraction of the time of a PNG.
 inline Grid<glm::u8vec3> screen() {
     const TemporaryFolder folder;
     const fs::path file = folder / "screen.ppm";

@@ -13,9 +13,10 @@ namespace {
 
 // Between two turns of a wheel, or two moves of a slider, there is less.
 constexpr double kRestSeconds = 0.15;
-// Of dots, in a frame while something moves, and in a frame in which it rests: at most, see FrameBudget.
+// The most that drawing dots takes in a frame while something moves, and in one while all rests: see
+// FrameBudget.
 constexpr double kQuickSeconds = 0.025, kStepSeconds = 0.025;
-// Of a picture's pixels, in a frame.
+// What uploading a picture's pixels takes in a frame.
 constexpr double kUploadSeconds = 0.01;
 
 }  // namespace

@@ -22,7 +22,7 @@ enum class Redraw {
     later,  // this frame is not seen
 };
 
-/// Of the split view; a view that is not split is the left side alone.
+/// A side of the split view; a view that is not split is the left side alone.
 enum class Side { left, right };
 inline constexpr std::array kSides{Side::left, Side::right};
 
@@ -64,7 +64,7 @@ class Canvas {
     /// Puts the drawing behind ImGui's windows.
     void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
-    /// Of the newest drawing that is whole, in milliseconds.
+    /// How long the newest drawing that is whole took, in milliseconds.
     double draw_ms() const { return draw_ms_; }
     /// Another frame is to follow at once: it is being drawn fully, or a picture uploaded, a part in each
     /// frame, so that mouse and keys are answered in between.

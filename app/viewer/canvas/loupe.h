@@ -28,7 +28,7 @@ class Loupe {
     /// the page, or where there is nothing to fold.
     void draw(const LoupeView& view, const Camera& camera, const CanvasPlace& place);
 
-    /// Of the lens drawn last; none if there was none.
+    /// What the lens drawn last shows; none if there was none.
     const std::optional<LoupeInfo>& info() const { return info_; }
     void hide() { info_.reset(); }
 

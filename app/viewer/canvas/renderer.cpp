@@ -537,7 +537,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-// The same of lines, in place of the dots.
+// The same for lines, in place of the dots.
 void Renderer::draw_lines(Job& job, std::size_t most) {
     lines_handed_over_.clear();
     colours_handed_over_.clear();

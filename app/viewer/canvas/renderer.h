@@ -134,7 +134,7 @@ class Renderer {
     };
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
-    /// Of the dots that are looked at, pixels.
+    /// The mean radius of the dots that are looked at, in pixels.
     double mean_radius(const Camera& camera, const CanvasLook& look) const;
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     bool go_on(Job& job, const GlFramebuffer& picture, double seconds);

@@ -62,7 +62,7 @@ class Background {
         return since_;
     }
 
-    /// Of the work that is under way, 0..1; none if it is not known.
+    /// How far the work that is under way is, 0..1; none if it is not known.
     std::optional<float> share() const {
         const float share = share_;
         return busy() && share >= 0 ? std::optional(share) : std::nullopt;

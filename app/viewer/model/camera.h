@@ -49,8 +49,8 @@ Camera dragged(const Camera& camera, glm::dvec2 pixels);
 /// The same view on a canvas of another size: what was in the middle stays there.
 Camera resized(const Camera& camera, glm::dvec2 canvas);
 
-/// What of the page's square is in view, with a margin of so many canvases on each side. Of width or height 0
-/// if nothing is.
+/// The part of the page's square that is in view, with a margin of so many canvases on each side. Its width
+/// or height is 0 if nothing is.
 PageWindow window_in_view(const Camera& camera, double margin);
 
 }  // namespace dapple

@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::map<std::string, std::string>;
 
-// Of a field whose row is called as it is.
+// The words for a field whose row has the same name: "dot_size" is "Dot size".
 std::string words_of(std::string field) {
     std::ranges::replace(field, '_', ' ');
     field.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(field.front())));

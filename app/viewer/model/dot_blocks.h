@@ -22,7 +22,7 @@ struct DotBlock {
     float largest_radius = 0;
 };
 
-/// All dots, in their order. Of ten million it takes some hundredths of a second.
+/// All dots, in their order. Ten million take some hundredths of a second.
 std::vector<DotBlock> dot_blocks(const DotPieces& dots);
 
 }  // namespace dapple

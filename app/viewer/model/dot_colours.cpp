@@ -72,7 +72,8 @@ class TileWalk {
     }
 
  private:
-    // Of a quadrant of the page: the child's orientation, and which of its parent's quadrants it is.
+    // By the tile's orientation and a quadrant of the page: the child's orientation, and which of its
+    // parent's quadrants it is.
     std::array<std::array<std::pair<Orientation, std::size_t>, 4>, 8> next_;
     const NextKinds& next_kind_;
 };

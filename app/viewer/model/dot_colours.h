@@ -65,7 +65,7 @@ glm::vec3 rank_colour(double share);
 /// Eight hues; the four mirrored orientations are the paler ones.
 glm::vec3 orientation_colour(Orientation orientation);
 
-/// Of a tile of several kinds: hues as far apart as they can be.
+/// The colour of a kind, for a tile of several: hues as far apart as they can be.
 glm::vec3 kind_colour(std::size_t kind);
 
 }  // namespace dapple

@@ -29,8 +29,8 @@ struct DotOrigin {
     double critical = 0;     // it exists at scales above this
     double density = 0;      // where it was placed; with several pens its own pen's
     bool relaxed = false;    // it was moved since
-    /// The tile of its level that it was born in. Of a relaxed dot, which may have left it, it is found by
-    /// the place that its level and rank give it in the tiles around, of which it is the nearest to the dot.
+    /// The tile of its level that it was born in. A relaxed dot may have left it: then it is, of the tiles
+    /// around, the one in which the place for the dot's level and rank is nearest to the dot.
     std::optional<PlacedTile> tile = {};
 };
 

@@ -7,8 +7,9 @@
 namespace dapple {
 namespace {
 
-// Of a dot, in samples. From the first on its edge is a sample wide and looks smooth by itself, below it the
-// edge is harder (dot.vert), and so many samples a side make it smooth; the second shows the shape.
+// A dot's radius, in samples. From kSmoothRadius on its edge is a sample wide and looks smooth by itself;
+// below it the edge is harder (dot.vert), and kSmoothSamples samples a side make it smooth. From
+// kSmallestRadius on a dot shows its shape.
 constexpr double kSmoothRadius = 6, kSmoothSamples = 3;
 constexpr double kSmallestRadius = 1.5;
 // A page of few pixels has dots far below a sample's size, of which some meet one and others none. They are

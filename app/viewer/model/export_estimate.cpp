@@ -40,7 +40,7 @@ std::vector<PenCount> counts_of(const DotStream& dots) {
     return counts;
 }
 
-// Of one pen's dots so many, from one on: each so-many-th.
+// Some of one pen's dots: `count` at most, from `first` on each `step`-th.
 struct Choice {
     std::size_t first = 0, step = 1, count = 0;
 };
@@ -72,7 +72,7 @@ void shuffle(Dots& dots) {
     }
 }
 
-// Of one pen's dots those that are looked at, in the order in which they are plotted: runs that follow each
+// Those of one pen's dots that are looked at, in the order in which they are plotted: runs that follow each
 // other in it, as dots from here and there are less even than all, and so leave more to shorten.
 std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder order) {
     const auto each = [&](std::size_t most) { return Choice{0, 1 + own.dots / most, own.dots}; };

@@ -21,12 +21,12 @@ struct PlottingEstimate {
     double way_before_m = 0;  // and along the Hilbert curve, before it is shortened
 };
 
-/// Of a placed drawing, the blocks of dots that an estimate of its pixels looks at: few of many.
+/// The blocks of a placed drawing's dots that an estimate of its pixels looks at: few of many.
 DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
 
-/// How long a machine would plot such a file in that order, about. Some of the dots are put in order, and the
-/// rest is taken to be like them: some that are near each other, as they follow in the stream; by priority
-/// some that lie anywhere.
+/// About how long a machine would plot such a file in that order. Some of the dots are put in order, and the
+/// rest is taken to be like them: dots that are near each other, as they follow in the stream; by priority,
+/// dots that lie anywhere.
 PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
                                     DrawingFormat format, DotOrder order, const MachineSpeeds& speeds);
 
@@ -54,7 +54,7 @@ class ExportEstimate {
         SavingChoice saving;
         bool operator==(const Key&) const = default;
     };
-    /// Of the dots on the page, which are measured anew only when they or the pen changed.
+    /// What becomes of the dots on the page, measured anew only when they or the pen changed.
     Preflight measured(const Pane& pane, const InkedDot& ink);
 
     std::optional<Key> key_;

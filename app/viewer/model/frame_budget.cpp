@@ -10,7 +10,7 @@ namespace {
 // all dots are drawn, whatever its own proportion is.
 constexpr double kPerDot = 7e-7, kPerSample = 2.4e-9;
 
-// Of a square around the dot and its soft edge.
+// The samples of a square around each dot and its soft edge; the radius in samples.
 double samples_of(double dots, double radius) {
     const double side = 2 * (radius + 1);
     return dots * side * side;

@@ -5,16 +5,16 @@
 
 namespace dapple {
 
-/// What else there is in a frame (the page's pixels, the panels, what the system does to show it) depends on
-/// the computer and on what else that does meanwhile. Drawing gets what is left of a frame that is answered
-/// as quickly as one notices; a little in any case, or it would never come to its end.
+/// What else a frame takes (the page's pixels, the panels, what the system does to show it) depends on the
+/// computer and on what else that does meanwhile. Drawing gets the rest of a frame that seems to answer at
+/// once; a little in any case, or it would never come to its end.
 class FrameBudget {
  public:
-    /// Of a frame, so that the longest stay well below a tenth of a second.
+    /// How long a frame may take, so that the longest stay well below a tenth of a second.
     static constexpr double kFrameSeconds = 0.06;
     static constexpr double kLeastSeconds = 0.012;
 
-    /// Of which a frame has at most `most`, in seconds.
+    /// The seconds that a frame may draw for: at most `most`, but never less than kLeastSeconds.
     double seconds(double most) const;
 
     /// A frame took so long, of which drawing that goes by the budget took `drawing` (seconds).

@@ -35,12 +35,12 @@ class LightSession {
     /// `wake` is called from other threads whenever there is an event.
     LightSession(const LightsSettings& first, std::function<void()> wake);
 
-    /// Reads a map in the background; the one shown stays until then, or if it fails. Of several that are
-    /// opened the last one counts, and what is being read before it is given up.
+    /// Reads a map in the background; the one shown stays until then, or if it fails. If several are opened,
+    /// the last one counts, and reading those before it is given up.
     void open(const std::filesystem::path& map);
     void open_sky();
 
-    /// As Session's.
+    /// As in Session.
     void open_tile(const std::filesystem::path& file);
     void take_dropped(const std::filesystem::path& file);
     std::span<const std::string> tiles() const { return tiles_.names(); }
@@ -68,7 +68,7 @@ class LightSession {
     /// How many maps were opened.
     int maps() const { return maps_; }
 
-    /// Of this map; those of earlier settings until newer ones are there.
+    /// The samples of this map; those of earlier settings until newer ones are there.
     const SampledMap& samples() const { return samples_; }
     /// How many times samples were taken.
     std::uint64_t samplings() const { return samplings_; }
@@ -120,7 +120,7 @@ class LightSession {
     std::optional<std::filesystem::path> to_read_;
     std::deque<ToSave> to_save_;
     std::filesystem::path reading_path_, saving_path_;
-    // Of this map: what samples were asked for last, and what those are that are shown.
+    // What samples of this map were last asked for with, and what those that are shown were taken with.
     std::optional<LightsSettings> asked_with_, shown_with_;
     SampledMap samples_;
     std::uint64_t samplings_ = 0;

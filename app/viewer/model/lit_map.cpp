@@ -17,8 +17,8 @@ int texels_in_one(const EnvironmentMap& map, int width) {
     return (map.width() + width - 1) / width;
 }
 
-// Of every texel by itself it takes seconds, and minutes where there are hundreds of millions; no surface
-// shows the difference.
+// A large map's texels are taken in blocks: one by one they take seconds, and minutes where there are
+// hundreds of millions, and no surface shows the difference.
 std::vector<DistantLight> lights_of(const EnvironmentMap& map) {
     const int times = texels_in_one(map, kLightsWidth);
     return times > 1 ? block_lights(map, times) : texel_lights(map);

@@ -19,10 +19,10 @@ struct LoupeSquare {
     bool operator==(const LoupeSquare&) const = default;
 };
 
-/// The square around a place, in whole tiles of the page's grid. Of the levels it takes the deepest that the
-/// dots around that place have gone through, or a deeper one whose tiles are small enough for some dozens of
-/// them to lie side by side with few enough dots; `step` goes so many levels further. None if the place is
-/// not on the page, or if there are too few dots or whole tiles around it.
+/// The square around a place, in whole tiles of the page's grid. Its level is the deepest that the dots
+/// around that place have gone through, or a deeper one whose tiles are small enough for some dozens of them
+/// to lie side by side with few enough dots; `step` goes so many levels further. None if the place is not on
+/// the page, or if there are too few dots or whole tiles around it.
 std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t tile_size, PagePoint place,
                                         int step);
 
@@ -32,7 +32,7 @@ struct LoupeInfo {
     int layers = 0, level = 0;
 };
 
-/// The dots in it, in units of a tile. Of those that lie on one another, as Figure 8 emits them, one.
+/// The dots in it, in units of a tile. Dots that lie on one another, as Figure 8 emits them, count once.
 Folding folded(const PlacedDrawing& shown, const LoupeSquare& square);
 
 }  // namespace dapple

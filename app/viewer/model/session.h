@@ -49,9 +49,9 @@ class Session {
     /// The picture and all settings of a project. Throws std::runtime_error if they cannot be read, and
     /// nothing changes.
     void load_project(const std::filesystem::path& file);
-    /// The same, but the banner says what is wrong. Of a picture that is only found not to be readable later,
-    /// everything is then again as it was before. One that is not there is told of in the banner, which
-    /// offers to find it; the project keeps its name until then.
+    /// The same, but the banner says what is wrong. If its picture turns out later not to be readable,
+    /// everything is again as it was before. If the picture is not there, the banner says so and offers to
+    /// find it; the project keeps its name until then.
     void open_project(const std::filesystem::path& file);
     /// The project's picture is this one.
     void find_picture(const std::filesystem::path& file);
@@ -183,7 +183,7 @@ class Session {
     void take(SavingCancelled& event);
     void take(OpeningStopped& event);
 
-    // Of the page requested last, and of the one placed last.
+    // The settings of the page requested last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
     History<ViewerSettings> history_;
     int changes_named_ = 0;                // of the history, by the words

@@ -22,7 +22,7 @@ Dots in_order(Dots dots, const StrokeChoice& choice, LineWay way, const std::sto
     return dots;
 }
 
-// Of each pen, the dots that it draws.
+// The dots of each pen.
 std::vector<Dots> by_pen(const DotPieces& dots) {
     std::vector<Dots> all;
     for (const Dots& piece : dots.pieces) {
@@ -32,7 +32,7 @@ std::vector<Dots> by_pen(const DotPieces& dots) {
     return all;
 }
 
-// Of so many lines that follow each other.
+// Each block has up to kDotsPerBlock lines that follow each other.
 void put_into_blocks(ShownStrokes& strokes) {
     for (std::size_t first = 0; first < strokes.lines.size(); first += kDotsPerBlock) {
         DotBlock block{.first = first,

@@ -33,7 +33,7 @@ struct ShownStrokes {
     std::vector<glm::vec4> lines;  // from x, y to x, y in page units; a touch has no length
     std::vector<DotBlock> blocks;  // of the lines, with the boxes around them
     double width = 0;              // page units; of the widest pen
-    // Of each line, where several pens draw; empty: all in ink, all as wide.
+    // For each line, where several pens draw; empty: all in ink, all as wide.
     std::vector<float> widths;       // page units
     std::vector<std::uint8_t> pens;  // places in the drawing's palette
 };

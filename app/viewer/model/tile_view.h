@@ -14,8 +14,8 @@ struct TileView {
     Rule rule;  // how the tile is turned in each of its quadrants
     std::vector<glm::vec2>
         points;  // in the unit square, y down, in the order in which they appear; of kind 0
-    /// The same of those that its children add to it, after which all of their points are there; Figure 8 has
-    /// no such order, and several kinds have several.
+    /// The same for those that its children add to it, after which all of their points are there; Figure 8
+    /// has no such order, and several kinds have several.
     std::vector<glm::vec2> newborn = {};
     NextKinds next_kind = NextKinds(1);
 };

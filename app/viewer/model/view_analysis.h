@@ -61,8 +61,8 @@ struct ViewAnalysis {
     double low_frequency_power = 0;  // mean power below half a wave a spacing
     Peaks peaks{};
     NearestSummary nearest{};
-    /// Of the tiles that the mean density makes: the side 2^-level of the last level whose tiles are all
-    /// there. None if fewer than two such tiles fit into the view.
+    /// Over the tiles that the mean density makes: their side is 2^-level, of the last level whose tiles are
+    /// all there. None if fewer than two such tiles fit into the view.
     std::optional<Periodicity> periodicity{};
     std::string error{};  // why nothing could be measured
 };

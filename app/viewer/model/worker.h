@@ -65,7 +65,7 @@ class Worker {
 
     /// Runs `open`, then shows what it returns under `name`. If it throws, the old picture stays.
     void open(std::string name, Open open, std::filesystem::path file = {});
-    /// The same of what can be stopped, and may have a first look. What is requested later than this waits
+    /// The same for what can be stopped, and may have a first look. What is requested later than this waits
     /// for the whole picture, but for dots. If only a first look came, nothing is saved.
     void open(std::string name, Opening opening, std::filesystem::path file = {});
     /// Gives up what is being read.

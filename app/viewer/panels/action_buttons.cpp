@@ -68,7 +68,7 @@ bool action_button(Action action, int column) {
     const char* const label = shortcut_of(action).label;
     const float air = ImGui::GetStyle().ItemSpacing.x;
     if (column > 0) ImGui::SameLine();
-    // Of the whole row, wherever in it the cursor is.
+    // The width of the whole row, wherever in it the cursor is.
     const float row = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
     const bool pressed = key_button(label, {(row - (kButtonsARow - 1) * air) / kButtonsARow, 0});
     note_place(label);

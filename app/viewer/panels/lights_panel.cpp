@@ -97,7 +97,7 @@ bool draw_view(LightsSettings& settings) {
     return changed;
 }
 
-// Of what is nothing but for rounding nobody wants the digits.
+// Nobody wants the digits of what would be 0 but for rounding.
 std::string small_percentage(double share) {
     constexpr double kLeast = 1e-6;
     return share < kLeast ? "under 0.0001 %" : fmt::format("{:.3g} %", 100 * share);

@@ -40,7 +40,7 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool named = setup.paper != Paper::as_picture && setup.paper != Paper::custom;
     const Greyed greyed(named ? kNamed : nullptr);
     bool changed = false;
-    // Of a page of the picture's shape, the side typed last says how long the other is.
+    // On a page of the picture's shape, the side typed last says how long the other is.
     const bool by_height = setup.paper == Paper::as_picture && setup.height_mm;
     double width = named || by_height ? drawn.width_mm : setup.width_mm;
     double height = named ? drawn.height_mm : setup.height_mm.value_or(drawn.height_mm);

@@ -8,7 +8,7 @@
 
 namespace dapple {
 
-/// Of the window's text, in heights of a line.
+/// How high the bar is, in ImGui's points: it grows with the window's text.
 float player_bar_height();
 
 /// What a click in the bar asks for beside what it changes in the film.

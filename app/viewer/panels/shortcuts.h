@@ -58,11 +58,11 @@ struct Shortcut {
     Action action;
     const char* keys;     // "Ctrl+O", or several, "?, F1"; empty: none
     const char* meaning;  // "Open a picture"
-    // Of its button, or its entry in the menu; both empty if there is none.
+    // What its button, or its entry in the menu, shows; both empty if there is none.
     const char* label = "";
     const char* tip = "";
 };
-/// Of the window of a drawing, and of an environment map's.
+/// The shortcuts of a drawing's window, and those of an environment map's.
 std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
 /// What there is to say of an action, in the drawing's window or else in the map's.

@@ -14,7 +14,7 @@ struct SideCaption {
     std::vector<std::string> info;  // two lines of them
 };
 
-/// Of the strip that they need.
+/// The height of the strip that they need.
 float side_captions_height();
 
 /// Draws both into a strip below the canvas, each in the middle of its side of the divider at `share` of the

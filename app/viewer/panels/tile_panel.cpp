@@ -50,7 +50,7 @@ ImU32 colour_of_kind(std::size_t kind, float paper) {
     return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
 }
 
-// Of which kinds the children are.
+// The kinds of the children, each in its quadrant.
 void draw_children(const Square& square, const NextKinds::value_type& children, ImU32 numbers) {
     const float size = std::max(square.side * 0.2f, std::min(square.side / 2, ImGui::GetFontSize() * 0.8f));
     for (int q = 0; q < 4; ++q) {

@@ -48,7 +48,7 @@ class Document {
     virtual bool is_picture_with_settings(const std::filesystem::path&) const { return false; }
     /// Whatever settings it holds.
     virtual void open_as_picture(const std::filesystem::path& file) { open(file); }
-    /// Of the project whose picture is missing.
+    /// Takes this file for the picture that the project misses.
     virtual void find_picture(const std::filesystem::path&) {}
     virtual void save(const std::filesystem::path& file) = 0;
 

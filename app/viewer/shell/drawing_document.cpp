@@ -46,8 +46,8 @@ constexpr float kStatusHeight = 30;   // at 96 dpi
 // Pixels of presets' previews, and of the copy of the picture that they are made of.
 constexpr int kSmallDrawingSide = 220, kPreviewedSide = 512;
 
-// Of files that hold pictures, of projects, and of drawings that hold settings; others are opened as well if
-// they do.
+// Endings of files that hold pictures, of projects, and of drawings that hold settings; a file with another
+// ending is opened as well if it holds one of these.
 const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg",  ".jpeg", ".tif",
                                          ".tiff",        ".exr", ".hdr",  ".webp", ".gif",  ".bmp",
                                          ".tga",         ".psd", ".ppm",  ".pgm",  ".pnm",  ".jp2",
@@ -497,7 +497,7 @@ double DrawingDocument::placing_seconds() const {
     return longest.count();
 }
 
-// Of the side that is behind.
+// The share of the side that is behind.
 std::optional<double> DrawingDocument::placed_share() const {
     std::optional<double> least;
     for (const Pane* pane : {&session_.pane(), session_.right()}) {

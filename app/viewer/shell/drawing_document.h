@@ -94,7 +94,7 @@ class DrawingDocument : public Document {
     /// Both sides are measured by the smaller tile, so that they compare.
     std::size_t compared_tile_size() const;
     SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
-    /// Of the project, or of the picture.
+    /// The project's name, or else the picture's.
     std::string name() const;
     /// Beside the picture, but for pasted ones, which nobody looks for.
     std::filesystem::path folder_to_save_in() const;

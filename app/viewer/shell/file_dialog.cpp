@@ -46,7 +46,7 @@ float button_width() {
     return 110 * ImGui::GetTextLineHeight() / 15;
 }
 
-// Of two of them at the right end of a row.
+// Where two buttons at the right end of a row begin.
 float place_of_buttons() {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::GetWindowWidth() - 2 * button_width() - style.ItemSpacing.x - style.WindowPadding.x;

@@ -100,9 +100,10 @@ class FileDialog {
     std::optional<std::filesystem::path> accept(const std::filesystem::path& path,
                                                 const std::string& refusal);
     std::vector<std::string> endings() const;
-    /// Of what is written under that name.
+    /// Those files that are there already of what is written under that name.
     std::vector<std::filesystem::path> files_there(const std::filesystem::path& name) const;
-    /// Of a file to open, the first of the folder's whose name begins as what is typed; null: none does.
+    /// When a file is to be opened: the folder's first entry whose name begins as what is typed; null: none
+    /// does.
     const FolderEntry* entry_begun() const;
     std::filesystem::path with_ending(const std::filesystem::path& path) const;
 

@@ -93,7 +93,7 @@ std::vector<InputEvent> InputQueue::take_frame() {
     while (!events_.empty()) {
         const InputEvent& next = events_.front();
         if (!std::ranges::all_of(frame, [&](const InputEvent& e) { return fit_together(e, next); })) break;
-        // Of many moves the last one counts.
+        // Only the last of many moves counts.
         if (next.kind == EventKind::position && !frame.empty() && frame.back().kind == EventKind::position)
             frame.pop_back();
         frame.push_back(next);

@@ -32,7 +32,7 @@ class InputQueue {
     /// Leaves out keys that go down, and letters; keys that go up stay, as they may have gone down before.
     void forget_typed();
 
-    /// Takes the events of the next frame, at least one if there are any. Of those, no key and no button
+    /// Takes the events of the next frame, at least one if there are any. Among them no key and no button
     /// changes twice, no letter is typed twice, no modifier changes after something it could be for, the
     /// pointer doesn't move on after a press, and nothing is pressed or typed after a press of a button or of
     /// a key that does something (rather than being a letter).

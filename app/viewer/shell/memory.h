@@ -89,8 +89,8 @@ class Memory {
     void forget(const std::filesystem::path& file);
 
     /// Writes what was changed since it was read or written last, and only that: what another window wrote
-    /// meanwhile stays, and its recent files come after ours. Of two windows that save at once one waits for
-    /// the other, a second at most. Throws as save_atomically().
+    /// meanwhile stays, and its recent files come after ours. If two windows save at once, one waits for the
+    /// other, a second at most. Throws as save_atomically().
     void save();
 
     /// One sentence for the person, once; none: nothing was wrong.

@@ -422,8 +422,7 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
     ImGui::End();
 }
 
-// Of rows that several formats have one is enough: that of the format which the dialog begins with, if it
-// can.
+// A row that several formats have is listed once: for the format that the dialog begins with, if that has it.
 void Shell::list_export_rows(const SaveQuestion& question, Document& document, std::vector<ListedRow>& rows) {
     const std::size_t before = rows.size(), first = format_of(question, question.start).value_or(0);
     const auto list = [&](std::size_t format) {

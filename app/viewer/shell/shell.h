@@ -63,7 +63,7 @@ class Shell {
     void open_again(const std::filesystem::path& file, Document& document);
     void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
     void draw_dialogs(Document& document, const std::function<void(Action)>& act);
-    // Of the panels and the preferences; one of them takes a value of its own.
+    // Lists the rows of the panels and the preferences; the row `taken`, if there is one, takes its `value`.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
                    int value = -1);
     static void list_export_rows(const SaveQuestion& question, Document& document,

@@ -26,11 +26,11 @@ struct MouseInfo {
 
 // The window writes a line of JSON whenever something in it changed.
 
-/// Of a drawing: {"dots": .., "duplicates": .., "scale": .., "zoom": .., "placings": .., "place_ms": ..,
-/// "draw_ms": .., "steps": .., "all_steps": .., "right": {"dots": .., "duplicates": .., "scale": ..,
-/// "divider": .., "repetition": .., "left_repetition": ..}, "loupe": {"repetition": .., "layers": ..,
-/// "level": ..}}. placings counts since the start. "right" is there while the split view shows dots (an
-/// unknown repetition is null), "loupe" while the lens shows something.
+/// What a drawing's window tells: {"dots": .., "duplicates": .., "scale": .., "zoom": .., "placings": ..,
+/// "place_ms": .., "draw_ms": .., "steps": .., "all_steps": .., "right": {"dots": .., "duplicates": ..,
+/// "scale": .., "divider": .., "repetition": .., "left_repetition": ..}, "loupe": {"repetition": ..,
+/// "layers": .., "level": ..}}. placings counts since the start. "right" is there while the split view shows
+/// dots (an unknown repetition is null), "loupe" while the lens shows something.
 nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings);
 
 struct LightStatus {
@@ -43,8 +43,8 @@ struct LightStatus {
     bool saving = false;          // a file is being written
 };
 
-/// Of an environment map: {"samples": .., "samplings": .., "sampling": .., "stops": .., "difference": ..,
-/// "zoom": .., "saving": ..}.
+/// What an environment map's window tells: {"samples": .., "samplings": .., "sampling": .., "stops": ..,
+/// "difference": .., "zoom": .., "saving": ..}.
 nlohmann::ordered_json status_json(const LightStatus& status);
 
 /// Adds what both have: {"longest_frame_ms": .., "longest_work_ms": .., "gl_errors": .., "mouse": [x, y],

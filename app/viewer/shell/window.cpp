@@ -33,7 +33,7 @@ constexpr int kSmallestWidth = 640, kSmallestHeight = 400;  // at 96 dpi
 constexpr double kPointerRests = 0.6;  // seconds
 constexpr double kLongestWait = 3600;
 constexpr std::chrono::milliseconds kLongestUnseen(100);
-// Of text. A system that says more than that is mistaken, and ImGui's picture of all letters would not fit.
+// The scale of text. A system that says more is mistaken, and ImGui's picture of all letters would not fit.
 constexpr float kSmallestScale = 0.5f, kLargestScale = 8;
 
 std::string glfw_says() {

@@ -16,7 +16,7 @@ bool begin_dialog(const char* title, bool& open, ImGuiWindowFlags flags, DialogP
                             {0.5f, top ? 0 : 0.5f});
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.PopupBorderSize);
-    // Of the title alone, which would else begin left of all that is below it.
+    // For the title alone, which would otherwise begin left of all that is below it.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.WindowPadding.x, 2 * style.FramePadding.y});
     const bool drawn =
         ImGui::BeginPopupModal(title, &open, flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);

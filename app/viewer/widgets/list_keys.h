@@ -1,6 +1,6 @@
 #pragma once
-// A list by keyboard: one stop on Tab's way (row_keys.h), of whose entries the arrows mark one, and letters
-// the next that begins with them.
+// A list by keyboard: one stop on Tab's way (row_keys.h). The arrows mark one of its entries, and a letter
+// marks the next that begins with it.
 //
 //     keys.begin("files", low, high);
 //     for (const std::string& file : files) {
@@ -21,14 +21,14 @@ class ListKeys {
     /// it.
     void begin(const char* name, ImVec2 low, ImVec2 high);
 
-    /// Of the entry that is drawn next.
+    /// Whether the entry that is drawn next is the marked one, and the list has the keys.
     bool next_is_marked() const { return keys_.focused && drawn_ == marked_; }
 
     /// After each entry: scrolls to it and outlines it if it is marked, and what the keys then ask of it.
     /// Without a name no letter finds it.
     RowKeys end_entry(std::string_view name = {});
 
-    /// Of another list: its first entry is marked.
+    /// For another list: its first entry is marked.
     void forget() { marked_ = 0; }
 
  private:

@@ -16,7 +16,7 @@ ImVec2 size_of(const EntryBox& box) {
     return {std::floor(box.width * line), std::floor(box.height * line)};
 }
 
-// Of any name: Dear ImGui would leave out what stands before "###".
+// An id for any name: Dear ImGui itself would leave out what stands before "###".
 int id_of(const std::string& name) {
     return static_cast<int>(std::hash<std::string>()(name));
 }

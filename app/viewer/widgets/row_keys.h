@@ -24,7 +24,7 @@ struct RowKeys {
 /// focused is false, and the text is to be left.
 RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing = false);
 
-/// The same of the item drawn last.
+/// The same for the item drawn last.
 RowKeys item_keys(const char* name, bool typing = false);
 
 /// Whether any row of this ImGui window has the keys.

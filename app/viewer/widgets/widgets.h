@@ -30,7 +30,7 @@ struct WidgetPlace {
     bool operator==(const WidgetPlace&) const = default;
 };
 
-/// Of the widgets drawn in a frame, by label.
+/// The places of the widgets drawn in a frame, by label.
 using WidgetPlaces = std::map<std::string, WidgetPlace>;
 
 /// A row as a list of all of them tells it.
@@ -96,7 +96,7 @@ struct SliderRange {
 /// are, so that nothing moves under the pointer when what they depend on is changed.
 class Greyed {
  public:
-    /// Without a reason the rows are as ever.
+    /// Without a reason the rows can be used as usual.
     explicit Greyed(const char* reason);
     ~Greyed();
     Greyed(const Greyed&) = delete;
@@ -107,8 +107,8 @@ class Greyed {
     float top_ = 0;
 };
 
-/// Of every window that is no dialog: one that asks for the focus when it appears, in the frame in which a
-/// dialog opens, ends the program by an assertion of ImGui's.
+/// A flag for every window that is no dialog: one that asks for the focus when it appears, in the frame in
+/// which a dialog opens, ends the program by an assertion of ImGui's.
 inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
 
 /// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
@@ -119,12 +119,12 @@ bool press_area(const char* name, ImVec2 size);
 double track_position(double value, const SliderRange& range);
 double track_value(double position, const SliderRange& range);
 
-/// A slider row. True while it changes the value. Of a length the label goes on with its unit: "Margin" is
-/// shown as "Margin, mm".
+/// A slider row. True while it changes the value. A length's label goes on with its unit: "Margin" is shown
+/// as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
 
-/// What of a setting's row depends on the moment.
+/// What depends on the moment in a setting's row.
 struct SliderNow {
     std::optional<double> usual = {};  // none: the setting's
     std::optional<double> most = {};   // that can be typed, if less than the setting's

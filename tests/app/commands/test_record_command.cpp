@@ -70,7 +70,7 @@ TEST_CASE("a film of growth adds dots that stay, lets them settle, and ends on w
     CHECK(picture("film/frame-0040.png") == drawn("a.png", ""));
     CHECK(picture("placed/frame-0040.png") == drawn("b.png", " --relax 0"));
     CHECK(picture("film/frame-0040.png") != picture("placed/frame-0040.png"));
-    // Of 40 pictures the 36th is the last before all dots are there: no dot of one is missing in the next.
+    // The 36th of 40 pictures is the last before all dots are there: no dot of one is missing in the next.
     for (const char* const pair : {"0010 0020", "0020 0030", "0030 0036"}) {
         const std::vector<float> before = picture(std::string("film/frame-") + std::string(pair, 4) + ".png"),
                                  after = picture(std::string("film/frame-") + (pair + 5) + ".png");

@@ -135,7 +135,7 @@ TEST_CASE("short bursts of a laser are moves with the beam on, for as long as th
     }
     draw_to(scene, "a.gcode", "--gcode laser --dwell 0.05");
     CHECK(plotted_gcode(text_of(scene("a.gcode"))).bursts_s.empty());
-    // Of lines it has no part.
+    // Lines have no bursts.
     draw_to(scene, "a.gcode", "--gcode laser --dwell 0.01 --style line");
     const Plotted line = plotted_gcode(text_of(scene("a.gcode")), Lines::drawn);
     CHECK(line.lines.size() == 1);

@@ -62,7 +62,7 @@ std::vector<Layer> layers_of(const std::string& file) {
     return layers;
 }
 
-// Of the middle of the box around these dots, the share that discs of that width cover.
+// The share that discs of that width cover of the middle of the box around these dots.
 double covered_share(const std::vector<glm::dvec2>& dots, double width) {
     glm::dvec2 low = dots[0], high = dots[0];
     for (const glm::dvec2 dot : dots) {

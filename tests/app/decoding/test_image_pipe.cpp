@@ -214,7 +214,7 @@ TEST_CASE("thousands of nearly right things that a decoder could send are each a
         const std::string said = said_of(bytes);
         ++(said.empty() ? pictures : said == "ended" ? ended : sentences);
     }
-    // Of each there are many, or this would look at nothing.
+    // There are many of each, or this would look at nothing.
     CHECK(pictures > 100);
     CHECK(sentences > 100);
     CHECK(ended > 100);

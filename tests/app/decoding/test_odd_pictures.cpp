@@ -60,7 +60,7 @@ std::string bmp(std::uint32_t width, std::uint32_t height, char bits, std::uint3
            little_endian(colours) + little_endian(0) + palette + pixels;
 }
 
-// Of a pixel, as decoders give it.
+// The colour of the first pixel of the last row, as decoders give it.
 glm::vec3 first_colour(const fs::path& path) {
     struct : ImageSink {
         void begin(const ImageHeader&) override {}
@@ -167,7 +167,7 @@ TEST_CASE("a BMP of runs may end a line after its last row, and lack its end, bu
         CHECK(picture.light.at(2, 0) == light_of(200));
         CHECK(picture.light.at(3, 0) == light_of(100));
     }
-    // Of four bits: three pixels, of 12, 3 and 12 again, from the palette's beginning.
+    // Four bits a pixel: three pixels, 12, 3 and 12 again, from the palette's beginning.
     put_text(folder / "a.bmp", bmp(3, 1, 4, 2, palette.substr(0, 64), std::string("\3\xc3\0\0\0\1", 6)));
     const Picture four = read_picture(folder / "a.bmp");
     CHECK(four.light.at(0, 0) == light_of(12));
@@ -213,7 +213,7 @@ TEST_CASE("what a PNG's cICP says of its colours is light as the standards have 
 
     CHECK(read_picture(coded(folder, std::string("\x09\x10\0\1", 4), {1, 1, 0.5f})).description ==
           "1 x 1 pixels, 16-bit colour png, PQ, Rec. 2020");
-    // Of what is not known it is told, and read as if nothing had been said.
+    // What is not known is told, and the file is read as if it had said nothing.
     for (const char* const points : {"\x16\x0d\0\1", "\1\x01\0\1", "\1\x10\1\1", "\1\x10\0\0"}) {
         const Picture picture = read_picture(coded(folder, std::string(points, 4), {0.5f, 0.5f, 0.5f}));
         CHECK(picture.description.find(" is not known here") != std::string::npos);

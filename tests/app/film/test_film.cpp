@@ -30,7 +30,7 @@ Grid<float> even_grey(float light) {
     return {90, 60, light};
 }
 
-// Of the middle of a picture, 0..1, as the eye adds it up.
+// The light of the middle of a picture, 0..1, as the eye adds it up.
 double light_of(const Grid<glm::u8vec3>& pixels) {
     double sum = 0;
     int count = 0;

@@ -25,7 +25,7 @@ TEST_CASE("local density is counted cell by cell, the row of smallest y first") 
     REQUIRE(density.relative.size() == 4);
     CHECK(density.relative == std::vector<double>{2, 1, 0, 1});
     CHECK(density.highest == 2);
-    // Of all four cells, their mean being known: the root of (1 + 0 + 1 + 0) / 4.
+    // Over all four cells, their mean being known: the root of (1 + 0 + 1 + 0) / 4.
     CHECK(density.deviation == doctest::Approx(0.70710678));
     CHECK(density.lowest == 0);
     CHECK(local_density({}, {}).relative.empty());

@@ -124,7 +124,7 @@ TEST_CASE("a crop in pixels is one of the file's, of which several became one") 
     };
     CHECK(same(dots_of(large, crop), dots_of(pipeline, in_light)));
     CHECK(large.framing().pixels.high == glm::ivec2(100, 60));
-    // Of a value that the crop meets, all.
+    // A value that the crop meets is drawn whole.
     CHECK(same(dots_of(large, {{{21, 11}, {99, 59}}}), dots_of(pipeline, in_light)));
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
 }
 
 TEST_CASE("what a scale came to is known when it is asked for again, and no longer with another picture") {
-    // Of the same tones, but the mask leaves the light half of one and the dark half of the other.
+    // Both have the same tones, but the mask leaves the light half of one and the dark half of the other.
     Grid<float> mirrored = ramp();
     for (int y = 0; y < mirrored.height; ++y) std::reverse(mirrored.row(y), mirrored.row(y) + mirrored.width);
     Grid<std::uint8_t> right_half(80, 40, kNeutralLevel);

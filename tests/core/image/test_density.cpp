@@ -43,7 +43,7 @@ TEST_CASE("no value in a square lies outside its bounds, at any depth") {
             for (int trial = 0; trial < 3000; ++trial) {
                 const int depth = static_cast<int>(random() % 14);
                 const std::int64_t side = std::int64_t{1} << depth;
-                // Of all root squares.
+                // From all root squares.
                 const QuadSquare square{depth, static_cast<std::int64_t>(random() % (2 * side)) - side,
                                         static_cast<std::int64_t>(random() % (2 * side)) - side};
                 const Bounds bounds = density.bounds(square);

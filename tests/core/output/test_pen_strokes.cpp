@@ -47,7 +47,7 @@ StrokeStream crosses_of(const DotPieces& dots) {
     return marks_of(stream_of(dots), kPensPage, {DotShape::cross, {}}, 0.8, 0.3, {0.4, 0.2});
 }
 
-// Of machines: from the lower left corner.
+// One pen's strokes as machines count them: from the lower left corner.
 std::vector<std::vector<glm::dvec2>> turned_strokes(const StrokeStream& strokes, int pen) {
     std::vector<std::vector<glm::dvec2>> all;
     only(strokes, pen).for_each_stroke([&](std::span<const glm::dvec2> points, int its_pen) {

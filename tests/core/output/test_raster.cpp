@@ -48,7 +48,7 @@ double disc_area(double radius) {
     return std::numbers::pi * radius * radius;
 }
 
-// Of two discs of equal radius whose centres are so far apart.
+// The area shared by two discs of equal radius whose centres are so far apart.
 double overlap(double radius, double distance) {
     return 2 * radius * radius * std::acos(distance / (2 * radius)) -
            distance / 2 * std::sqrt(4 * radius * radius - distance * distance);

@@ -67,7 +67,7 @@ PointLists points_in_line(std::size_t count) {
     return PointLists({points});
 }
 
-// Of density 1 all over, wherever it comes from.
+// A square of density 1 all over, wherever that comes from.
 KernelSquare even_square(const CellPoints& points, KernelSquare::Source source,
                          const std::vector<float>& ones) {
     KernelSquare square;

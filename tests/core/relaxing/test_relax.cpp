@@ -118,8 +118,8 @@ Polygon half_of(const Polygon& polygon, glm::dvec2 normal, double most) {
     return result;
 }
 
-// Of density squared over what is nearer to dots[i] than to others, on the page and to where its edges wave,
-// less the darker it is there: beyond them the density goes on.
+// The centroid of density squared over what is nearer to dots[i] than to others, on the page and to where its
+// edges wave, less the darker it is there: beyond them the density goes on.
 glm::dvec2 slow_centroid(const std::vector<glm::dvec2>& dots, std::size_t i, const Density& density,
                          double scale) {
     const double longer = density.longer_side();

@@ -38,7 +38,7 @@ bool is_permutation_of_all(std::vector<std::uint32_t> order, std::size_t count) 
     return order == all;
 }
 
-// Of all pairs, the shortest first, those that leave no dot with three links and close no ring.
+// Links between all pairs, the shortest first, as long as no dot gets a third link and no ring closes.
 double length_of_greedy_links(const Dots& dots) {
     struct Pair {
         double length;

@@ -76,7 +76,7 @@ TEST_CASE("on even grey a hundred steps from random dots are nearly a hexagonal 
 }
 
 TEST_CASE("dots tend to the root of the weight: with density squared they keep the density") {
-    // Of the ramp's dots (1/2)^2 lie in the left half, of its root's (1/2)^(3/2).
+    // (1/2)^2 of the ramp's dots lie in the left half, (1/2)^(3/2) of its root's.
     const Density density = ramp();
     const auto left_share = [&](LloydWeight weight) {
         std::vector<glm::dvec2> dots = random_dots(density, 300, 2);

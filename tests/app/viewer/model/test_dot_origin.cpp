@@ -122,7 +122,7 @@ TEST_CASE(
 
 TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whatever tile it lies in now") {
     Workbench bench;
-    // Of the same density placed and relaxed; few of its dots appear at the same scale.
+    // Its dots are placed, and relaxed as well; few of them appear at the same scale.
     Grid<float> light(30, 20);
     for (std::size_t i = 0; i < light.values.size(); ++i) light.values[i] = 0.1f + 0.001f * float(i);
     bench.set_picture({.light = light});

@@ -370,7 +370,7 @@ TEST_CASE("Tab walks from the path to the folder, the format, its options and th
     for (const std::string& name : order) {
         CAPTURE(name);
         f.key(Key::tab);
-        // Of a choice side by side the first entry is noted, and of the folder any.
+        // A choice side by side is noted by its first entry, and the folder by any.
         CHECK(f.has_keys(name));
     }
     for (auto name = order.rbegin() + 1; name != order.rend(); ++name) {

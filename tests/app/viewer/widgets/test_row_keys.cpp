@@ -53,7 +53,7 @@ struct KeyRows {
         if (!ui.has(kRowWithKeys)) return "";
         const WidgetPlace ring = ui.place(kRowWithKeys);
         for (const char* name : {"Tone", "Count", "Locked", "On", "Paper", "Fit", "Ink", "Press", "More"}) {
-            // Of a choice side by side, the first entry is noted.
+            // A choice side by side is noted by its first entry.
             const glm::vec2 middle = ui.at(std::string(name) == "Fit" ? "inside" : name, 0.5f);
             if (middle.y > ring.min.y && middle.y < ring.max.y) return name;
         }
