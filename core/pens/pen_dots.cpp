@@ -15,7 +15,7 @@ constexpr int kMovingRounds = 4;  // of exchanging and moving
 constexpr int kFirstSweeps = 24;  // of exchanging
 constexpr int kSweeps = 12;
 // A dot's step for its own pen counts so much beside that for all dots: more costs evenness of all.
-constexpr float kForOwn = 0.35f;
+constexpr float kForOwn = 0.3f;
 constexpr float kFarthestOwn = 0.22f;  // such a step, over the distance between dots
 
 // All dots in one piece, near ones near each other.
