@@ -114,8 +114,7 @@ void Pipeline::set_light(Grid<float> light, float usual_exposure, int pixels_in_
     pixels_in_one_ = pixels_in_one;
     framing_ = whole_picture(pixels());
     usual_exposure_ = usual_exposure;
-    histogram_.reset();
-    forget_densities();
+    forget_light();
 }
 
 void Pipeline::set_colours(ColourGrid colours) {
@@ -125,11 +124,17 @@ void Pipeline::set_colours(ColourGrid colours) {
     forget_densities();
 }
 
+void Pipeline::forget_light() {
+    histogram_.forget();
+    usual_.forget();
+    forget_densities();
+}
+
 void Pipeline::forget_densities() {
-    detailed_.reset();
-    toned_.reset();
-    density_.reset();
-    by_scale_.reset();
+    detailed_.forget();
+    toned_.forget();
+    masked_.forget();
+    dots_by_scale_.forget();
 }
 
 void Pipeline::set_plain(std::optional<Density> density) {
@@ -147,8 +152,7 @@ void Pipeline::frame(const PageSetup& setup) {
         framed_ = framed(light_, framing_of_light());
         if (!colours_.empty()) framed_colours_ = framed(colours_, framing_of_light());
     }
-    histogram_.reset();
-    forget_densities();
+    forget_light();
 }
 
 Framing Pipeline::framing_of_light() const {
@@ -160,93 +164,70 @@ Framing Pipeline::framing_of_light() const {
 
 std::shared_ptr<const Histogram> Pipeline::histogram(float exposure) {
     if (light_.empty()) return nullptr;
-    if (!histogram_ || histogram_exposure_ != exposure) {
-        histogram_ = std::make_shared<const Histogram>(histogram_of(framed_light(), exposure));
-        usual_.reset();
-    }
-    histogram_exposure_ = exposure;
-    return histogram_;
+    return histogram_.of(
+        exposure, [&] { return std::make_shared<const Histogram>(histogram_of(framed_light(), exposure)); });
 }
 
 Tone Pipeline::usual_tone(const Histogram& histogram, const Tone& own, double strength) {
-    if (!usual_ || usual_->own != own || usual_->strength != strength)
-        usual_ = Usual{own, strength, auto_tone(histogram, own, strength)};
-    return usual_->tone;
+    return usual_.of({own, strength, own.exposure}, [&] { return auto_tone(histogram, own, strength); });
 }
 
 Grid<float> Pipeline::detailed_light(const Detailed& detailed) {
-    if (detailed_ && detailed_with_ == detailed) return *detailed_;
-    detailed_.reset();
-    Grid<float> light = exposed(framed_light(), detailed.exposure);
-    if (detailed.amount == 0) return light;
-    light = with_detail(std::move(light), detailed.amount, detailed.sigma);
-    if (light.values.size() > kMostPixelsKept) return light;
-    detailed_with_ = detailed;
-    return detailed_.emplace(std::move(light));
+    const auto make = [&] {
+        Grid<float> light = exposed(framed_light(), detailed.exposure);
+        return detailed.amount == 0 ? light : with_detail(std::move(light), detailed.amount, detailed.sigma);
+    };
+    if (detailed.amount != 0 && framed_light().values.size() <= kMostPixelsKept)
+        return detailed_.of(detailed, make);
+    detailed_.forget();
+    return make();
 }
 
-std::shared_ptr<const Density> Pipeline::toned_density(const Toned& toned) {
-    if (plain_) return plain_;
-    if (density_ && toned_ == toned) return density_;
-    const auto start = Clock::now();
-    density_.reset();  // its memory may be needed
-    Grid<float> light = detailed_light({toned.tone.exposure, toned.tone.detail, toned.detail_sigma});
-    by_pen_ = {};
-    if (toned.pens.empty()) {
-        density_ = std::make_shared<const Density>(
-            page_density(density_of(std::move(light), toned.tone, InkCurve(toned.ink))));
-    } else {
-        by_pen_ = toned_by_pen(toned, std::move(light));
-        density_ = by_pen_.all;
-    }
-    toned_ = toned;
-    tone_ms_ += milliseconds_since(start);
-    return density_;
+const PenDensities& Pipeline::toned_densities(const Toned& toned) {
+    return toned_.of(toned, [&]() -> PenDensities {
+        const Clock::time_point start = Clock::now();
+        Grid<float> light = detailed_light({toned.tone.exposure, toned.tone.detail, toned.detail_sigma});
+        PenDensities densities;
+        if (toned.pens.pens.empty())
+            densities.all = std::make_shared<const Density>(
+                page_density(density_of(std::move(light), toned.tone, InkCurve(toned.ink))));
+        else
+            densities = toned_by_pen(toned, std::move(light));
+        tone_ms_ += milliseconds_since(start);
+        return densities;
+    });
 }
 
 std::shared_ptr<const Density> Pipeline::density_for(const Toned& toned, const Mask& mask) {
-    if (mask.empty() || plain_) {
-        masked_.reset();
-        unmasked_.reset();
-        return toned_density(toned);
-    }
-    if (!density_ || toned_ != toned) {  // its memory may be needed
-        masked_.reset();
-        unmasked_.reset();
-    }
-    const auto density = toned_density(toned);
-    if (masked_ && unmasked_ == density && mask_ == mask) return masked_;
-    const auto start = Clock::now();
-    masked_ = std::make_shared<const Density>(
-        page_density(masked(density->values(), mask, framing_of_light(), {light_.width, light_.height})));
-    unmasked_ = density;
-    mask_ = mask;
-    tone_ms_ += milliseconds_since(start);
-    return masked_;
+    if (plain_) return plain_;
+    if (mask.empty() || !toned_.find(toned)) masked_.forget();  // its memory may be needed
+    const std::shared_ptr<const Density> density = toned_densities(toned).all;
+    if (mask.empty()) return density;
+    return masked_.of({density, mask}, [&] {
+        const Clock::time_point start = Clock::now();
+        auto under = std::make_shared<const Density>(
+            page_density(masked(density->values(), mask, framing_of_light(), {light_.width, light_.height})));
+        tone_ms_ += milliseconds_since(start);
+        return under;
+    });
 }
 
 PenDensities Pipeline::by_pen_under(const Mask& mask) const {
-    PenDensities result = by_pen_;
+    PenDensities result = toned_.value();
     if (mask.empty()) return result;
-    const auto under = [&](const std::shared_ptr<const Density>& density) {
-        return std::make_shared<const Density>(
-            masked(density->values(), mask, framing_of_light(), {light_.width, light_.height}));
-    };
-    result.all = masked_;
-    std::ranges::transform(result.each, result.each.begin(), under);
+    result.all = masked_.value();
+    for (std::shared_ptr<const Density>& each : result.each)
+        each = std::make_shared<const Density>(
+            masked(each->values(), mask, framing_of_light(), {light_.width, light_.height}));
     return result;
 }
 
 PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
-    if (!separation_ || separated_pens_ != toned.pens || separated_paper_ != toned.paper ||
-        separated_black_ != toned.pens_black) {
-        separation_ = std::make_shared<const Separation>(toned.pens, toned.paper, toned.pens_black);
-        separated_black_ = toned.pens_black;
-        separated_pens_ = toned.pens;
-        separated_paper_ = toned.paper;
-    }
+    const auto& [pens, paper, black] = toned.pens;
+    const std::shared_ptr<const Separation> separation =
+        separation_.of(toned.pens, [&] { return std::make_shared<const Separation>(pens, paper, black); });
     const Grid<float> seen = toned_light(std::move(light), toned.tone);
-    return separated({seen, framed_colours(), toned.tone.invert}, *separation_, toned.pens, toned.ink);
+    return separated({seen, framed_colours(), toned.tone.invert}, *separation, pens, toned.ink);
 }
 
 double DrawingPlan::dots_for_tone() const {
@@ -267,9 +248,8 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     Toned toned{plan.tone,
                 {.smallest_area = smallest_area(request.dot_size), .joined = plan.joined},
                 0,
-                plan.pens,
-                plan.pens.empty() ? kWhite : request.paper};
-    if (request.pens.set == PenSet::cmyk) toned.pens_black = request.pens.black;
+                {plan.pens, plan.pens.empty() ? kWhite : request.paper}};
+    if (request.pens.set == PenSet::cmyk) toned.pens.black = request.pens.black;
     plan.placer = request.placer;
     plan.settle_for = request.settle_for;
     plan.placing = request.placing;
@@ -324,20 +304,21 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         return;
     }
     // As many dots of a count have the same black and steps: known from when the same was planned last.
-    ByScale by_scale{toned, request.mask, plan.placing.scale};
-    if (by_scale_ && by_scale_->asks_for(by_scale)) {
-        take_dots(by_scale_->dots);
+    const Scaled scaled{toned, request.mask, plan.placing.scale};
+    if (const double* const dots = dots_by_scale_.find(scaled)) {
+        take_dots(*dots);
         return make_density(plan.placing.scale);
     }
     make_density(plan.placing.scale);
+    double dots = 0;
     for (int round = 0; round < 3; ++round) {
         const InkedDots before = toned.ink;
-        by_scale.dots = expected_dots(*plan.density, plan.placing.scale);
-        take_dots(by_scale.dots);
+        dots = expected_dots(*plan.density, plan.placing.scale);
+        take_dots(dots);
         if (toned.ink == before) break;
         make_density(plan.placing.scale);
     }
-    by_scale_ = std::move(by_scale);
+    dots_by_scale_.keep(scaled, dots);
 }
 
 DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& terms) {

@@ -12,6 +12,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/drawing/cached.h"
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pen_plan.h"
 #include "core/drawing/request.h"
@@ -124,50 +125,51 @@ class Pipeline {
     double tone_ms() const { return tone_ms_; }
 
  private:
-    // What a density is made with.
-    struct Toned {
+    // What each stage is made of, beside the picture.
+    struct Usual {  // what automatic tone comes to
+        Tone own;
+        double strength = 1;
+        float exposure = 0;
+        bool operator==(const Usual&) const = default;
+    };
+    struct Detailed {  // light, before it becomes a density
+        float exposure = 0, amount = 0;
+        double sigma = 0;  // pixels
+        bool operator==(const Detailed&) const = default;
+    };
+    struct Separated {  // pens' shares of each colour
+        Palette pens;
+        glm::vec3 paper = kWhite;
+        double black = kUsualBlack;  // see Separation
+        bool operator==(const Separated&) const = default;
+    };
+    struct Toned {  // densities
         Tone tone;
         InkedDots ink;
         double detail_sigma = 0;  // pixels
-        Palette pens = {};
-        glm::vec3 paper = kWhite;
-        double pens_black = kUsualBlack;  // see Separation
+        Separated pens = {};
         bool operator==(const Toned&) const = default;
     };
-
-    // What automatic tone came to.
-    struct Usual {
-        Tone own;
-        double strength;
-        Tone tone;
+    struct Masked {  // the density under its mask
+        std::shared_ptr<const Density> density;
+        Mask mask;
+        bool operator==(const Masked&) const = default;
     };
-
-    // What light is brought out with, before it becomes a density.
-    struct Detailed {
-        float exposure = 0, amount = 0;
-        double sigma = 0;
-        bool operator==(const Detailed&) const = default;
-    };
-
-    // What a scale came to: so many dots, from which black and steps follow, which in turn decide about the
-    // dots.
-    struct ByScale {
+    struct Scaled {   // how many dots a scale comes to, which black and steps follow from and decide about
         Toned toned;  // as the histogram has it
         Mask mask;
         double scale = 0;
-        double dots = 0;
-        bool asks_for(const ByScale& other) const {
-            return toned == other.toned && scale == other.scale && mask == other.mask;
-        }
+        bool operator==(const Scaled&) const = default;
     };
 
+    void forget_light();
     void forget_densities();
     /// Under the mask, if there is one.
     std::shared_ptr<const Density> density_for(const Toned& toned, const Mask& mask);
-    std::shared_ptr<const Density> toned_density(const Toned& toned);
+    const PenDensities& toned_densities(const Toned& toned);
     Grid<float> detailed_light(const Detailed& detailed);
     PenDensities toned_by_pen(const Toned& toned, Grid<float> light);
-    PenDensities by_pen_under(const Mask& mask) const;
+    PenDensities by_pen_under(const Mask& mask) const;  // of the density made last
     std::shared_ptr<const Histogram> histogram(float exposure);
     Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
@@ -182,24 +184,17 @@ class Pipeline {
     std::optional<Grid<float>> framed_;  // none: all of it as it is
     ColourGrid colours_;                 // empty: not known
     std::optional<ColourGrid> framed_colours_;
-    PenDensities by_pen_;  // made with toned_
-    std::shared_ptr<const Separation> separation_;
-    Palette separated_pens_;  // what it was made with
-    glm::vec3 separated_paper_ = kWhite;
-    double separated_black_ = kUsualBlack;
     Framing framing_;
     int pixels_in_one_ = 1;
     float usual_exposure_ = 0;
-    float histogram_exposure_ = 0;  // what histogram_ was made with
-    std::shared_ptr<const Histogram> histogram_;
-    std::optional<Usual> usual_;           // of histogram_
-    std::optional<Grid<float>> detailed_;  // made with detailed_with_; none of a large picture
-    Detailed detailed_with_;
-    std::optional<Toned> toned_;  // what density_ was made with
-    std::shared_ptr<const Density> density_, plain_;
-    std::optional<ByScale> by_scale_;
-    Mask mask_;                                         // masked_ is density_ under it
-    std::shared_ptr<const Density> masked_, unmasked_;  // the latter is density_ as it was then
+    std::shared_ptr<const Density> plain_;
+    Cached<float, std::shared_ptr<const Histogram>> histogram_;  // by exposure
+    Cached<Usual, Tone> usual_;
+    Cached<Detailed, Grid<float>> detailed_;  // none of a large picture
+    Cached<Separated, std::shared_ptr<const Separation>> separation_;
+    Cached<Toned, PenDensities> toned_;
+    Cached<Masked, std::shared_ptr<const Density>> masked_;
+    Cached<Scaled, double> dots_by_scale_;
     std::optional<RankedTile> tile_;
     double tone_ms_ = 0;
 };
