@@ -131,7 +131,8 @@ void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOp
 
 // Throws if the page is too large for the format: better now than after the placing.
 void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, const SavingChoice& saving) {
-    if (has_pixels(format)) static_cast<void>(raster_size(page, saving.dpi));
+    if (has_pixels(format))
+        static_cast<void>(with_option("--dpi", [&] { return raster_size(page, saving.dpi); }));
     if (format == DrawingFormat::pdf) check_fits_pdf(page, dots);
 }
 

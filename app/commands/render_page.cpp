@@ -6,19 +6,6 @@
 #include <stdexcept>
 
 namespace dapple {
-namespace {
-
-// What throws for a reason that an option gives, with that option's name.
-template <class Make>
-auto with_option(const char* option, const Make& make) {
-    try {
-        return make();
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
-    }
-}
-
-}  // namespace
 
 bool draws_whole_page(const RenderOptions& options) {
     return !options.region && options.sheet == Sheet{};

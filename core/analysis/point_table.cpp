@@ -242,7 +242,7 @@ PlacedPoints in_their_own_box(std::vector<glm::dvec2> points, Topology topology,
     const glm::dvec2 size = high - low;
     if (!(size.x > 0 || size.y > 0)) {
         throw std::runtime_error(
-            name + ": all points are at one place; say with --width and --height what they fill");
+            name + ": all points are at one place; give the width and height of the area that they fill");
     }
     // (n - 1) e^2 - (w + h) e - w h = 0
     const double a = double(points.size()) - 1, b = size.x + size.y;

@@ -141,7 +141,7 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     if (room < kLeastRoomMm)
         throw std::runtime_error(
             fmt::format("a test sheet is {:g} mm wide, and the page is {:g}; give "
-                        "--page a4 or a larger one",
+                        "a4 or a larger page",
                         kLeastRoomMm + 2 * kBorderMm, page.width_mm));
     TestSheet sheet;
     glm::dvec2 corner(kBorderMm, kBorderMm + kHeadedMm);
@@ -158,7 +158,7 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     if (lowest > page.height_mm - kBorderMm / 2)
         throw std::runtime_error(
             fmt::format("the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer "
-                        "pens, or a larger --page",
+                        "pens, or a larger page",
                         lowest + kBorderMm / 2, page.height_mm));
     return sheet;
 }

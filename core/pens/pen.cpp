@@ -208,7 +208,7 @@ PenChoice parse_pens(std::string_view text) {
         if (words[0] != name_of(set)) continue;
         choice.set = set;
         if (set == PenSet::one && words.size() > 1)
-            throw std::runtime_error("one takes no width; --dot-radius says how large its dots are");
+            throw std::runtime_error("one takes no width; the radius of dots says how large they are");
         return take_width(1);
     }
     if (words[0] == name_of(PenSet::automatic)) {

@@ -147,6 +147,6 @@ TEST_CASE("points in a row have a box, points at one place have none") {
     for (const Points& points : {Points{{1, 2}}, Points{{1, 2}, {1, 2}}})
         CHECK_THROWS_WITH_AS(
             in_their_own_box(points, Topology::window, "dots.csv"),
-            "dots.csv: all points are at one place; say with --width and --height what they fill",
+            "dots.csv: all points are at one place; give the width and height of the area that they fill",
             std::runtime_error);
 }
