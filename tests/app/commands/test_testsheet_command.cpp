@@ -176,7 +176,7 @@ TEST_CASE("a test sheet that cannot be is told in a sentence, and nothing is wri
     scene.must_fail("testsheet --pens auto:3:0.3" + to, "--pens: auto chooses pens for a picture");
     scene.must_fail("testsheet --pens A:#000:0.001" + to, "give the width of a real pen, 0.02 mm or more");
     scene.must_fail("testsheet --pens cmyk:3" + to, "a test sheet has room for up to 2 mm");
-    scene.must_fail("testsheet --pens cmyk:0.3 --page a6" + to, "and the page is 105; give --page a4");
+    scene.must_fail("testsheet --pens cmyk:0.3 --page a6" + to, "and the page is 105; give a4");
     scene.must_fail("testsheet --pens cmyk:2 --page 297x100" + to, "give fewer pens, or a larger page");
     scene.must_fail("testsheet --pens cmyk:0.3 -o " + scene("a.csv"), "a table has no lines");
     scene.must_fail("testsheet --pens cmyk:0.3 -o " + scene("a.doc"), "a.doc: a drawing's name must end in");
