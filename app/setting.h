@@ -11,7 +11,7 @@
 
 #include <limits>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 #include "core/image/exposure.h"
 #include "core/relaxing/relax.h"
 

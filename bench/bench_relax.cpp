@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 
 using namespace dapple;
 

@@ -12,8 +12,8 @@
 #include <numbers>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
+#include "core/drawing/settings.h"
 #include "core/image/ink.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"

@@ -15,13 +15,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "app/files/tile_library.h"
 #include "core/analysis/local_distances.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 #include "core/image/blur.h"
 #include "core/pens/pen_dots.h"
 
@@ -174,7 +174,7 @@ PenDensities shares_of_photograph(const char* file, std::uint64_t count) {
     DrawingSettings settings;
     settings.pens = parse_pens("cmyk");
     settings.placing.count = count;
-    return pipeline.plan(request_of(settings), terms_of(settings)).by_pen;
+    return pipeline.plan(settings).by_pen;
 }
 
 }  // namespace

@@ -27,7 +27,6 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
@@ -37,6 +36,7 @@
 #include "bench/side_by_side.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/local_distances.h"
+#include "core/drawing/settings.h"
 #include "core/image/detail.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/atomic_file.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
+#include "core/drawing/settings.h"
 #include "core/image/density.h"
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"

@@ -24,10 +24,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "bench/dot_marks.h"
 #include "core/drawing/request.h"
+#include "core/drawing/settings.h"
 #include "core/text/numbers.h"
 #include "lab/analysis/black_seams.h"
 #include "lab/related/methods.h"

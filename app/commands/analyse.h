@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "core/analysis/domain.h"
+#include "core/drawing/settings.h"
 
 namespace CLI {
 class App;

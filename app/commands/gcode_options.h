@@ -1,7 +1,7 @@
 #pragma once
 // The options of G-code: --gcode, --feed, --dwell, --acceleration.
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 namespace CLI {
 class App;

@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/drawing_settings.h"
 #include "app/setting.h"
+#include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
 #include "core/text/names.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/drawing_settings.h"
 #include "app/film/film.h"
+#include "core/drawing/settings.h"
 
 namespace CLI {
 class App;

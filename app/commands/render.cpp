@@ -100,19 +100,19 @@ Picture picture_of(const RenderOptions& options) {
 
 // What the command draws, made sure to be possible.
 DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options, bool thresholds) {
-    DrawingRequest request = request_of(options.drawing);
-    request.placing.thresholds = thresholds;
-    DrawingPlan plan = pipeline.plan(request, terms_of(options.drawing));
+    DrawingSettings settings = options.drawing;
+    settings.placing.thresholds = thresholds;
+    DrawingPlan plan = pipeline.plan(settings);
     if (plan.density->mean() == 0 && plan.placing.count) {
         throw std::runtime_error(fmt::format("{}: nothing to draw, all of it is as light as the paper{}",
                                              name_of_image(options),
                                              options.drawing.mask.empty() ? "" : " or masked"));
     }
     if (plan.lowered) {
-        const bool by_size = request.dot_size.sizing == DotSizing::by_tone;
+        const bool by_size = settings.dot_size.sizing == DotSizing::by_tone;
         throw std::runtime_error(fmt::format(
             "{} would make more than {} dots of {}; choose {}",
-            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", request.placing.scale),
+            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", settings.placing.scale),
             grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
     }
     return plan;
@@ -211,7 +211,7 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     const DotStream dots = drawing.dots;
     check_not_empty(placed.dots.plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
-    const DotOrder order = order_of(options.output, settings, drawing);
+    const DotOrder order = order_of(drawing, format, settings.style);
     std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
     std::optional<double> curve_way;
     if (dots.count <= kMostSortedDots || order != DotOrder::recursion) {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
 #include "app/files/picture.h"
+#include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 
 namespace dapple {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 namespace CLI {
 class App;

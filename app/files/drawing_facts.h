@@ -2,8 +2,8 @@
 // What is known of a drawing before it is plotted, for the command and the window alike: see
 // core/output/findings.h.
 
-#include "app/drawing_settings.h"
 #include "app/files/save_drawing.h"
+#include "core/drawing/settings.h"
 #include "core/output/findings.h"
 
 namespace dapple {

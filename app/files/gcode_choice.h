@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "app/drawing_settings.h"
 #include "app/files/drawing_format.h"
+#include "core/drawing/settings.h"
 #include "core/output/gcode.h"
 #include "core/output/plotting_time.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // A page as a picture in memory: small ones, to be shown or to be part of a film.
 
-#include "app/drawing_settings.h"
 #include "app/files/save_drawing.h"
+#include "core/drawing/settings.h"
 #include "core/image/grid.h"
 
 namespace dapple {

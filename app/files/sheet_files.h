@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
 #include "core/text/length.h"

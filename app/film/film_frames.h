@@ -4,9 +4,9 @@
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
 
-#include "app/drawing_settings.h"
 #include "app/film/film.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 #include "core/image/grid.h"
 #include "core/routing/short_way.h"
 

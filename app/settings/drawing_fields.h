@@ -2,8 +2,8 @@
 // What a drawing's settings are called in files. A new field of one of these structs doesn't compile until it
 // is named here.
 
-#include "app/drawing_settings.h"
 #include "app/settings/fields.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

@@ -16,6 +16,7 @@
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pen_plan.h"
 #include "core/drawing/request.h"
+#include "core/drawing/settings.h"
 #include "core/image/density.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
@@ -104,6 +105,10 @@ class Pipeline {
 
     /// Needs a picture and a tile. Throws what density_of(), Density, framing_of() and layout_of() throw.
     DrawingPlan plan(const DrawingRequest& request, const DrawingTerms& terms = {});
+    /// What settings ask for: request_of() and terms_of() them.
+    DrawingPlan plan(const DrawingSettings& settings) {
+        return plan(request_of(settings), terms_of(settings));
+    }
 
     /// The scale that stream() comes to; a count's end is found now and kept in the plan.
     double find_scale(DrawingPlan& plan);

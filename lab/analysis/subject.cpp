@@ -35,11 +35,10 @@ struct Placed {
 
 Placed place(Pipeline& pipeline, const DrawingSettings& settings) {
     pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
-    const DrawingRequest request = request_of(settings);
-    Placed placed{.plan = pipeline.plan(request, terms_of(settings)), .stippling = {}};
+    Placed placed{.plan = pipeline.plan(settings), .stippling = {}};
     if (placed.plan.lowered) {
         throw std::runtime_error(
-            fmt::format("--scale: {:g} would make more than {} dots", request.placing.scale, kMostDots));
+            fmt::format("--scale: {:g} would make more than {} dots", settings.placing.scale, kMostDots));
     }
     pipeline.draw(placed.plan, placed.stippling);
     return placed;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/picture.h"
 #include "core/analysis/domain.h"
 #include "core/analysis/tone_fidelity.h"
+#include "core/drawing/settings.h"
 #include "core/image/grid.h"
 #include "lab/related/methods.h"
 

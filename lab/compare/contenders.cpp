@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "core/drawing/request.h"
+#include "core/drawing/settings.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/density_choice.h"
 #include "app/viewer/model/dot_colours.h"
 #include "app/viewer/model/shown_strokes.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

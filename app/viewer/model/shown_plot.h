@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/film/plot_film.h"
 #include "app/viewer/model/background.h"
 #include "app/viewer/model/placed_drawing.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

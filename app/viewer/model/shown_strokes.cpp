@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 #include "core/placing/dot_stream.h"
 #include "core/routing/short_way.h"
 

@@ -3,8 +3,8 @@
 
 #include <stop_token>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/small_pictures.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

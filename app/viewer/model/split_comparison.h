@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/dots_request.h"
+#include "core/drawing/settings.h"
 #include "core/text/names.h"
 
 namespace dapple {

@@ -1,8 +1,8 @@
 #pragma once
 // The section "Dots": how many dots there are, how large, how even, in which shape.
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/drawn_info.h"
+#include "core/drawing/settings.h"
 #include "core/text/length.h"
 
 namespace dapple {

@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/shown_pens.h"
 #include "app/viewer/panels/palette_row.h"
+#include "core/drawing/settings.h"
 #include "core/text/length.h"
 
 namespace dapple {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/drawing/settings.h"
 
 namespace dapple {
 

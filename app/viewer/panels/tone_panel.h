@@ -1,7 +1,7 @@
 #pragma once
 // The tone, rows of the section "Picture": how dark the drawing is where the picture is.
 
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 #include "core/image/histogram.h"
 
 namespace dapple {

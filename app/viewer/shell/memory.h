@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/shell/start_mark.h"
 #include "app/viewer/widgets/theme.h"
+#include "core/drawing/settings.h"
 #include "core/text/names.h"
 
 namespace dapple {

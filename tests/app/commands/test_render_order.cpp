@@ -48,7 +48,7 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         Pipeline pipeline;
         pipeline.set_light(read_picture(scene("cat.png")).light);
         pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
-        const DrawingPlan plan = pipeline.plan(request_of(settings), terms_of(settings));
+        const DrawingPlan plan = pipeline.plan(settings);
         Stippling drawn;
         REQUIRE(pipeline.draw(plan, drawn));
         for (const std::string ending : {".svg", ".csv", ".png", ".nc", ".json"}) {

@@ -155,7 +155,7 @@ TEST_CASE(
     for (const FilmKind kind : {FilmKind::growth, FilmKind::plot}) {
         CAPTURE(name_of(kind));
         const DrawingSettings settings = film_settings(settings_for(2000), kind);
-        DrawingPlan plan = pipeline.plan(request_of(settings), terms_of(settings));
+        DrawingPlan plan = pipeline.plan(settings);
         const DotStream dots = pipeline.stream(plan);
         const PageSize page = plan.layout(dots.scale).page;
         const Grid<glm::u8vec3> whole =

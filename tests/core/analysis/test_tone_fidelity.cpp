@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 #include "core/output/raster.h"
 
 using namespace dapple;
@@ -34,10 +34,10 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     Pipeline pipeline;
     pipeline.set_light(light);
     pipeline.set_tile(tile_named(tile_in_use(settings), settings.ranking));
-    DrawingRequest request = request_of(settings);
-    request.automatic_tone = false;
-    request.tone.detail = 0;
-    const DrawingPlan plan = pipeline.plan(request, terms_of(settings));
+    DrawingSettings plain = settings;
+    plain.automatic_tone = false;
+    plain.tone.detail = 0;
+    const DrawingPlan plan = pipeline.plan(plain);
     Stippling dots;
     REQUIRE(pipeline.draw(plan, dots));
     const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 #include "core/output/raster.h"
 
 using namespace dapple;

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/drawing_settings.h"
 #include "app/files/tile_library.h"
 #include "app/viewer/canvas/renderer.h"
+#include "core/drawing/settings.h"
 #include "core/image/ink.h"
 #include "core/output/raster.h"
 #include "core/pens/pen.h"

@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
-#include "app/drawing_settings.h"
 #include "app/viewer/model/dot_limit.h"
+#include "core/drawing/settings.h"
 
 using namespace dapple;
 

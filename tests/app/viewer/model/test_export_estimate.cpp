@@ -30,7 +30,7 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
     pipeline.set_tile(tile_named(kDefaultTile, {}));
     DrawingSettings settings;
     settings.placing.count = 8000;
-    DrawingPlan plan = pipeline.plan(request_of(settings), terms_of(settings));
+    DrawingPlan plan = pipeline.plan(settings);
     const DotStream stream = pipeline.stream(plan);
     const DotPieces dots{{sorted_dots(stream, DotOrder::shortest)}};
     const PageSize page = plan.layout(stream.scale).page;
@@ -72,7 +72,7 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
     DrawingSettings settings;
     settings.placing.count = 30'000;  // of which few are looked at
     settings.placing.thresholds = true;
-    DrawingPlan plan = pipeline.plan(request_of(settings), terms_of(settings));
+    DrawingPlan plan = pipeline.plan(settings);
     const DotStream stream = pipeline.stream(plan);
     const PageSize page = plan.layout(stream.scale).page;
     const DotPieces placed{{sorted_dots(stream, DotOrder::recursion)}};
@@ -112,7 +112,7 @@ TEST_CASE("the time told for several pens is that of each one's own way") {
     DrawingSettings settings;
     settings.placing.count = 8000;
     settings.pens = parse_pens("cmyk:0.4");
-    DrawingPlan plan = pipeline.plan(request_of(settings), terms_of(settings));
+    DrawingPlan plan = pipeline.plan(settings);
     const DotStream stream = pipeline.stream(plan);
     const DotPieces dots = sorted_by_pen(stream, DotOrder::shortest);
     REQUIRE(dots.pieces.size() == 4);

@@ -1,4 +1,4 @@
-#include "app/drawing_settings.h"
+#include "core/drawing/settings.h"
 
 #include <algorithm>
 
