@@ -204,13 +204,19 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
              scene("stats.json") + " " + options);
         return read_json(scene("stats.json"))["tone"];
     };
+    const nlohmann::json strong = tone_of("--tone auto --tone-strength 1");
+    CHECK(strong["automatic"] == true);
+    CHECK(strong["strength"] == 1);
+    CHECK(strong["black_point"] > 0.3);
+    CHECK(strong["white_point"] < 0.7);
+    CHECK(strong["detail"] == 0.5);
+    CHECK(strong["black"] == 0.9);
+    // The usual strength goes so far of the way from true tone.
     const nlohmann::json automatic = tone_of("--tone auto");
     const std::string drawn = text_of(scene("t.csv"));
-    CHECK(automatic["automatic"] == true);
-    CHECK(automatic["black_point"] > 0.3);
-    CHECK(automatic["white_point"] < 0.7);
-    CHECK(automatic["detail"] == 0.5);
-    CHECK(automatic["black"] == 0.9);
+    for (const auto& [name, plain] : {std::pair{"black_point", 0.0}, {"white_point", 1.0}, {"black", 1.0}})
+        CHECK(automatic[name].get<double>() ==
+              doctest::Approx(plain + 0.6 * (strong[name].get<double>() - plain)).epsilon(0.01));
     CHECK(tone_of("") == automatic);
     CHECK(text_of(scene("t.csv")) == drawn);
     CHECK(tone_of("--detail 0.2 --blur 3 --invert")["automatic"] == true);
@@ -218,6 +224,7 @@ TEST_CASE("--tone auto fits the tone to the picture, --tone true leaves it as it
     const nlohmann::json plain = tone_of("--tone true");
     CHECK(text_of(scene("t.csv")) != drawn);
     CHECK(plain == nlohmann::json{{"automatic", false},
+                                  {"strength", 0.6},
                                   {"exposure", 0},
                                   {"black_point", 0},
                                   {"white_point", 1},

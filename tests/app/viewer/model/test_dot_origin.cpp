@@ -135,6 +135,7 @@ TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whate
         settings.drawing.tile = name;
         settings.drawing.placer = placer;
         settings.drawing.placing.count = 6000;
+        settings.drawing.tone_strength = 1;  // what is light has the same density for dots of any evenness
         settings.density.source = source;
         settings.origins = true;
         RankedTile tile = tile_named(name);
