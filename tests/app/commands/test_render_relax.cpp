@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/drawing/request.h"
