@@ -141,7 +141,7 @@ TEST_CASE(
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("m.svg") + " --sheets 3x2 --overlap 80",
                     "--overlap: an overlap of 80 mm is too wide");
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("m.svg") + " --overlap 8",
-                    "--overlap: is of sheets");
+                    "--overlap: applies to sheets only");
 }
 
 TEST_CASE("a region is what the page shows there, at its place and in its size") {
