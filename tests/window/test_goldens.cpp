@@ -235,7 +235,7 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         viewer.key("F1");
         compare_dialog("help", {});
         viewer.key("ctrl+o");
-        REQUIRE(viewer.shows([&] { return viewer.has("Picture of ramp.pgm"); }));
+        REQUIRE(viewer.shows([&] { return viewer.has("ramp.pgm"); }));
         compare_dialog("open", {"Path"});
         viewer.key("ctrl+e");
         compare_dialog("export_dialog", {"Path"});
