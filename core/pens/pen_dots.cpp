@@ -14,9 +14,8 @@ namespace {
 constexpr int kMovingRounds = 4;  // of exchanging and moving
 constexpr int kFirstSweeps = 24;  // of exchanging
 constexpr int kSweeps = 12;
-// A dot's step for its own pen counts so much beside that for all dots: more costs evenness of all.
-constexpr float kForOwn = 0.3f;
-constexpr float kFarthestOwn = 0.22f;  // such a step, over the distance between dots
+constexpr float kForAll = 0.65f;       // of a move; the rest is for the pen's own dots
+constexpr float kFarthestOwn = 0.22f;  // that a dot moves for its own pen, over the distance between dots
 
 // All dots in one piece, near ones near each other.
 Dots along_curve(const DotPieces& dots) {
@@ -29,18 +28,22 @@ Dots along_curve(const DotPieces& dots) {
 class Sharing {
  public:
     Sharing(Dots& dots, const PenDensities& densities, const PenDotsRequest& request)
-        : dots_(dots), densities_(densities), request_(request), blurred_(densities.each.size() + 1) {
+        : dots_(dots), densities_(densities), request_(request) {
         look();
     }
 
     DotsToShare to_share() const { return {dots_, shares_, area_, densities_.each.size()}; }
 
-    // Each dot goes down the energy of all dots, and some of the way down that of its own pen's. False if
-    // stopped.
-    bool move(const PenLabels& labels, const std::stop_token& stop) {
-        Dots to = stepped(dots_, *densities_.all, blurred_.back(), stop);
+    // Each dot goes towards the middle of its Voronoi cell, some of the way that among all dots and some of
+    // the way that among its own pen's. False if stopped.
+    bool move(const PenLabels& labels, float for_all, const std::stop_token& stop) {
+        Dots to = stepped(dots_, *densities_.all, stop);
         if (stop.stop_requested()) return false;
-        for (std::size_t pen = 0; pen < densities_.each.size(); ++pen) {
+        for (std::size_t i = 0; i < dots_.size(); ++i) {
+            to.x[i] = dots_.x[i] + for_all * (to.x[i] - dots_.x[i]);
+            to.y[i] = dots_.y[i] + for_all * (to.y[i] - dots_.y[i]);
+        }
+        for (std::size_t pen = 0; pen < densities_.each.size() && for_all < 1; ++pen) {
             Dots own;
             std::vector<std::size_t> numbers;
             for (std::size_t i = 0; i < dots_.size(); ++i) {
@@ -50,13 +53,13 @@ class Sharing {
                 numbers.push_back(i);
             }
             if (own.size() < 2) continue;
-            const Dots moved = stepped(own, *densities_.each[pen], blurred_[pen], stop);
+            const Dots moved = stepped(own, *densities_.each[pen], stop);
             if (stop.stop_requested()) return false;
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 const std::size_t i = numbers[k];
                 const float dx = moved.x[k] - own.x[k], dy = moved.y[k] - own.y[k];
                 const float way = std::hypot(dx, dy), most = kFarthestOwn * std::sqrt(area_[i]);
-                const float share = kForOwn * (way > most ? most / way : 1.0f);
+                const float share = (1 - for_all) * (way > most ? most / way : 1.0f);
                 to.x[i] += share * dx;
                 to.y[i] += share * dy;
             }
@@ -73,14 +76,9 @@ class Sharing {
     }
 
  private:
-    using Blurred = std::shared_ptr<const BlurredDensity>;
-    Dots stepped(const Dots& dots, const Density& density, Blurred& blurred, const std::stop_token& stop) {
-        if (!blurred)
-            blurred = std::make_shared<const BlurredDensity>(
-                blurred_for_kernels(density, request_.scale, kPictureKernel));
-        Relaxation relaxation(
-            in_one_piece(dots), density,
-            {.scale = request_.scale, .threads = request_.threads, .lloyd_steps = 0, .blurred = blurred});
+    Dots stepped(const Dots& dots, const Density& density, const std::stop_token& stop) const {
+        Relaxation relaxation(in_one_piece(dots), density,
+                              {.scale = request_.scale, .threads = request_.threads});
         relaxation.step(stop);
         return relaxation.dots_as_taken();
     }
@@ -105,7 +103,6 @@ class Sharing {
     Dots& dots_;
     const PenDensities& densities_;
     const PenDotsRequest& request_;
-    std::vector<Blurred> blurred_;  // of each pen, and of all
     std::vector<Shares> shares_;
     std::vector<float> area_;
 };
@@ -135,7 +132,7 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
     LabelExchange exchange(sharing.to_share(), request.threads);
     exchange.exchange(labels, kFirstSweeps);
     for (int round = 0; request.move && round < kMovingRounds; ++round) {
-        if (!sharing.move(labels, stop)) return {};
+        if (!sharing.move(labels, kForAll, stop)) return {};
         exchange.exchange(labels, kSweeps);
     }
     if (stop.stop_requested()) return {};
