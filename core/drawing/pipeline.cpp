@@ -223,11 +223,11 @@ PenDensities Pipeline::by_pen_under(const Mask& mask) const {
 }
 
 PenDensities Pipeline::toned_by_pen(const Toned& toned, Grid<float> light) {
-    const auto& [pens, paper, black] = toned.pens;
-    const std::shared_ptr<const Separation> separation =
-        separation_.of(toned.pens, [&] { return std::make_shared<const Separation>(pens, paper, black); });
+    const std::shared_ptr<const Separation> separation = separation_.of(toned.pens, [&] {
+        return std::make_shared<const Separation>(toned.pens.pens, toned.pens.paper, toned.pens.black);
+    });
     const Grid<float> seen = toned_light(std::move(light), toned.tone);
-    return separated({seen, framed_colours(), toned.tone.invert}, *separation, pens, toned.ink);
+    return separated({seen, framed_colours(), toned.tone.invert}, *separation, toned.pens.pens, toned.ink);
 }
 
 double DrawingPlan::dots_for_tone() const {
