@@ -15,6 +15,7 @@ namespace dapple {
 namespace {
 
 using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
 
 constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::size_t kLongestText = 1 << 12;
@@ -97,18 +98,20 @@ class Reader {
         constexpr milliseconds kLookAgain(1000);
         for (;;) {
             if (waited_ >= patience_) throw DecodeError(kTooMuchTime);
-            const milliseconds part = std::min(kLookAgain, patience_ - waited_);
+            const nanoseconds part = std::min<nanoseconds>(kLookAgain, patience_ - waited_);
             pollfd waiting{.fd = descriptor_, .events = POLLIN, .revents = 0};
             const auto before = std::chrono::steady_clock::now();
-            const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
-            const auto passed = std::chrono::steady_clock::now() - before;
-            waited_ += ready == 0 ? part : std::min(part, std::chrono::ceil<milliseconds>(passed));
+            const int ready =
+                ::poll(&waiting, 1, static_cast<int>(std::chrono::ceil<milliseconds>(part).count()));
+            const nanoseconds passed = std::chrono::steady_clock::now() - before;
+            waited_ += ready == 0 ? part : std::min(part, passed);
             if (ready > 0 || (ready < 0 && errno != EINTR)) return;
         }
     }
 
     int descriptor_;
-    milliseconds at_first_, per_megabyte_, patience_ = at_first_, waited_{0};
+    milliseconds at_first_, per_megabyte_, patience_ = at_first_;
+    nanoseconds waited_{0};
     std::vector<char> buffer_;
     std::size_t at_ = 0, filled_ = 0;
 };
