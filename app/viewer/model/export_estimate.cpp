@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t kSample = 8000;             // dots of a pen whose way is found,
 constexpr std::size_t kMostSorted = 1'000'000;    // of at most so many that are sorted for it
 constexpr std::size_t kMostInOrder = 20'000;      // which are not put in order, but taken as they follow
+constexpr std::size_t kRuns = 16;                 // of dots whose way is made shorter, so that there is one,
+constexpr std::size_t kRunsInOrder = 64;          // and of those that stay row by row: from all over the page
 constexpr std::uint64_t kMostMeasured = 500'000;  // which take no longer than a fifth of a second
 
 // How many dots each pen has, in the order in which they come.
@@ -81,20 +83,20 @@ std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder 
         shuffle(some);  // dots that follow each other lie anywhere
         return {std::move(some)};
     }
-    const auto runs_of = [&](const DotStream& stream, std::size_t count, std::size_t most) {
-        const std::size_t runs = count > most ? 16 : 1, step = std::max<std::size_t>(count / runs, 1);
+    const auto runs_of = [&](const DotStream& stream, std::size_t count, std::size_t most, std::size_t many) {
+        const std::size_t runs = count > most ? many : 1, step = std::max<std::size_t>(count / runs, 1);
         std::vector<Dots> parts;
         for (std::size_t run = 0; run < runs; ++run)
             parts.push_back(some_of(stream, own.pen, {run * step, 1, std::min(step, most / runs)}));
         return parts;
     };
-    if (order == DotOrder::recursion) return runs_of(dots, own.dots, kMostInOrder);
+    if (order == DotOrder::recursion) return runs_of(dots, own.dots, kMostInOrder, kRunsInOrder);
     Dots sorted = some_of(dots, own.pen, each(kMostSorted));
     sort_dots(sorted, DotOrder::space);
     const float closer = std::sqrt(static_cast<float>(sorted.size()) / static_cast<float>(own.dots));
     for (FloatBuffer* column : {&sorted.x, &sorted.y})
         for (float& place : *column) place *= closer;
-    return runs_of(stream_of(sorted), sorted.size(), kSample);
+    return runs_of(stream_of(sorted), sorted.size(), kSample, kRuns);
 }
 
 std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {

@@ -89,7 +89,7 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
         CHECK(told.time.moving_s ==
               doctest::Approx(plotting_time(dots, page.mm_per_page_unit, speeds).moving_s).epsilon(0.08));
         CHECK(told.way_m ==
-              doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.1));
+              doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.08));
         CHECK(told.time.drawing_s == 0);
         // Circles are followed round in an SVG.
         const PlottingTime rings =
