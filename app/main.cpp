@@ -27,9 +27,9 @@
 #include "app/commands/tile_command.h"
 #include "app/commands/wrapped_help.h"
 #include "app/commands/wrong_command.h"
-#include "app/shown_text.h"
 #include "app/signals.h"
 #include "app/viewer/viewer.h"
+#include "core/text/shown_text.h"
 
 namespace {
 

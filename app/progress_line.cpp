@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -30,7 +30,6 @@
 #include "app/files/picture.h"
 #include "app/files/sample.h"
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
 #include "bench/page_edges.h"
 #include "bench/relaxed_dots.h"
 #include "bench/side_by_side.h"
@@ -42,6 +41,7 @@
 #include "core/image/tone.h"
 #include "core/output/seams.h"
 #include "core/placing/page_density.h"
+#include "core/text/shown_text.h"
 #include "lab/compare/picture_marks.h"
 #include "lab/related/plain_lloyd.h"
 

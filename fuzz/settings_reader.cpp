@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "app/settings/drawing_fields.h"
-#include "app/settings/settings_text.h"
+#include "core/settings/drawing_fields.h"
+#include "core/settings/settings_text.h"
 
 namespace dapple {
 namespace {

@@ -77,6 +77,8 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/drawing",
          {"core/image", "core/output", "core/pens", "core/placing", "core/relaxing", "core/routing",
           "core/strokes", "core/text", "core/tile"}},
+        {"core/settings",
+         {"core/drawing", "core/image", "core/output", "core/relaxing", "core/text", "core/tile"}},
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},
         {"core/output",
@@ -131,6 +133,26 @@ TEST_CASE("each room of the laboratory knows only the rooms below it, and only t
     std::erase_if(includes, [](const Include& include) { return include.to.starts_with("core/"); });
     REQUIRE(includes.size() > 20);
     const std::string wrong = against(arrows, includes);
+    CAPTURE(wrong);
+    CHECK(wrong.empty());
+}
+
+TEST_CASE("the library knows core alone, and its headers nothing but C++ and each other") {
+    std::string wrong;
+    const auto read = [&](const char* folder, const std::regex& allowed) {
+        int includes = 0;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kSource / folder)) {
+            std::ifstream in(entry.path());
+            for (std::string line; std::getline(in, line);) {
+                if (!line.starts_with("#include")) continue;
+                ++includes;
+                if (!std::regex_match(line, allowed)) wrong += entry.path().string() + ": " + line + '\n';
+            }
+        }
+        return includes;
+    };
+    CHECK(read("include", std::regex(R"(#include (<[a-z_.]+>|"dapple/[a-z_]+\.h"))")) > 15);
+    CHECK(read("library", std::regex(R"(#include (<.+>|"(core|dapple|library)/.+"))")) > 30);
     CAPTURE(wrong);
     CHECK(wrong.empty());
 }

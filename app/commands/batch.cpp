@@ -13,7 +13,7 @@
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
 #include "app/progress_line.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

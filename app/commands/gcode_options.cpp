@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "app/commands/options.h"
-#include "app/files/gcode_choice.h"
+#include "app/files/gcode_template.h"
 
 namespace dapple {
 namespace {

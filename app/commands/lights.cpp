@@ -12,8 +12,8 @@
 #include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
 #include "core/image/sky.h"
+#include "core/text/shown_text.h"
 #include "lab/reports/light_report.h"
 
 namespace dapple {

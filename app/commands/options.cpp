@@ -13,13 +13,13 @@
 
 #include "app/settings/palettes.h"
 #include "app/settings/pen_file.h"
-#include "app/shown_text.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"
 #include "core/text/quantity.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

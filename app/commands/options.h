@@ -13,10 +13,10 @@
 #include <string>
 #include <string_view>
 
-#include "app/setting.h"
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
+#include "core/settings/setting.h"
 #include "core/text/names.h"
 
 namespace dapple {

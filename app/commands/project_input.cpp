@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
-#include "app/shown_text.h"
+#include "core/settings/drawing_fields.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

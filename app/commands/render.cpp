@@ -18,7 +18,6 @@
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
-#include "app/files/drawing_file.h"
 #include "app/files/file_size.h"
 #include "app/files/pdf_file.h"
 #include "app/files/sample.h"
@@ -28,9 +27,10 @@
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
 #include "app/settings/embedded_settings.h"
-#include "app/shown_text.h"
+#include "core/drawing/drawing_file.h"
 #include "core/drawing/pipeline.h"
 #include "core/output/raster.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

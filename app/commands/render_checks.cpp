@@ -8,9 +8,9 @@
 
 #include "app/commands/batch.h"
 #include "app/commands/options.h"
-#include "app/files/drawing_facts.h"
-#include "app/files/gcode_choice.h"
 #include "app/files/save_drawing.h"
+#include "core/drawing/drawing_facts.h"
+#include "core/drawing/gcode_choice.h"
 
 namespace dapple {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/files/drawing_facts.h"
-#include "app/files/gcode_choice.h"
+#include "core/drawing/drawing_facts.h"
+#include "core/drawing/gcode_choice.h"
 #include "core/image/ink_use.h"
 #include "core/output/raster.h"
 

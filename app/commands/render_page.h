@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "app/commands/render.h"
-#include "app/files/drawing_file.h"
+#include "core/drawing/drawing_file.h"
 #include "core/drawing/page_setup.h"
 
 namespace dapple {

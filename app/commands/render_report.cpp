@@ -16,7 +16,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
 #include "app/files/separations.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {

@@ -11,7 +11,7 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/files/atomic_file.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "lab/reports/html.h"
 #include "lab/reproduce/figures.h"
 

@@ -11,12 +11,12 @@
 #include "app/commands/gcode_options.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
-#include "app/files/gcode_choice.h"
 #include "app/files/save_drawing.h"
-#include "app/shown_text.h"
+#include "core/drawing/gcode_choice.h"
 #include "core/output/stroke_figures.h"
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -18,7 +18,7 @@
 #include "app/files/file_ending.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "lab/analysis/black_seams.h"
 #include "lab/reports/tile_figure.h"
 #include "lab/search/ranking_search.h"

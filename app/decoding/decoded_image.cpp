@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "app/decoding/decoder_limits.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

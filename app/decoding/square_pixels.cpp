@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

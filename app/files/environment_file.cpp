@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/decoding/decoder_process.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

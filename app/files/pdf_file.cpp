@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "app/files/pdf_layers.h"
-#include "app/shown_text.h"
 #include "core/output/plotted_strokes.h"
 #include "core/text/length.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

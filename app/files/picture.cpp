@@ -6,8 +6,8 @@
 
 #include "app/decoding/decoder_process.h"
 #include "app/files/picture_builder.h"
-#include "app/shown_text.h"
 #include "core/drawing/pipeline.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -1,27 +1,19 @@
 #include "app/files/save_drawing.h"
 
-#include <fmt/ranges.h>
-
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 
 #include "app/files/atomic_file.h"
-#include "app/files/gcode_choice.h"
-#include "app/files/machine_comments.h"
 #include "app/files/pdf_file.h"
 #include "app/files/png_file.h"
 #include "app/files/separations.h"
 #include "app/files/tiff_file.h"
-#include "app/shown_text.h"
-#include "core/output/csv.h"
-#include "core/output/dots_json.h"
-#include "core/output/dxf.h"
-#include "core/output/hpgl.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/raster.h"
 #include "core/output/raster_strokes.h"
-#include "core/output/svg.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -71,89 +63,34 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
 
 void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
                    const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
-    const double radius = drawing.dot_radius_mm;
-    const CsvColumns columns{.dot_radius_mm = radius,
-                             .tile_size = drawing.tile_size,
-                             .pens = drawing.pens,
-                             .figure8 = settings.placer == PlacerKind::figure8};
-    std::optional<glm::vec3> background;
-    if (settings.background) background = settings.paper;
-    const PageSize& page = drawing.page;
+    if (is_text(format)) return write_text_drawing(out, format, settings, drawing, progress);
     const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
-    std::vector<CutMark> marks;
-    if (settings.registration && !drawing.pens.empty()) marks = registration_marks(page);
-    // As strokes, if it has some.
-    const auto with_ink = [&](const auto& write) {
-        if (strokes)
-            write(*strokes);
-        else
-            write(drawing.dots);
-    };
+    if (format == DrawingFormat::pdf) {
+        const std::vector<CutMark> marks = registration_of(settings, drawing);
+        std::optional<glm::vec3> background;
+        if (settings.background) background = settings.paper;
+        const PdfStyle style{.dot_radius_mm = drawing.dot_radius_mm,
+                             .ink = settings.ink,
+                             .pens = drawing.pens,
+                             .registration = marks,
+                             .background = background,
+                             .title = title,
+                             .cut_marks = drawing.cut_marks};
+        if (strokes) return write_pdf(out, *strokes, drawing.page, style, progress);
+        return write_pdf(out, drawing.dots, drawing.page, style, progress);
+    }
     const auto pixels = [&](const auto& write_image, const auto& colours) {
         write_pixels(settings, drawing, strokes, progress, write_image, colours);
     };
-    const auto in_8_bits = []<class... Layers>(const Layers&... layers) {
-        return ink_on_paper<std::uint8_t>(layers...);
-    };
-    const auto in_16_bits = []<class... Layers>(const Layers&... layers) {
-        return ink_on_paper<std::uint16_t>(layers...);
-    };
-    switch (format) {
-        case DrawingFormat::svg: {
-            const SvgStyle style{.dot_radius_mm = radius,
-                                 .ink = settings.ink,
-                                 .pens = drawing.pens,
-                                 .registration = marks,
-                                 .background = background,
-                                 .tiles = drawing.tiles,
-                                 .picture = drawing.picture,
-                                 .cut_marks = drawing.cut_marks,
-                                 .settings = drawing.settings};
-            return with_ink([&](const auto& ink) { write_svg(out, ink, page, style, progress); });
-        }
-        case DrawingFormat::pdf: {
-            const PdfStyle style{.dot_radius_mm = radius,
-                                 .ink = settings.ink,
-                                 .pens = drawing.pens,
-                                 .registration = marks,
-                                 .background = background,
-                                 .title = title,
-                                 .cut_marks = drawing.cut_marks};
-            return with_ink([&](const auto& ink) { write_pdf(out, ink, page, style, progress); });
-        }
-        case DrawingFormat::png:
-            if (drawing.saving.bits == 16)
-                return pixels([&](const auto&... image) { write_png_16(out, image...); }, in_16_bits);
-            return pixels([&](const auto&... image) { write_png(out, image...); }, in_8_bits);
-        case DrawingFormat::tiff:
-            if (drawing.saving.bits == 16)
-                return pixels([&](const auto&... image) { write_tiff_16(out, image...); }, in_16_bits);
-            return pixels([&](const auto&... image) { write_tiff(out, image...); }, in_8_bits);
-        case DrawingFormat::gcode: {
-            check_heights(drawing.saving);
-            GcodeStyle style = gcode_style_of(drawing.saving);
-            std::vector<std::string> comments;  // of a template of one's own they may begin otherwise
-            if (drawing.saving.gcode_template.text.empty())
-                comments = machine_comments(drawing, strokes, format);
-            style.comments = comments;
-            style.dot_radius_mm = radius;
-            style.pens = drawing.pens;
-            style.registration = marks;
-            return with_ink([&](const auto& ink) { write_gcode(out, ink, page, style, progress); });
-        }
-        case DrawingFormat::hpgl:
-            return with_ink([&](const auto& ink) {
-                write_hpgl(out, ink, page, progress, marks,
-                           fmt::format("{}", fmt::join(machine_comments(drawing, strokes, format), ", ")));
-            });
-        case DrawingFormat::dxf:
-            if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);
-            return write_dxf(out, drawing.dots, page, radius, drawing.pens, progress, marks);
-        case DrawingFormat::csv:
-            return write_csv(out, drawing.dots, page, columns, progress);
-        case DrawingFormat::json:
-            return write_dots_json(out, drawing.dots, page, columns, progress);
-    }
+    const bool png = format == DrawingFormat::png;
+    if (drawing.saving.bits == 16)
+        pixels(
+            [&](const auto&... image) { png ? write_png_16(out, image...) : write_tiff_16(out, image...); },
+            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint16_t>(layers...); });
+    else
+        pixels(
+            [&](const auto&... image) { png ? write_png(out, image...) : write_tiff(out, image...); },
+            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint8_t>(layers...); });
 }
 
 DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing) {

@@ -9,8 +9,8 @@
 #include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
 #include "app/files/separations.h"
-#include "app/shown_text.h"
 #include "core/output/assembly_plan.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "app/descriptor.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -6,26 +6,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "app/files/text_file.h"
 #include "core/placing/stipple.h"
+#include "core/tile/built_in_tiles.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {
-
-struct BuiltInTile {
-    const char* name;
-    const char* about;  // one line
-};
-
-/// In the order in which a list shows them.
-const std::vector<BuiltInTile>& built_in_tiles();
-
-/// The names of built_in_tiles(), for lists to choose from.
-std::span<const char* const> built_in_tile_names();
 
 /// What the name of a tile file usually ends in.
 inline constexpr const char* kTileEnding = ".tile";
@@ -33,9 +21,6 @@ inline constexpr const char* kTileEnding = ".tile";
 inline constexpr TextKind kTileFile{"tile", 16'000'000};
 /// Whether it does, in small letters or capitals.
 bool ends_as_tile(const std::filesystem::path& file);
-
-/// Whether it is neither a built-in tile's nor integers: then it is that of a file.
-bool is_tile_file_name(const std::string& name);
 
 /// A tile's name as a list shows it: of a file, the name without its folders.
 std::string short_tile_name(const std::string& name);

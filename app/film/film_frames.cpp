@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/page_pixels.h"
+#include "core/drawing/page_pixels.h"
 #include "app/film/plot_film.h"
 #include "core/output/sheet.h"
 

@@ -9,7 +9,7 @@
 #include "app/files/file_ending.h"
 #include "app/files/png_file.h"
 #include "app/files/webp_film.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -9,10 +9,10 @@
 #include "app/files/file_ending.h"
 #include "app/files/png_file.h"
 #include "app/files/text_file.h"
-#include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
-#include "app/shown_text.h"
 #include "core/output/svg.h"
+#include "core/settings/drawing_fields.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -79,12 +79,8 @@ std::optional<std::string> settings_in_drawing(const fs::path& file) {
 
 std::string embedded_settings(const fs::path& drawing_file, const DrawingSettings& drawing,
                               const SavingChoice& saving) {
-    SavedSettings said{drawing, saving}, usual;
-    const auto all_of = [](SavedSettings& settings) {
-        return [&settings](Fields& fields) { describe_drawing(fields, settings.drawing, settings.saving); };
-    };
     try {
-        return changed_settings({drawing_file, FileNames::relative}, all_of(said), all_of(usual));
+        return changed_drawing_settings({drawing_file, FileNames::relative}, drawing, saving);
     } catch (const std::runtime_error&) {
         return {};
     }

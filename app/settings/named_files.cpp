@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "app/files/atomic_file.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

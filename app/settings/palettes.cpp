@@ -11,7 +11,7 @@
 #include "app/settings/named_files.h"
 #include "app/settings/pen_file.h"
 #include "app/settings/xdg_folders.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

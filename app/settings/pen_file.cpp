@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/files/text_file.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "app/files/file_ending.h"
-#include "app/settings/drawing_fields.h"
 #include "app/settings/named_files.h"
 #include "app/settings/project.h"
-#include "app/settings/settings_text.h"
 #include "app/settings/xdg_folders.h"
-#include "app/shown_text.h"
+#include "core/settings/drawing_fields.h"
+#include "core/settings/settings_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

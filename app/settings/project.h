@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "app/settings/settings_text.h"
+#include "core/settings/settings_text.h"
 
 namespace dapple {
 

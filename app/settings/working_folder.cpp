@@ -16,10 +16,4 @@ fs::path working_folder() {
     return folder.empty() ? fs::path("/") : folder;
 }
 
-fs::path whole_path(const fs::path& path) {
-    std::error_code gone;
-    const fs::path whole = fs::absolute(path, gone);
-    return (gone ? path : whole).lexically_normal();
-}
-
 }  // namespace dapple

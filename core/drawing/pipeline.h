@@ -101,6 +101,8 @@ class Pipeline {
     const Grid<float>& framed_light() const { return framed_ ? *framed_ : light_; }
 
     void set_tile(RankedTile tile) { tile_.emplace(std::move(tile)); }
+    void forget_tile() { tile_.reset(); }
+    bool has_tile() const { return tile_.has_value(); }
     RankedTile& tile() { return *tile_; }
 
     /// Needs a picture and a tile. Throws what density_of(), Density, framing_of() and layout_of() throw.

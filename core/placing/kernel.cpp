@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,19 +15,7 @@ extern const Kernels kAvx2Kernels, kAvx512Kernels;
 
 namespace {
 
-const Kernels& choose() {
-    const std::vector<const Kernels*> kernels = runnable_kernels();
-    const char* const wanted = std::getenv("DAPPLE_KERNELS");
-    if (!wanted) return *kernels.back();
-    std::vector<std::string_view> names;
-    for (const Kernels* each : kernels) {
-        if (std::string_view(wanted) == each->name) return *each;
-        names.emplace_back(each->name);
-    }
-    throw std::runtime_error(
-        fmt::format("DAPPLE_KERNELS: {} is not known, or not for this processor; it runs {}", wanted,
-                    fmt::join(names, ", ")));
-}
+std::atomic<const Kernels*> chosen = nullptr;  // none: the widest
 
 }  // namespace
 
@@ -41,8 +30,20 @@ std::vector<const Kernels*> runnable_kernels() {
 }
 
 const Kernels& chosen_kernels() {
-    static const Kernels& chosen = choose();
-    return chosen;
+    static const Kernels& widest = *runnable_kernels().back();
+    const Kernels* const by_name = chosen;
+    return by_name ? *by_name : widest;
+}
+
+void choose_kernels(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Kernels* each : runnable_kernels()) {
+        names.emplace_back(each->name);
+        if (name == each->name) chosen = each;
+    }
+    if (std::ranges::find(names, name) == names.end())
+        throw std::runtime_error(fmt::format("{}: not known, or not for this processor, which runs {}", name,
+                                             fmt::join(names, ", ")));
 }
 
 }  // namespace dapple

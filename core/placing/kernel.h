@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/placing/dots.h"
@@ -94,9 +95,11 @@ extern const Kernels kPlainKernels;  // for any processor
 /// Those that were compiled and that this processor runs: the plain ones, then ever wider.
 std::vector<const Kernels*> runnable_kernels();
 
-/// The widest of them; or, where the environment variable DAPPLE_KERNELS names some, those: for tests, and to
-/// tell whose fault something is, as the dots are the same. Throws std::runtime_error if it names none of
-/// them.
+/// The widest of them, or those of choose_kernels().
 const Kernels& chosen_kernels();
+
+/// What placers that are made from now on use, by its name: for tests, and to tell whose fault something is,
+/// as the dots are the same. Throws std::runtime_error if none of runnable_kernels() has that name.
+void choose_kernels(std::string_view name);
 
 }  // namespace dapple

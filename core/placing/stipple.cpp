@@ -13,6 +13,11 @@ RankedTile::RankedTile(Tile tile, const Ranking& ranking)
 
 RankedTile::RankedTile(Tile tile, RankingMethod method) : RankedTile(tile, rank(tile, method)) {}
 
+RankedTile ranked_tile(StoredTile stored, std::optional<RankingMethod> method) {
+    if (method && *method != stored.method) return {std::move(stored.tile), *method};
+    return {std::move(stored.tile), stored.ranking};
+}
+
 bool stipple(RankedTile& tile, const Density& density, PlacerKind placer, const PlacingRequest& request,
              Stippling& result, std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();

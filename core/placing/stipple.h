@@ -19,6 +19,7 @@
 #include "core/text/names.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
+#include "core/tile/tile_file.h"
 
 namespace dapple {
 
@@ -45,6 +46,9 @@ class RankedTile {
     std::vector<int> own_ranks_;
     Placer placer_;
 };
+
+/// A stored tile, ready for use. If its ranking is not by the method given here, it is ranked anew.
+RankedTile ranked_tile(StoredTile stored, std::optional<RankingMethod> method = {});
 
 /// The dots of a drawing, kept.
 struct Stippling {

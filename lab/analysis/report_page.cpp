@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "app/files/png_file.h"
-#include "app/shown_text.h"
 #include "core/analysis/spectrum_picture.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
+#include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
 #include "lab/reports/html.h"
 #include "lab/reports/plot.h"

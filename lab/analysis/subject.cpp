@@ -13,12 +13,12 @@
 #include "app/files/sample.h"
 #include "app/files/text_file.h"
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
 #include "core/analysis/point_table.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/exposure.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
+#include "core/text/shown_text.h"
 #include "lab/analysis/drawing_points.h"
 
 namespace dapple {

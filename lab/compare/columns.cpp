@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

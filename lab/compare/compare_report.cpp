@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "lab/compare/columns.h"
 #include "lab/compare/tables.h"
 

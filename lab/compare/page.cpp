@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "lab/compare/compare_report.h"
 #include "lab/compare/tables.h"
 #include "lab/reports/html.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "lab/compare/columns.h"
 
 namespace dapple {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {

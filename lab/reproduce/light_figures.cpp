@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "app/files/environment_file.h"
-#include "app/shown_text.h"
 #include "core/image/sky.h"
 #include "core/lights/light_picture.h"
+#include "core/text/shown_text.h"
 #include "lab/analysis/report_page.h"
 #include "lab/reproduce/figure8_dots.h"
 #include "lab/reproduce/figures.h"

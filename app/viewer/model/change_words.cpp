@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/setting.h"
-#include "app/settings/settings_text.h"
 #include "app/viewer/model/viewer_fields.h"
+#include "core/settings/setting.h"
+#include "core/settings/settings_text.h"
 
 namespace dapple {
 namespace {

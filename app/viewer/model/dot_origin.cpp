@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/shown_text.h"
 #include "core/image/density.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "app/files/drawing_facts.h"
 #include "app/files/file_size.h"
-#include "app/files/gcode_choice.h"
+#include "core/drawing/drawing_facts.h"
+#include "core/drawing/gcode_choice.h"
 #include "core/output/pen_figures.h"
 #include "core/output/stroke_figures.h"
 #include "core/routing/short_way.h"

@@ -7,8 +7,8 @@
 #include "app/files/environment_file.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
 #include "core/image/sky.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

@@ -7,19 +7,20 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/drawing_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
+#include "app/files/save_page.h"
 #include "app/files/separations.h"
 #include "app/files/sheet_files.h"
 #include "app/files/tile_library.h"
 #include "app/film/save_film.h"
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
-#include "app/settings/working_folder.h"
-#include "app/shown_text.h"
 #include "app/viewer/model/change_words.h"
 #include "app/viewer/model/viewer_fields.h"
+#include "core/drawing/drawing_file.h"
+#include "core/settings/whole_path.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "app/files/tile_library.h"
 #include "app/settings/working_folder.h"
+#include "core/settings/whole_path.h"
 
 namespace dapple {
 

@@ -1,6 +1,6 @@
 #include "app/viewer/model/viewer_fields.h"
 
-#include "app/settings/drawing_fields.h"
+#include "core/settings/drawing_fields.h"
 
 namespace dapple {
 

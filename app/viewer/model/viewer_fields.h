@@ -2,8 +2,8 @@
 // What the window's settings are called in files. A new field of one of these structs doesn't compile until
 // it is named here.
 
-#include "app/settings/fields.h"
 #include "app/viewer/model/viewer_settings.h"
+#include "core/settings/fields.h"
 
 namespace dapple {
 

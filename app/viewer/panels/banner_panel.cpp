@@ -5,9 +5,9 @@
 
 #include <imgui.h>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

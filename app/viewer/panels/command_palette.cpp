@@ -8,11 +8,11 @@
 #include <string>
 
 #include "app/files/file_ending.h"
-#include "app/shown_text.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

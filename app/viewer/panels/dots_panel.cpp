@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/shown_text.h"
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/relaxing/relax.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

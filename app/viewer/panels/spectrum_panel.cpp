@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

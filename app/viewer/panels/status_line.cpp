@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "app/files/tile_library.h"
-#include "app/shown_text.h"
 #include "app/viewer/model/dot_colours.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -17,7 +17,6 @@
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
 #include "app/settings/working_folder.h"
-#include "app/shown_text.h"
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
@@ -35,6 +34,8 @@
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
+#include "core/settings/whole_path.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

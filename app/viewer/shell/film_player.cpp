@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "app/shown_text.h"
 #include "app/viewer/canvas/pen_trail.h"
 #include "app/viewer/panels/player_bar.h"
 #include "app/viewer/shell/window.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

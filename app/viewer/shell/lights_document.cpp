@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/settings/working_folder.h"
-#include "app/shown_text.h"
 #include "app/viewer/model/map_camera.h"
 #include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/lights_panel.h"
@@ -18,6 +17,7 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "app/descriptor.h"
 #include "app/files/atomic_file.h"
-#include "app/settings/drawing_fields.h"
 #include "app/settings/project.h"
-#include "app/settings/settings_text.h"
-#include "app/settings/working_folder.h"
-#include "app/shown_text.h"
+#include "core/settings/drawing_fields.h"
+#include "core/settings/settings_text.h"
+#include "core/settings/whole_path.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

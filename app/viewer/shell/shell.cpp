@@ -13,7 +13,6 @@
 #include "app/files/tile_library.h"
 #include "app/settings/working_folder.h"
 #include "app/settings/xdg_folders.h"
-#include "app/shown_text.h"
 #include "app/viewer/model/desktop_dialog.h"
 #include "app/viewer/model/desktop_folders.h"
 #include "app/viewer/model/pasted_files.h"
@@ -23,6 +22,7 @@
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/shell/changes_question.h"
 #include "app/viewer/widgets/row_keys.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

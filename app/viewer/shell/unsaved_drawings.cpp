@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "app/settings/project.h"
-#include "app/shown_text.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

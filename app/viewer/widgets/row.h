@@ -9,9 +9,9 @@
 #include <span>
 #include <string>
 
-#include "app/setting.h"
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/settings/setting.h"
 
 namespace dapple {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/shown_text.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
 #include "core/image/colour.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 

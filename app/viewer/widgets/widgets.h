@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "app/setting.h"
 #include "app/viewer/widgets/typed_value.h"
+#include "core/settings/setting.h"
 
 namespace dapple {
 

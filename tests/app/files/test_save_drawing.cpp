@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/gcode_choice.h"
 #include "app/files/save_drawing.h"
+#include "core/drawing/gcode_choice.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "app/files/page_pixels.h"
+#include "core/drawing/page_pixels.h"
 #include "app/files/tile_library.h"
 #include "app/film/film_frames.h"
 #include "app/film/plot_film.h"

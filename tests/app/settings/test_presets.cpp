@@ -6,13 +6,13 @@
 #include <set>
 #include <string>
 
-#include "app/settings/drawing_fields.h"
 #include "app/settings/presets.h"
-#include "app/settings/settings_text.h"
 #include "app/viewer/model/desktop_folders.h"
 #include "app/viewer/model/pasted_files.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/preset_row.h"
+#include "core/settings/drawing_fields.h"
+#include "core/settings/settings_text.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"

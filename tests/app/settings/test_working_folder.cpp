@@ -11,6 +11,7 @@
 #include "app/settings/working_folder.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
+#include "core/settings/whole_path.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {

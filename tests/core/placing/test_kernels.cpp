@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -15,6 +17,18 @@
 using namespace dapple;
 
 namespace {
+
+// All tests of this program place with those that the environment names.
+const char* const kWanted = std::getenv("DAPPLE_KERNELS");
+const bool kChosen = [] {
+    try {
+        if (kWanted) choose_kernels(kWanted);
+        return true;
+    } catch (const std::runtime_error& error) {
+        std::fprintf(stderr, "DAPPLE_KERNELS: %s\n", error.what());
+        std::exit(1);
+    }
+}();
 
 struct Placed {
     std::vector<float> x, y, threshold, critical;
@@ -316,6 +330,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the kernels are the widest that run here, or those asked for by their name") {
-    const char* const wanted = std::getenv("DAPPLE_KERNELS");
-    CHECK(chosen_kernels().name == std::string(wanted ? wanted : runnable_kernels().back()->name));
+    CHECK(kChosen);
+    CHECK(chosen_kernels().name == std::string(kWanted ? kWanted : runnable_kernels().back()->name));
+    CHECK_THROWS_WITH(choose_kernels("abacus"),
+                      doctest::Contains("abacus: not known, or not for this processor, which runs plain"));
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/shown_text.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/method_panel.h"
+#include "core/text/shown_text.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "app/files/gcode_choice.h"
 #include "app/viewer/panels/export_panel.h"
+#include "core/drawing/gcode_choice.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"

@@ -1,0 +1,14 @@
+#pragma once
+// A page into its file, or its sheets into theirs.
+
+#include "app/files/save_drawing.h"
+#include "core/drawing/drawing_file.h"
+
+namespace dapple {
+
+/// Writes the page, or its sheets and their plan: see files_of() in sheet_files.h. False if stopped: sheets
+/// that were written before then stay. Throws what save_drawing() throws, or if the sheets' overlap is too
+/// wide.
+bool save_page(const DotsForFile& dots, const SavingWatch& watch);
+
+}  // namespace dapple

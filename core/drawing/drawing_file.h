@@ -1,0 +1,76 @@
+#pragma once
+// A plan's dots on their way into a file, or into those of its sheets, for the window and `dapple render`:
+//
+//     plan ──► its dots, not yet placed ──► those of the page, a sheet or a region ──► in order ──► file
+//
+// Only the first step, dots_for(), needs the pipeline, which may then go on with other drawings. It finds the
+// scale; dots are placed for each part anew, except for Figure 8's and those of several pens, which are kept.
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/drawing/drawing.h"
+#include "core/drawing/pipeline.h"
+#include "core/output/drawing_format.h"
+#include "core/output/sheet.h"
+
+namespace dapple {
+
+/// What is to be saved where.
+struct DrawingFile {
+    std::filesystem::path path;  // "-": the standard output
+    DrawingFormat format = DrawingFormat::svg;
+    DrawingSettings settings;
+    SavingChoice saving;
+    std::string embedded;  // see embedded_settings()
+};
+
+/// Where on a page a file's drawing lies.
+struct DrawnPage {
+    PageLayout layout;
+    Excerpt whole;
+    Excerpt part;  // the sheet or the region that is drawn, or the whole
+    std::vector<CutMark> cut_marks;
+
+    bool draws_whole() const { return part.part == whole.part; }
+};
+
+/// Throws as sheet_of() does.
+DrawnPage drawn_page(const PageLayout& layout, const Sheet& sheet = {});
+/// Throws as region_of() does.
+DrawnPage drawn_region(const PageLayout& layout, const Rectangle<double>& region);
+
+/// A rectangle on the page, in millimetres, seen from the excerpt's corner.
+Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,
+                            const Rectangle<double>& on_page);
+
+/// Where dots are placed for what is written: on the part, and on the whole page for lines, which are cut off
+/// at the part's edges.
+const Excerpt& placed_on(const DrawnPage& page, const DrawingFile& file);
+
+/// Whether the dots have to tell when they appear.
+bool needs_thresholds(const DrawingFile& file);
+
+/// A drawing's dots on their way into its file, or into those of its sheets.
+struct DotsForFile {
+    DrawingFile file;
+    DrawingPlan plan;
+    PlannedDots dots;
+    std::vector<PlacedTile> outlines;  // of the whole page, if they are shown
+    std::size_t tile_size = 16;        // N
+
+    double radius_mm() const { return plan.radius_mm(dots.scale); }
+};
+
+/// The dots of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
+std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
+                                    const std::stop_token& stop = {});
+
+/// What is to be saved of them, in the order that `file` asks for. Formats that are seen rather than plotted
+/// also get the dots that reach over the part's edges from beside it. If stopped, some are missing.
+DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const std::stop_token& stop = {});
+
+}  // namespace dapple

@@ -1,0 +1,343 @@
+#include "core/settings/fields.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "core/image/colour.h"
+#include "core/settings/mask_text.h"
+#include "core/settings/whole_path.h"
+#include "core/text/numbers.h"
+#include "core/text/shown_text.h"
+#include "core/tile/built_in_tiles.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestShown = 40;
+
+std::string value_in_words(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "a list";
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > kLongestShown) text = text.substr(0, kLongestShown) + "...";
+    return printable(text);
+}
+
+bool holds(NumberRange range, double number) {
+    const bool excluded = range.at_least == NumberRange::Least::excluded && number == range.least;
+    return number >= range.least && number <= range.most && !excluded;
+}
+
+std::string range_in_words(const char* kind, NumberRange range) {
+    if (range.at_least == NumberRange::Least::excluded)
+        return fmt::format("{} over {:.12g}", kind, range.least);
+    if (range.most == std::numeric_limits<double>::max())
+        return fmt::format("{} from {:.12g} up", kind, range.least);
+    return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
+}
+
+bool file_is_there(const fs::path& file) {
+    std::error_code ignored;
+    return !file.empty() && fs::exists(file, ignored);
+}
+
+// A device may have no end, and a pipe may never begin.
+bool is_read_at_once(const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored);
+}
+
+fs::path folder_holding(const fs::path& file) {
+    return whole_path(file).parent_path();
+}
+
+}  // namespace
+
+Fields::Fields(Json& object, Way way, SettingsPlace place)
+    : object_(object), way_(way), place_(std::move(place)) {
+    assert(object_.is_object());
+}
+
+const Json* Fields::read(FieldName name) const {
+    if (way_ == Way::write) return nullptr;
+    const auto found = object_.find(name.field);
+    return found == object_.end() ? nullptr : &*found;
+}
+
+Json& Fields::written(FieldName name) {
+    if (rows_ && *name.row) (*rows_)[prefix_ + name.field] = name.row;
+    return object_[name.field];
+}
+
+bool Fields::has(FieldName name) const {
+    return object_.contains(name.field);
+}
+
+void Fields::refuse(FieldName name, const std::string& why) const {
+    throw std::runtime_error(sentence(name, why));
+}
+
+std::string Fields::sentence(FieldName name, const std::string& why) const {
+    return fmt::format("{}: {}{} {}", printable(place_.file.native()), prefix_, name.field, why);
+}
+
+void Fields::refuse_value(FieldName name, const Json& value, const std::string& wanted) const {
+    refuse(name, fmt::format("is {}; give {}", value_in_words(value), wanted));
+}
+
+double Fields::number_in(FieldName name, const Json& value, NumberRange range) const {
+    const double number = value.is_number() ? value.get<double>() : NAN;
+    if (!holds(range, number)) refuse_value(name, value, range_in_words("a number", range));
+    return number;
+}
+
+double Fields::whole_in(FieldName name, const Json& value, NumberRange range, const char* or_else) const {
+    const double number = value.is_number() ? value.get<double>() : NAN;
+    if (!holds(range, number) || number != std::floor(number))
+        refuse_value(name, value, range_in_words("a whole number", range) + or_else);
+    return number;
+}
+
+void Fields::flag(FieldName name, bool& value) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        if (!found->is_boolean()) refuse_value(name, *found, "true or false");
+        value = found->get<bool>();
+    }
+}
+
+void Fields::number(FieldName name, double& value, NumberRange range) {
+    if (way_ == Way::write)
+        written(name) = value;
+    else if (const Json* const found = read(name))
+        value = number_in(name, *found, range);
+}
+
+void Fields::number(FieldName name, float& value, NumberRange range) {
+    // The shortest digits that mean this float: 0.1, and not the 0.10000000149 that it is.
+    if (way_ == Way::write)
+        written(name) = number_of<double>(fmt::format("{}", value)).value_or(value);
+    else if (const Json* const found = read(name))
+        value = static_cast<float>(number_in(name, *found, range));
+}
+
+void Fields::number(FieldName name, std::optional<double>& value, NumberRange range) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (found && found->is_null())
+        value.reset();
+    else if (found)
+        value = number_in(name, *found, range);
+}
+
+void Fields::whole(FieldName name, std::optional<std::uint64_t>& value, NumberRange range) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+    } else if (const Json* const found = read(name)) {
+        value.reset();
+        if (found->is_null()) return;
+        value = static_cast<std::uint64_t>(whole_in(name, *found, range, ", or null"));
+    }
+}
+
+void Fields::whole(FieldName name, std::optional<int>& value, NumberRange range) {
+    if (way_ == Way::write) {
+        written(name) = value ? Json(*value) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (found && found->is_null())
+        value.reset();
+    else if (found)
+        whole(name, value.emplace(), range);
+}
+
+void Fields::whole(FieldName name, int& value, NumberRange range) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        value = static_cast<int>(whole_in(name, *found, range));
+    }
+}
+
+void Fields::colour(FieldName name, glm::vec3& value) {
+    if (way_ == Way::write) {
+        written(name) = hex_of(value);
+    } else if (const Json* const found = read(name)) {
+        try {
+            if (found->is_string()) value = parse_colour(found->get<std::string>());
+        } catch (const std::runtime_error&) {
+            refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+        }
+        if (!found->is_string()) refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+    }
+}
+
+void Fields::mask(FieldName name, Mask& value) {
+    if (way_ == Way::write) {
+        Json& there = written(name);
+        there = Json();
+        if (!value.empty())
+            there = {{"width", value.levels().width},
+                     {"height", value.levels().height},
+                     {"levels", packed_levels(value)}};
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    value = {};
+    if (found->is_null()) return;
+    const auto side = [&](const char* which) {
+        const auto at = found->find(which);
+        const bool whole = at != found->end() && at->is_number_integer();
+        const double pixels = whole ? at->get<double>() : 0;
+        if (!(pixels >= 1 && pixels <= kMostMaskSide))
+            refuse(name, fmt::format("has no {} of 1 to {}", which, kMostMaskSide));
+        return static_cast<int>(pixels);
+    };
+    if (!found->is_object()) refuse_value(name, *found, "a mask, in braces, or null");
+    const int width = side("width"), height = side("height");
+    const auto levels = found->find("levels");
+    if (levels == found->end() || !levels->is_string()) refuse(name, "has no levels");
+    try {
+        value = unpacked_mask(levels->get_ref<const std::string&>(), width, height);
+    } catch (const std::runtime_error& error) {
+        refuse(name, fmt::format("has levels that {}", error.what()));
+    }
+}
+
+Json Fields::file_of(FieldName name, const fs::path& file) const {
+    const fs::path whole = whole_path(file);
+    if (!is_utf8(whole.string())) {
+        refuse(name,
+               fmt::format("is {}, whose name is not UTF-8, as all names in it have to be; rename that file",
+                           printable(file.native())));
+    }
+    Json value{{"file", whole.lexically_proximate(folder_holding(place_.file)).generic_string()}};
+    if (place_.names == FileNames::relative_and_absolute) value["absolute"] = whole.generic_string();
+    return value;
+}
+
+fs::path Fields::file_in(FieldName name, const Json& value) const {
+    const auto text_at = [&](const char* part) {
+        const auto found = value.find(part);
+        return found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    const std::string given = value.is_string() ? value.get<std::string>() : text_at("file");
+    if (given.empty() || given.find('\0') != std::string::npos)
+        refuse_value(name, value, "the name of a file");
+    const fs::path beside = (folder_holding(place_.file) / given).lexically_normal();
+    const fs::path absolute = value.is_object() ? text_at("absolute") : "";
+    for (const fs::path& file : {beside, absolute}) {
+        if (!file_is_there(file)) continue;
+        if (is_read_at_once(file)) return file;
+        refuse(name,
+               fmt::format("is {}, which is no regular file; name one that is", printable(file.native())));
+    }
+    const std::string where =
+        absolute.empty() || absolute == beside
+            ? fmt::format("{} is not there", beside.string())
+            : fmt::format("neither {} nor {} is there", beside.string(), absolute.string());
+    throw MissingFile(sentence(
+        name, fmt::format("cannot be found, {}; put that file back, or name another", printable(where))));
+}
+
+void Fields::text(FieldName name, const std::string& value,
+                  const std::function<void(const std::string& text)>& take) {
+    if (way_ == Way::write) {
+        written(name) = value;
+    } else if (const Json* const found = read(name)) {
+        if (!found->is_string()) refuse_value(name, *found, "a text in quotes");
+        try {
+            take(found->get<std::string>());
+        } catch (const std::runtime_error& error) {
+            refuse(name, fmt::format("is wrong: {}", error.what()));
+        }
+    }
+}
+
+void Fields::tile(FieldName name, std::string& value) {
+    if (way_ == Way::write) {
+        written(name) = is_tile_file_name(value) ? file_of(name, value) : Json(value);
+    } else if (const Json* const found = read(name)) {
+        const bool is_name = found->is_string() && !is_tile_file_name(found->get<std::string>());
+        value = is_name ? found->get<std::string>() : file_in(name, *found).string();
+    }
+}
+
+void Fields::file(FieldName name, std::optional<fs::path>& value) {
+    if (way_ == Way::write) {
+        written(name) = value ? file_of(name, *value) : Json();
+    } else if (const Json* const found = read(name)) {
+        value.reset();
+        if (!found->is_null()) value = file_in(name, *found);
+    }
+}
+
+void Fields::remembered_files(FieldName name, std::vector<fs::path>& value, std::size_t most) {
+    if (way_ == Way::write) {
+        Json& list = written(name) = Json::array();
+        for (const fs::path& file : value)
+            if (list.size() < most && is_utf8(file.string())) list.push_back(file.string());
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    value.clear();
+    const auto is_file = [](const Json& each) {
+        return each.is_string() && fs::path(each.get<std::string>()).is_absolute() &&
+               each.get<std::string>().find('\0') == std::string::npos;
+    };
+    if (!found->is_array() || found->size() > most || !std::ranges::all_of(*found, is_file))
+        refuse_value(name, *found, fmt::format("a list of at most {} whole names of files", most));
+    for (const Json& each : *found) value.emplace_back(each.get<std::string>());
+}
+
+void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
+                  Empty empty) {
+    if (way_ == Way::write) {
+        assert(chosen || empty == Empty::allowed);
+        written(name) = chosen ? Json(names[*chosen]) : Json();
+        return;
+    }
+    const Json* const found = read(name);
+    if (!found) return;
+    chosen.reset();
+    if (found->is_null() && empty == Empty::allowed) return;
+    const std::string text = found->is_string() ? found->get<std::string>() : "";
+    const auto at = std::ranges::find(names, std::string_view(text));
+    if (at == names.end()) {
+        refuse_value(
+            name, *found,
+            fmt::format("one of {}{}", fmt::join(names, ", "), empty == Empty::allowed ? ", or null" : ""));
+    }
+    chosen = static_cast<std::size_t>(at - names.begin());
+}
+
+void Fields::group(FieldName name, const std::function<void(Fields&)>& describe_it) {
+    if (way_ == Way::read && !has(name)) return;
+    Json& inner = written(name);
+    if (way_ == Way::write && !inner.is_object()) inner = Json::object();
+    if (!inner.is_object()) refuse_value(name, inner, "an object, in braces");
+    Fields fields(inner, way_, place_);
+    fields.prefix_ = prefix_ + name.field + ".";
+    fields.rows_ = rows_;
+    describe_it(fields);
+}
+
+}  // namespace dapple

@@ -1,0 +1,177 @@
+#pragma once
+// Settings as JSON: each field is described once, by its name and its member, and that description both reads
+// and writes it.
+//
+//     void describe(Fields& fields, SavingChoice& saving) {
+//         auto& [order, dpi] = saving;  // fails to compile when a field is added and not described
+//         fields.choice(setting::order, order);
+//         fields.number(setting::dpi, dpi);
+//     }
+//
+// Names in files last: a member may be renamed, the name of its field may not.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/mask.h"
+#include "core/settings/setting.h"
+#include "core/text/names.h"
+
+namespace dapple {
+
+/// What a field is called in files, and the row that undo speaks of.
+struct FieldName {
+    FieldName(const char* in_files, const char* in_rows = "") : field(in_files), row(in_rows) {}
+    FieldName(const Setting& setting) : field(setting.names.field), row(setting.names.row) {}
+
+    const char *field, *row;
+};
+
+/// A value by a name that it has in files alone.
+template <class Value>
+struct NamedValue {
+    const char* name;
+    Value value;
+};
+template <class Value>
+NamedValue(const char*, Value) -> NamedValue<Value>;
+
+/// How files that a setting names are written.
+enum class FileNames {
+    relative,               // to the folder of the file that the settings are in
+    relative_and_absolute,  // that one first, and then the absolute one, for when the file was moved alone
+};
+
+/// Where the settings are: what sentences name, and where relative names begin.
+struct SettingsPlace {
+    std::filesystem::path file;
+    FileNames names = FileNames::relative_and_absolute;
+};
+
+/// Settings that are right, but for a file that they name and that is not there.
+struct MissingFile : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Fields {
+ public:
+    enum class Way { read, write };
+
+    /// Reads or writes the fields of a JSON object. It is changed only when writing, and then only where it
+    /// has these fields: what else it holds stays. A field that is not there to be read leaves its member as
+    /// it is; null stands for an empty optional.
+    ///
+    /// Reading throws std::runtime_error with a sentence that names file, field and what is wrong.
+    Fields(nlohmann::ordered_json& object, Way way, SettingsPlace place);
+
+    void flag(FieldName name, bool& value);
+    void number(FieldName name, double& value, NumberRange range);
+    void number(FieldName name, float& value, NumberRange range);
+    void number(FieldName name, std::optional<double>& value, NumberRange range);
+    template <class Number>
+    void number(const Setting& setting, Number& value) {
+        number(setting, value, setting.range);
+    }
+    void whole(FieldName name, int& value, NumberRange range);
+    void whole(FieldName name, std::optional<int>& value, NumberRange range);
+    void whole(FieldName name, std::optional<std::uint64_t>& value, NumberRange range);
+    template <class Number>
+    void whole(const Setting& setting, Number& value) {
+        whole(setting, value, setting.range);
+    }
+    void colour(FieldName name, glm::vec3& value);
+    /// A text that `take` understands, or else throws std::runtime_error saying what is wrong with it.
+    void text(FieldName name, const std::string& value,
+              const std::function<void(const std::string& text)>& take);
+    /// {"width": 512, "height": 341, "levels": see packed_levels()}; an empty one is null.
+    void mask(FieldName name, Mask& value);
+    /// A name for tile_named(); for a tile in a file, its path.
+    void tile(FieldName name, std::string& value);
+    /// A file; none is null. Reading throws MissingFile if it is not there, as tile() does.
+    void file(FieldName name, std::optional<std::filesystem::path>& value);
+    /// Absolute names of files that may be gone meanwhile, at most so many; those that are not UTF-8 are left
+    /// out.
+    void remembered_files(FieldName name, std::vector<std::filesystem::path>& value, std::size_t most);
+
+    template <class Value>
+    void choice(FieldName name, Value& value, std::initializer_list<NamedValue<Value>> values) {
+        std::vector<const char*> names;
+        std::optional<std::size_t> chosen;
+        for (const NamedValue<Value>& each : values) {
+            if (each.value == value) chosen = names.size();
+            names.emplace_back(each.name);
+        }
+        word(name, chosen, names, Empty::refused);
+        if (chosen) value = (values.begin() + *chosen)->value;
+    }
+    /// By their names.
+    template <Named Value>
+    void choice(FieldName name, Value& value) {
+        std::optional<std::size_t> chosen = static_cast<std::size_t>(value);
+        word(name, chosen, names_of(value), Empty::refused);
+        if (chosen) value = static_cast<Value>(*chosen);
+    }
+    template <Named Value>
+    void choice(FieldName name, std::optional<Value>& value) {
+        std::optional<std::size_t> chosen;
+        if (value) chosen = static_cast<std::size_t>(*value);
+        word(name, chosen, names_of(Value()), Empty::allowed);
+        value.reset();
+        if (chosen) value = static_cast<Value>(*chosen);
+    }
+
+    /// Settings within settings, by a describe() of their own.
+    template <class Settings>
+    void group(FieldName name, Settings& settings) {
+        group(name, [&](Fields& fields) { describe(fields, settings); });
+    }
+    void group(FieldName name, const std::function<void(Fields&)>& describe_it);
+
+    /// Whether the object has such a field.
+    bool has(FieldName name) const;
+
+    /// For what no single field can see: throws std::runtime_error about one of them. "must be below
+    /// white_point".
+    [[noreturn]] void refuse(FieldName name, const std::string& why) const;
+    Way way() const { return way_; }
+
+    /// Writing also notes each field's row there, under its whole name: "drawing.tone.gamma".
+    void note_rows(std::map<std::string, std::string>& rows) { rows_ = &rows; }
+
+ private:
+    enum class Empty { refused, allowed };
+
+    /// An index into `names`.
+    void word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
+              Empty empty);
+    /// Null if it isn't there, or writing.
+    const nlohmann::ordered_json* read(FieldName name) const;
+    nlohmann::ordered_json& written(FieldName name);
+    double whole_in(FieldName name, const nlohmann::ordered_json& value, NumberRange range,
+                    const char* or_else = "") const;
+    double number_in(FieldName name, const nlohmann::ordered_json& value, NumberRange range) const;
+    std::string sentence(FieldName name, const std::string& why) const;
+    [[noreturn]] void refuse_value(FieldName name, const nlohmann::ordered_json& value,
+                                   const std::string& wanted) const;
+    std::filesystem::path file_in(FieldName name, const nlohmann::ordered_json& value) const;
+    nlohmann::ordered_json file_of(FieldName name, const std::filesystem::path& file) const;
+
+    nlohmann::ordered_json& object_;
+    Way way_;
+    SettingsPlace place_;
+    std::string prefix_ = {};  // "drawing.tone."
+    std::map<std::string, std::string>* rows_ = nullptr;
+};
+
+}  // namespace dapple

@@ -1,0 +1,111 @@
+#pragma once
+// From a picture to its dots, and from these to files:
+//
+//     Stippler stippler;
+//     stippler.set_picture(picture_of_srgb(pixels, width, height, 3));
+//     const std::optional<Drawing> drawing = stippler.draw(Settings());
+//     drawing->write(file, FileFormat::svg);
+//
+// The same picture and settings give the same dots to the bit, as the program's, for any number of threads.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dapple/export.h"
+#include "dapple/picture.h"
+#include "dapple/settings.h"
+
+namespace dapple {
+
+/// For someone who waits. Both may be left empty.
+struct Watch {
+    std::stop_token stop = {};                        // asks to give up
+    std::function<void(double share)> progress = {};  // told now and then how much is done, 0..1
+};
+
+/// Dots that lie side by side in memory, in millimetres from the page's upper left corner.
+struct DotSpan {
+    std::span<const float> x, y, radius;
+    int pen = 0;  // whose they are: its place in Drawing::pens()
+};
+
+struct DrawingPen {
+    std::string name;
+    float red = 0, green = 0, blue = 0;  // sRGB-encoded, 0..1
+};
+
+struct PagePixels {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  // sRGB-encoded, row after row from the top
+};
+
+enum class FileFormat { svg, gcode, hpgl, dxf, csv, json };
+
+/// Never changes, and is cheap to copy. Up to five million dots are held in memory; of more, each pass over
+/// them places them anew, except for those of several pens.
+class DAPPLE_API Drawing {
+ public:
+    std::uint64_t count() const;
+    double page_width_mm() const;
+    double page_height_mm() const;
+    std::vector<DrawingPen> pens() const;  // one: the ink
+
+    /// Hands over all dots, as they were placed. `take` may end it with false. Returns false if it did.
+    bool for_each(const std::function<bool(const DotSpan&)>& take) const;
+
+    /// As a file of that kind, with the settings' order, shapes, strokes and pens. False if stopped: what is
+    /// written by then is not whole. Throws std::runtime_error if such a file cannot hold the drawing.
+    bool write(std::ostream& out, FileFormat format, const Watch& watch = {}) const;
+
+    /// As pixels, so many to the inch, with the settings' ink and paper. Throws std::runtime_error if there
+    /// would be too many.
+    PagePixels pixels(double dpi) const;
+
+    struct State;
+
+ private:
+    friend class Stippler;
+    explicit Drawing(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
+};
+
+/// Makes drawings of a picture. Keeps what the next one can use again, so that a drawing whose settings
+/// differ a little takes a fraction of the first one's time. One thread at a time may use it; drawings that
+/// it made do not need it.
+class DAPPLE_API Stippler {
+ public:
+    /// How many threads work; 0: one for each core.
+    explicit Stippler(int threads = 0);
+    Stippler(Stippler&&) noexcept;
+    Stippler& operator=(Stippler&&) noexcept;
+    ~Stippler();
+
+    /// Throws std::runtime_error if its sides and its values do not agree.
+    void set_picture(const LightPicture& picture);
+
+    /// Instead of a picture the density of the dots itself, which no tone changes: width * height values of 0
+    /// to 1, row after row from the top. Throws std::runtime_error if they are not.
+    void set_density(std::span<const float> values, int width, int height);
+
+    /// The text of a tile file, for all drawings from now on, whatever their settings name; empty: these
+    /// again. Throws std::runtime_error saying in which line it is wrong.
+    void set_tile(std::string_view text);
+
+    /// Nothing if stopped. Throws std::runtime_error with one sentence if there is no picture, or if the
+    /// settings do not go together with it.
+    std::optional<Drawing> draw(const Settings& settings, const Watch& watch = {});
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace dapple

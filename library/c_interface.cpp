@@ -1,0 +1,206 @@
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "dapple/dapple.h"
+#include "dapple/drawing.h"
+
+struct dapple_stippler {
+    dapple::Stippler stippler;
+};
+
+struct dapple_drawing {
+    dapple::Drawing drawing;
+};
+
+namespace {
+
+// C has no other way to say why.
+thread_local std::string last_error;
+
+// What `work` returns, or `failed` if it throws: nothing may leave for C.
+template <class Result, class Work>
+Result guarded(Result failed, const Work& work) noexcept {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        last_error = "there is not enough memory";
+    } catch (const std::exception& error) {
+        last_error = error.what();
+    } catch (...) {
+        last_error = "failed";
+    }
+    return failed;
+}
+
+template <class Pointer>
+Pointer given(Pointer pointer, const char* what) {
+    if (!pointer) throw std::runtime_error(std::string(what) + " is NULL");
+    return pointer;
+}
+
+std::size_t product(int width, int height, int each = 1) {
+    if (width < 1 || height < 1 || each < 1)
+        throw std::runtime_error("width, height and channels are 1 or more");
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+           static_cast<std::size_t>(each);
+}
+
+template <class Value>
+Value* copied(const Value* from, std::size_t count) {
+    auto* const copy = static_cast<Value*>(std::malloc(count * sizeof(Value)));
+    if (!copy) throw std::bad_alloc();
+    std::memcpy(copy, from, count * sizeof(Value));
+    return copy;
+}
+
+char* copied_text(const std::string& text) {
+    return copied(text.c_str(), text.size() + 1);
+}
+
+dapple::FileFormat format_named(const char* name) {
+    using dapple::FileFormat;
+    constexpr std::array<std::pair<const char*, FileFormat>, 6> kNames{{{"svg", FileFormat::svg},
+                                                                        {"gcode", FileFormat::gcode},
+                                                                        {"hpgl", FileFormat::hpgl},
+                                                                        {"dxf", FileFormat::dxf},
+                                                                        {"csv", FileFormat::csv},
+                                                                        {"json", FileFormat::json}}};
+    for (const auto& each : kNames)
+        if (std::strcmp(given(name, "the format"), each.first) == 0) return each.second;
+    throw std::runtime_error(std::string(name) + ": not a format; give svg, gcode, hpgl, dxf, csv or json");
+}
+
+}  // namespace
+
+const char* dapple_error(void) {
+    return last_error.c_str();
+}
+
+void dapple_free(void* returned) {
+    std::free(returned);
+}
+
+dapple_stippler* dapple_stippler_new(int threads) {
+    return guarded<dapple_stippler*>(nullptr, [&] { return new dapple_stippler{dapple::Stippler(threads)}; });
+}
+
+void dapple_stippler_free(dapple_stippler* stippler) {
+    delete stippler;
+}
+
+int dapple_set_picture(dapple_stippler* stippler, const unsigned char* pixels, int width, int height,
+                       int channels) {
+    return guarded(-1, [&] {
+        const std::span bytes(given(pixels, "pixels"), product(width, height, channels));
+        given(stippler, "the stippler")
+            ->stippler.set_picture(dapple::picture_of_srgb(bytes, width, height, channels));
+        return 0;
+    });
+}
+
+int dapple_set_light(dapple_stippler* stippler, const float* light, const float* colours, int width,
+                     int height) {
+    return guarded(-1, [&] {
+        const std::size_t pixels = product(width, height);
+        dapple::LightPicture picture{width, height, {given(light, "light"), light + pixels}, {}};
+        if (colours) picture.colours.assign(colours, colours + 3 * pixels);
+        given(stippler, "the stippler")->stippler.set_picture(picture);
+        return 0;
+    });
+}
+
+int dapple_set_density(dapple_stippler* stippler, const float* values, int width, int height) {
+    return guarded(-1, [&] {
+        const std::span density(given(values, "values"), product(width, height));
+        given(stippler, "the stippler")->stippler.set_density(density, width, height);
+        return 0;
+    });
+}
+
+int dapple_set_tile(dapple_stippler* stippler, const char* text) {
+    return guarded(-1, [&] {
+        given(stippler, "the stippler")->stippler.set_tile(text ? text : "");
+        return 0;
+    });
+}
+
+dapple_drawing* dapple_draw(dapple_stippler* stippler, const char* settings, dapple_progress progress,
+                            void* data) {
+    return guarded<dapple_drawing*>(nullptr, [&] {
+        std::stop_source stop;
+        dapple::Watch watch{stop.get_token(), {}};
+        if (progress)
+            watch.progress = [&](double share) {
+                if (progress(share, data) != 0) stop.request_stop();
+            };
+        std::optional<dapple::Drawing> drawing =
+            given(stippler, "the stippler")
+                ->stippler.draw(settings ? dapple::Settings(settings) : dapple::Settings(), watch);
+        if (!drawing) throw std::runtime_error("stopped");
+        return new dapple_drawing{*std::move(drawing)};
+    });
+}
+
+void dapple_drawing_free(dapple_drawing* drawing) {
+    delete drawing;
+}
+
+char* dapple_usual_settings(void) {
+    return guarded<char*>(nullptr, [] { return copied_text(dapple::Settings().text()); });
+}
+
+unsigned long long dapple_drawing_count(const dapple_drawing* drawing) {
+    return drawing ? drawing->drawing.count() : 0;
+}
+
+void dapple_drawing_page_mm(const dapple_drawing* drawing, double* width, double* height) {
+    if (width) *width = drawing ? drawing->drawing.page_width_mm() : 0;
+    if (height) *height = drawing ? drawing->drawing.page_height_mm() : 0;
+}
+
+int dapple_drawing_dots(const dapple_drawing* drawing, float* x, float* y, float* radius, int* pen) {
+    return guarded(-1, [&] {
+        std::size_t at = 0;
+        const auto fill = [&](float* to, std::span<const float> from) {
+            if (to && !from.empty()) std::memcpy(to + at, from.data(), from.size_bytes());
+        };
+        given(drawing, "the drawing")->drawing.for_each([&](const dapple::DotSpan& dots) {
+            fill(x, dots.x);
+            fill(y, dots.y);
+            fill(radius, dots.radius);
+            for (std::size_t i = 0; pen && i < dots.x.size(); ++i) pen[at + i] = dots.pen;
+            at += dots.x.size();
+            return true;
+        });
+        return 0;
+    });
+}
+
+char* dapple_drawing_text(const dapple_drawing* drawing, const char* format, size_t* size) {
+    return guarded<char*>(nullptr, [&] {
+        std::ostringstream out;
+        given(drawing, "the drawing")->drawing.write(out, format_named(format));
+        const std::string text = std::move(out).str();
+        if (size) *size = text.size();
+        return copied_text(text);
+    });
+}
+
+unsigned char* dapple_drawing_pixels(const dapple_drawing* drawing, double dpi, int* width, int* height) {
+    return guarded<unsigned char*>(nullptr, [&] {
+        const dapple::PagePixels pixels = given(drawing, "the drawing")->drawing.pixels(dpi);
+        if (width) *width = pixels.width;
+        if (height) *height = pixels.height;
+        return copied(pixels.rgb.data(), pixels.rgb.size());
+    });
+}

@@ -1,0 +1,264 @@
+// The library as another program has it: nothing here knows core or app.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dapple/analysis.h"
+#include "dapple/dapple.h"
+#include "dapple/drawing.h"
+#include "dapple/lights.h"
+#include "tests/run_in_shell.h"
+#include "tests/temporary_folder.h"
+
+using namespace dapple;
+
+namespace {
+
+constexpr int kWidth = 60, kHeight = 40;
+
+// A ramp with a bright and a coloured spot.
+std::vector<std::uint8_t> pixels_of_ramp() {
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const bool spot = (x - 15) * (x - 15) + (y - 20) * (y - 20) < 60;
+            const auto grey = static_cast<std::uint8_t>(x * 4);
+            for (const std::uint8_t channel :
+                 {grey, spot ? std::uint8_t{220} : grey, spot ? std::uint8_t{40} : grey})
+                pixels.push_back(channel);
+        }
+    }
+    return pixels;
+}
+
+LightPicture ramp() {
+    return picture_of_srgb(pixels_of_ramp(), kWidth, kHeight, 3);
+}
+
+std::string text_of_file(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string written(const Drawing& drawing, FileFormat format) {
+    std::ostringstream out;
+    CHECK(drawing.write(out, format));
+    return std::move(out).str();
+}
+
+}  // namespace
+
+TEST_CASE("the library's files are the program's, byte for byte") {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> pixels = pixels_of_ramp();
+    {
+        std::ofstream picture(folder / "ramp.ppm");
+        picture << "P6 " << kWidth << ' ' << kHeight << " 255\n";
+        picture.write(reinterpret_cast<const char*>(pixels.data()),
+                      static_cast<std::streamsize>(pixels.size()));
+    }
+    struct Same {
+        const char *settings, *options, *ending;
+        FileFormat format;
+    };
+    for (const Same& same : {
+             Same{R"({"drawing": {"count": 3000}})", "--dots 3000", "svg", FileFormat::svg},
+             Same{R"({"drawing": {"count": 2000, "relax": 0}})", "--dots 2000 --relax 0", "csv",
+                  FileFormat::csv},
+             Same{R"({"drawing": {"count": 2000, "pens": "cmyk"}})", "--dots 2000 --pens cmyk", "svg",
+                  FileFormat::svg},
+             Same{R"({"drawing": {"count": 1500, "style": "line", "page": {"paper": "A4"}}})",
+                  "--dots 1500 --style line --page a4", "hpgl", FileFormat::hpgl},
+             Same{R"({"drawing": {"count": 1000, "tile": "aperiodic64", "placer": "exact"}})",
+                  "--dots 1000 --tile aperiodic64", "dxf", FileFormat::dxf},
+             Same{R"({"drawing": {"count": 900}, "saving": {"gcode_tool": "laser"}})",
+                  "--dots 900 --gcode laser", "gcode", FileFormat::gcode},
+         }) {
+        CAPTURE(same.options);
+        Stippler stippler;
+        stippler.set_picture(ramp());
+        const auto drawing = stippler.draw(Settings(same.settings));
+        REQUIRE(drawing);
+        const std::string file = (folder / "drawing.").string() + same.ending;
+        const Outcome outcome =
+            run_dapple("render " + (folder / "ramp.ppm").string() + " -o " + file + " " + same.options);
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.status == 0);
+        CHECK(written(*drawing, same.format) == text_of_file(file));
+    }
+}
+
+TEST_CASE("a drawing tells its dots in millimetres, and is the same for any number of threads") {
+    std::vector<std::vector<float>> xs;
+    for (const int threads : {1, 3}) {
+        Stippler stippler(threads);
+        stippler.set_picture(ramp());
+        Settings settings(R"({"drawing": {"page": {"width_mm": 90}}})");
+        settings.set_dots(2000);
+        const auto drawing = stippler.draw(settings);
+        REQUIRE(drawing);
+        CHECK(drawing->count() == 2000);
+        CHECK(drawing->page_width_mm() == doctest::Approx(90));
+        CHECK(drawing->page_height_mm() == doctest::Approx(60));
+        std::vector<float>& all = xs.emplace_back();
+        std::size_t left = 0;
+        CHECK(drawing->for_each([&](const DotSpan& dots) {
+            for (std::size_t i = 0; i < dots.x.size(); ++i) {
+                all.push_back(dots.x[i]);
+                left += dots.x[i] < 30;
+                CHECK((dots.x[i] >= 0 && dots.x[i] <= 90.001f && dots.y[i] >= 0 && dots.y[i] <= 60.001f));
+                CHECK(dots.radius[i] > 0.1f);
+            }
+            return true;
+        }));
+        CHECK(left > 900);  // where it is dark
+    }
+    CHECK(xs[0].size() == 2000);
+    CHECK(xs[0] == xs[1]);
+}
+
+TEST_CASE("a density gives dots in proportion, and a white one none that would be drawn") {
+    Stippler stippler;
+    std::vector<float> density(100 * 100, 0.2f);
+    for (std::size_t i = 5000; i < density.size(); ++i) density[i] = 0.8f;
+    stippler.set_density(density, 100, 100);
+    const auto drawing = stippler.draw(Settings(R"({"drawing": {"count": 10000, "relax": 0}})"));
+    REQUIRE(drawing);
+    int above = 0;
+    drawing->for_each([&](const DotSpan& dots) {
+        for (const float y : dots.y) above += y < 100;
+        return true;
+    });
+    CHECK(above == doctest::Approx(2000).epsilon(0.03));
+    const PagePixels pixels = drawing->pixels(25.4);
+    CHECK(pixels.width == 200);
+    CHECK(pixels.rgb.size() == 3u * 200 * 200);
+}
+
+TEST_CASE("what is wrong is said in a sentence that names the field") {
+    CHECK_THROWS_WITH(Settings(R"({"drawing": {"count": 0}})"),
+                      "settings: drawing.count is 0; give a whole number from 1 to 1000000000, or null");
+    CHECK_THROWS_WITH(Settings(R"({"drawing": {"dots": 5}})"),
+                      "settings: drawing.dots is not known; text() lists all fields");
+    CHECK_THROWS_WITH(Settings(R"({"drawing": {"tone": {"contrst": 5}}})"),
+                      "settings: drawing.tone.contrst is not known; text() lists all fields");
+    CHECK_THROWS_WITH(Settings(R"({"count": 5})"),
+                      "settings: count is not known; fields are in \"drawing\" and \"saving\"");
+    CHECK_THROWS_WITH(Settings("{"), doctest::Contains("settings: line 1 is not JSON"));
+    CHECK_THROWS_WITH(Settings("[]"), doctest::Contains("settings: "));
+    Settings settings;
+    CHECK_THROWS_AS(settings.set(R"({"drawing": {"count": 70, "scale": -1}})"), std::runtime_error);
+    CHECK(settings.changed() == Settings().changed());
+    CHECK(Settings(settings.text()).text() == Settings().text());
+
+    Stippler stippler;
+    CHECK_THROWS_WITH(stippler.draw({}), doctest::Contains("there is no picture yet"));
+    CHECK_THROWS_WITH(picture_of_srgb(std::vector<std::uint8_t>(5), 2, 2, 1),
+                      doctest::Contains("which has 4"));
+    LightPicture picture = ramp();
+    picture.light[7] = std::nanf("");
+    CHECK_THROWS_WITH(stippler.set_picture(picture), doctest::Contains("not finite"));
+    CHECK_THROWS_WITH(stippler.set_density(std::vector<float>{0.5f, 2}, 2, 1), doctest::Contains("0 to 1"));
+    CHECK_THROWS_WITH(stippler.set_tile("a tile"), doctest::Contains("line 1"));
+    stippler.set_picture(ramp());
+    CHECK_THROWS_WITH(stippler.draw(Settings(R"({"drawing": {"tile": "/etc/hostname"}})")),
+                      doctest::Contains("set_tile()"));
+    CHECK(stippler.draw(Settings(R"({"drawing": {"count": 100}})"))->count() == 100);
+}
+
+TEST_CASE("whoever waits is told, and can stop") {
+    Stippler stippler;
+    stippler.set_picture(ramp());
+    double last = 0;
+    const auto drawing = stippler.draw(Settings(), {{}, [&](double share) { last = share; }});
+    REQUIRE(drawing);
+    CHECK(last == 1);
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_FALSE(stippler.draw(Settings(R"({"drawing": {"count": 50000}})"), {stop.get_token(), {}}));
+    std::ostringstream out;
+    CHECK_FALSE(drawing->write(out, FileFormat::svg, {stop.get_token(), {}}));
+}
+
+TEST_CASE("lights carry the map's flux, and points are measured") {
+    std::vector<float> sky(3 * 64 * 32, 0.5f);
+    for (int i = 0; i < 3; ++i) sky[static_cast<std::size_t>(3 * (8 * 64 + 32) + i)] = 2000;
+    const std::vector<SampledLight> lights = sample_lights(sky, 64, 32, {.count = 200});
+    CHECK(lights.size() == 200);
+    double flux = 0, length = 0;
+    for (const SampledLight& light : lights) {
+        flux += light.weight[0];
+        length += std::hypot(light.direction[0], light.direction[1], light.direction[2]);
+    }
+    // 4 pi of the sky, and the texel's solid angle, (2 pi / 64) (cos(8 pi / 32) - cos(9 pi / 32)).
+    const double pi = 3.14159265358979;
+    const double texel = 2 * pi / 64 * (std::cos(8 * pi / 32) - std::cos(9 * pi / 32));
+    CHECK(flux == doctest::Approx(4 * pi * 0.5 + texel * 1999.5).epsilon(1e-5));
+    CHECK(length == doctest::Approx(200));
+    CHECK_THROWS_WITH(sample_lights(sky, 32, 64), doctest::Contains("twice"));
+
+    std::vector<double> x, y;
+    for (int i = 0; i < 32; ++i) {
+        for (int k = 0; k < 32; ++k) {
+            x.push_back(i + 0.5);
+            y.push_back(k + 0.5);
+        }
+    }
+    const PointEvenness grid = evenness_of(x, y, 32, 32);
+    CHECK(grid.count == 1024);
+    // A square grid's spacing is 1, the largest sqrt(2 / sqrt(3)).
+    CHECK(grid.nearest_minimum == doctest::Approx(std::sqrt(std::sqrt(3.0) / 2)));
+    CHECK(grid.power_below_05 < 1e-6);
+    x.pop_back();
+    CHECK_THROWS_WITH(evenness_of(x, y, 32, 32), doctest::Contains("1023 values of x and 1024 of y"));
+}
+
+TEST_CASE("C gets the same bytes, and errors as text") {
+    dapple_stippler* const stippler = dapple_stippler_new(1);
+    REQUIRE(stippler);
+    CHECK_FALSE(dapple_draw(stippler, nullptr, nullptr, nullptr));
+    CHECK(std::string(dapple_error()).find("no picture yet") != std::string::npos);
+    const std::vector<std::uint8_t> pixels = pixels_of_ramp();
+    CHECK(dapple_set_picture(stippler, nullptr, kWidth, kHeight, 3) == -1);
+    CHECK(std::string(dapple_error()) == "pixels is NULL");
+    CHECK(dapple_set_picture(stippler, pixels.data(), -1, kHeight, 3) == -1);
+    REQUIRE(dapple_set_picture(stippler, pixels.data(), kWidth, kHeight, 3) == 0);
+    const char* const json = R"({"drawing": {"count": 500}})";
+    CHECK_FALSE(dapple_draw(stippler, "{\"drawing\": {\"count\": -1}}", nullptr, nullptr));
+    CHECK(std::string(dapple_error()).find("drawing.count is -1") != std::string::npos);
+    CHECK_FALSE(dapple_draw(
+        stippler, json, [](double, void*) { return 1; }, nullptr));
+    CHECK(std::string(dapple_error()) == "stopped");
+    dapple_drawing* const drawing = dapple_draw(stippler, json, nullptr, nullptr);
+    REQUIRE(drawing);
+    CHECK(dapple_drawing_count(drawing) == 500);
+    std::vector<float> x(500, -1);
+    CHECK(dapple_drawing_dots(drawing, x.data(), nullptr, nullptr, nullptr) == 0);
+    double width = 0;
+    dapple_drawing_page_mm(drawing, &width, nullptr);
+    for (const float each : x) CHECK((each >= 0 && each <= width + 0.001));
+
+    Stippler same;
+    same.set_picture(ramp());
+    std::size_t size = 0;
+    char* const svg = dapple_drawing_text(drawing, "svg", &size);
+    REQUIRE(svg);
+    CHECK(std::string(svg, size) == written(*same.draw(Settings(json)), FileFormat::svg));
+    CHECK(std::strlen(svg) == size);
+    dapple_free(svg);
+    CHECK_FALSE(dapple_drawing_text(drawing, "bmp", nullptr));
+    CHECK(std::string(dapple_error()).find("bmp: not a format") != std::string::npos);
+    dapple_drawing_free(drawing);
+    dapple_stippler_free(stippler);
+    dapple_drawing_free(nullptr);
+    dapple_free(nullptr);
+}
