@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/drawing/page_pixels.h"
 #include "app/film/plot_film.h"
+#include "core/drawing/page_pixels.h"
 #include "core/output/sheet.h"
 
 namespace dapple {

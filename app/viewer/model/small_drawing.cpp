@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/drawing/page_pixels.h"
 #include "app/viewer/model/workbench.h"
 #include "core/drawing/drawing_file.h"
+#include "core/drawing/page_pixels.h"
 #include "core/image/linear_colour.h"
 
 namespace dapple {
