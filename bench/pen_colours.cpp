@@ -11,9 +11,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 
-#include "core/drawing/page_pixels.h"
 #include "app/files/tile_library.h"
 #include "core/drawing/drawing_file.h"
+#include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/linear_colour.h"
 #include "core/pens/separation.h"
