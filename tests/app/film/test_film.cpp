@@ -6,10 +6,10 @@
 #include <random>
 #include <set>
 
-#include "core/drawing/page_pixels.h"
 #include "app/files/tile_library.h"
 #include "app/film/film_frames.h"
 #include "app/film/plot_film.h"
+#include "core/drawing/page_pixels.h"
 #include "core/output/stroke_figures.h"
 
 namespace dapple {
