@@ -1,9 +1,10 @@
 #version 330 core
 // The desk, the sheet's shadow, the sheet, the picture faintly on it and the dots.
 //
-// Compiled in three ways, as there are drivers that work out every branch for every pixel: with the desk,
-// which can draw anything; with SHEET, for pixels wholly on the sheet; with SHEET and PICTURE, if the picture
-// shows there.
+// Compiled in five ways, as there are drivers that work out every branch for every pixel: as it is, which can
+// draw anything; with SHEET, for pixels wholly on the sheet; with SHEET and PICTURE, if the picture shows
+// there; with SHEET and PALETTE, where the dots' coverage alone says which colour it is; with DESK, for pixels
+// wholly beside the sheet.
 uniform vec2 page_min;  // pixels, y down
 uniform vec2 page_max;
 uniform vec2 picture_min;  // pixels, y down: where the picture lies on the page
@@ -28,6 +29,7 @@ uniform int samples;       // of a pixel's side
 uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; y up; empty: there are no dots
 uniform ivec4 page_samples; // those on the page: low x, y, end x, y
 uniform vec3 ink;          // linear light, to multiply the dots with
+uniform sampler2D palette; // of a coverage of 0 to 255
 
 out vec4 colour;
 
@@ -88,6 +90,25 @@ vec3 sheet_at(vec2 pixel) {
 }
 #endif
 
+#if !defined(SHEET)
+// Of the desk's light, by the sheet's shadow.
+float shade_at(vec2 pixel) {
+    vec2 lowered = pixel - vec2(0.0, shadow * 0.25);
+    vec2 from_sheet = max(max(page_min - lowered, lowered - page_max), 0.0);
+    return exp(-length(from_sheet) / shadow * 3.0) * 0.22;
+}
+#endif
+
+#if defined(DESK)
+void main() {
+    colour = vec4(desk * (1.0 - shade_at(vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y))), 1.0);
+}
+#elif defined(PALETTE)
+void main() {
+    float covered = texelFetch(dots, ivec2(gl_FragCoord.xy) - dots_box.xy, 0).r;
+    colour = texelFetch(palette, ivec2(int(covered * 255.0 + 0.5), 0), 0);
+}
+#else
 void main() {
     vec2 pixel = vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y);
     vec3 sheet = paper_light;
@@ -101,11 +122,9 @@ void main() {
     Ink seen = dots_at(ivec2(gl_FragCoord.xy));
     vec3 light = sheet * seen.through + seen.own;
 #ifndef SHEET
-    vec2 lowered = pixel - vec2(0.0, shadow * 0.25);
-    vec2 from_sheet = max(max(page_min - lowered, lowered - page_max), 0.0);
-    float shade = exp(-length(from_sheet) / shadow * 3.0) * 0.22;
     vec2 edge = clamp(0.5 + min(pixel - page_min, page_max - pixel), 0.0, 1.0);
-    light = mix(to_light(desk * (1.0 - shade)), light, edge.x * edge.y);
+    light = mix(to_light(desk * (1.0 - shade_at(pixel))), light, edge.x * edge.y);
 #endif
     colour = vec4(to_encoded(light), 1.0);
 }
+#endif

@@ -1,5 +1,5 @@
 #pragma once
-// A stretch of a picture's rows, each pixel as 16 x 16 sample points that are ink or not.
+// A stretch of a picture's rows, each pixel as a square of sample points that are ink or not.
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,7 @@
 
 namespace dapple {
 
-inline constexpr int kSamples = 16;                   // a side of the grid of sample points in a pixel
-inline constexpr int kPixelsPerWord = 64 / kSamples;  // one row of samples of so many pixels is a word
+inline constexpr int kSamples = 16;  // a side of the grid of sample points in a pixel of a file
 
 /// Rows of pixels that a band of that width has, so that its samples need 8 MB or so.
 inline int rows_of_a_band(int width) {
@@ -26,39 +25,44 @@ inline int rows_of_a_band(int width) {
     return static_cast<int>(std::clamp<std::size_t>(kBandBytes / row_bytes, 1, 256));
 }
 
-// The samples of a band as bits: sample row after sample row, the leftmost sample in the lowest bit.
-class SampleBand {
+/// Which samples may be set: from the first ones to before the last ones.
+struct SampleWindow {
+    int first_row = 0, end_row = std::numeric_limits<int>::max();
+    std::int64_t first_column = 0, end_column = std::numeric_limits<std::int64_t>::max();
+};
+
+/// The samples of a band as bits, kSide by kSide (8 or 16) a pixel: sample row after sample row, the leftmost
+/// sample in the lowest bit. Threads may add to it at once whose limits have no row in common.
+template <int kSide>
+class SampleBandOf {
  public:
-    SampleBand(int width, int rows)
-        : words_((width + kPixelsPerWord - 1) / kPixelsPerWord),
-          sample_rows_(rows * kSamples),
+    static constexpr int kPixelsAWord = 64 / kSide;
+
+    SampleBandOf(int width, int rows)
+        : words_((width + kPixelsAWord - 1) / kPixelsAWord),
+          sample_rows_(rows * kSide),
           bits_(static_cast<std::size_t>(words_) * sample_rows_) {}
 
-    // A disc, in sample units from the band's corner; sample (i, j) lies at (i + 1/2, j + 1/2).
-    void add_disc(double x, double y, double radius) {
-        const auto first_row = static_cast<int>(std::max(std::ceil(y - radius - 0.5), 0.0));
-        const auto last_row = static_cast<int>(std::min(std::floor(y + radius - 0.5), sample_rows_ - 1.0));
-        for (int row = first_row; row <= last_row; ++row) {
-            const double dy = row + 0.5 - y;
+    /// A disc, in sample units from the band's corner; sample (i, j) lies at (i + 1/2, j + 1/2).
+    void add_disc(double x, double y, double radius, const SampleWindow& limits = {}) {
+        const Span rows = rows_between(y - radius, y + radius, limits);
+        for (std::int64_t row = rows.first; row <= rows.last; ++row) {
+            const double dy = static_cast<double>(row) + 0.5 - y;
             const double half = std::sqrt(std::max(radius * radius - dy * dy, 0.0));
-            const double first = std::max(std::ceil(x - half - 0.5), 0.0);
-            const double last = std::min(std::floor(x + half - 0.5), words_ * 64.0 - 1.0);
-            if (first <= last) set(row, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
+            set(row, x - half, x + half, limits);
         }
     }
 
-    // What lies within a distance of the line from a to b, in the same units.
-    void add_capsule(glm::dvec2 a, glm::dvec2 b, double radius) {
+    /// What lies within a distance of the line from a to b, in the same units.
+    void add_capsule(glm::dvec2 a, glm::dvec2 b, double radius, const SampleWindow& limits = {}) {
         const glm::dvec2 way = b - a;
         const double length = std::hypot(way.x, way.y);
-        if (length == 0) return add_disc(a.x, a.y, radius);
+        if (length == 0) return add_disc(a.x, a.y, radius, limits);
         const glm::dvec2 aside = glm::dvec2(-way.y, way.x) * (radius / length);
         const std::array corners{a + aside, b + aside, b - aside, a - aside};
-        const auto first_row = static_cast<int>(std::max(std::ceil(std::min(a.y, b.y) - radius - 0.5), 0.0));
-        const auto last_row =
-            static_cast<int>(std::min(std::floor(std::max(a.y, b.y) + radius - 0.5), sample_rows_ - 1.0));
-        for (int row = first_row; row <= last_row; ++row) {
-            const double y = row + 0.5;
+        const Span rows = rows_between(std::min(a.y, b.y) - radius, std::max(a.y, b.y) + radius, limits);
+        for (std::int64_t row = rows.first; row <= rows.last; ++row) {
+            const double y = static_cast<double>(row) + 0.5;
             // It is convex, so each row of it is one stretch: from the leftmost to the rightmost of both
             // discs' and of the four sides between them.
             double left = std::numeric_limits<double>::infinity(), right = -left;
@@ -76,33 +80,12 @@ class SampleBand {
                 const double x = p.x + (q.x - p.x) * (y - p.y) / (q.y - p.y);
                 reach(x, x);
             }
-            const double first = std::max(std::ceil(left - 0.5), 0.0);
-            const double last = std::min(std::floor(right - 0.5), words_ * 64.0 - 1.0);
-            if (first <= last) set(row, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
+            set(row, left, right, limits);
         }
     }
 
-    Grid<float> coverage(int width) const {
-        Grid<float> result(width, sample_rows_ / kSamples);
-        std::vector<std::uint64_t> counts(words_);
-        for (int y = 0; y < result.height; ++y) {
-            std::ranges::fill(counts, 0);
-            for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) count(row, counts);
-            for (int word = 0; word < words_; ++word) {
-                if (counts[word] == 0) continue;  // bare paper
-                const int first = word * kPixelsPerWord;
-                for (int x = first; x < std::min(first + kPixelsPerWord, width); ++x) {
-                    const std::uint64_t bytes = counts[word] >> (x - first) * kSamples;
-                    result.at(x, y) =
-                        static_cast<float>((bytes & 0xff) + (bytes >> 8 & 0xff)) / (kSamples * kSamples);
-                }
-            }
-        }
-        return result;
-    }
-
- private:
-    void set(int row, std::int64_t first, std::int64_t last) {
+    /// The samples of a row from the first to the last one, all of which it has.
+    void add_span(std::int64_t row, std::int64_t first, std::int64_t last) {
         std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
         const std::int64_t from = first / 64, to = last / 64;
         const std::uint64_t head = ~std::uint64_t{0} << (first % 64);
@@ -112,13 +95,70 @@ class SampleBand {
             return;
         }
         line[from] |= head;
-        std::fill(line + from + 1, line + to, ~std::uint64_t{0});
+        // Few, as a rule: no call that fills memory.
+        for (std::int64_t word = from + 1; word < to; ++word) line[word] |= ~std::uint64_t{0};
         line[to] |= tail;
     }
 
-    // Adds to each byte of the counts how many bits that byte of the row has set. A byte is half of a pixel's
-    // samples in a row, so it counts to 128 at most. Without branches and without the processor's own
-    // count, which the oldest ones lack: compilers do several words at a time.
+    std::int64_t columns() const { return words_ * std::int64_t{64}; }
+
+    void clear() { std::ranges::fill(bits_, 0); }
+
+    /// Calls visit(x, samples) for each pixel of a row that has any: how many of its samples are set.
+    template <class Visit>
+    void for_each_covered(int y, int width, std::vector<std::uint64_t>& counts, const Visit& visit) const {
+        counts.assign(words_, 0);
+        for (int row = y * kSide; row < (y + 1) * kSide; ++row) count(row, counts);
+        for (int word = 0; word < words_; ++word) {
+            if (counts[word] == 0) continue;  // bare paper
+            const int first = word * kPixelsAWord;
+            for (int x = first; x < std::min(first + kPixelsAWord, width); ++x) {
+                std::uint64_t bytes = counts[word] >> (x - first) * kSide;
+                if constexpr (kSide == 16) bytes = (bytes & 0xff) + (bytes >> 8 & 0xff);
+                visit(x, static_cast<int>(bytes & (kSide == 16 ? 0x1ff : 0xff)));
+            }
+        }
+    }
+
+    Grid<float> coverage(int width) const {
+        Grid<float> result(width, sample_rows_ / kSide);
+        std::vector<std::uint64_t> counts;
+        for (int y = 0; y < result.height; ++y)
+            for_each_covered(y, width, counts, [&](int x, int samples) {
+                result.at(x, y) = static_cast<float>(samples) / (kSide * kSide);
+            });
+        return result;
+    }
+
+ private:
+    struct Span {
+        std::int64_t first, last;  // none if last < first
+    };
+
+    // The samples whose middles lie between, of those from `first` to before `end`. Without the calls that
+    // rounding takes on processors of long ago: what is below 0 is cut off before.
+    static Span samples_between(double low, double high, double first, double end) {
+        const double from = std::max(low - 0.5, first), to = std::min(high - 0.5, end - 1);
+        // Written so that what is not a number has none.
+        if (!(to >= 0 && from <= to)) return {0, -1};
+        const auto below = static_cast<std::int64_t>(from);
+        return {below + (static_cast<double>(below) < from), static_cast<std::int64_t>(to)};
+    }
+
+    Span rows_between(double low, double high, const SampleWindow& limits) const {
+        return samples_between(low, high, limits.first_row, std::min(sample_rows_, limits.end_row));
+    }
+
+    void set(std::int64_t row, double left, double right, const SampleWindow& limits) {
+        const std::int64_t end = std::min(columns(), limits.end_column);
+        const Span span =
+            samples_between(left, right, static_cast<double>(limits.first_column), static_cast<double>(end));
+        if (span.first <= span.last) add_span(row, span.first, span.last);
+    }
+
+    // Adds to each byte of the counts how many bits that byte of the row has set. A byte is a pixel's samples
+    // in a row, or half of them, so it counts to 128 at most. Without branches and without the processor's
+    // own count, which the oldest ones lack: compilers do several words at a time.
     void count(int row, std::span<std::uint64_t> counts) const {
         const std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
         for (int word = 0; word < words_; ++word) {
@@ -132,6 +172,8 @@ class SampleBand {
     int words_, sample_rows_;
     std::vector<std::uint64_t> bits_;
 };
+
+using SampleBand = SampleBandOf<kSamples>;
 
 /// A stretch of bands, numbered from 0, of so many pens each.
 struct Bands {

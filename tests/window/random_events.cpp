@@ -186,16 +186,11 @@ class Person {
     }
     std::string key() {
         // Not F11 nor Ctrl+Q: without a window manager nothing is full screen, and the end comes at the end.
-        constexpr std::array kKeys{"ctrl+z",    "ctrl+y",   "ctrl+shift+z",
-                                   "ctrl+0",    "ctrl+b",   "ctrl+s",
-                                   "ctrl+t",    "f",        "t",
-                                   "c",         "l",        "p",
-                                   "e",         "E",        "plus",
-                                   "minus",     "Tab",      "F1",
-                                   "Escape",    "Escape",   "Return",
-                                   "Up",        "Down",     "Left",
-                                   "BackSpace", "Delete",   "Home",
-                                   "space",     "question", "a"};
+        constexpr std::array kKeys{
+            "ctrl+z", "ctrl+y",    "ctrl+shift+z", "ctrl+0", "ctrl+b", "ctrl+s",   "ctrl+t", "f",
+            "t",      "c",         "shift+c",      "l",      "p",      "e",        "E",      "plus",
+            "minus",  "Tab",       "F1",           "Escape", "Escape", "Return",   "Up",     "Down",
+            "Left",   "BackSpace", "Delete",       "Home",   "space",  "question", "a"};
         return kKeys[static_cast<std::size_t>(number(0, static_cast<int>(kKeys.size()) - 1))];
     }
     std::string typed_number() {

@@ -191,6 +191,13 @@ class RunningViewer {
         if (!has_ended()) key("d");
         return wait_for_end();
     }
+    /// Stops it while something is done: all of that arrives at once.
+    template <class Do>
+    void at_once(Do something) {
+        program_.send(SIGSTOP);
+        something();
+        program_.send(SIGCONT);
+    }
     void kill_at_once() { program_.send(SIGKILL); }
     int wait_for_end() { return program_.wait(); }
 

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/places.h"
 #include "tests/window/running_viewer.h"
@@ -208,7 +209,7 @@ TEST_CASE(
     open_the_method(viewer);
     choose_grey(viewer);
     viewer.move(300, 300);
-    viewer.key("c");
+    viewer.key("shift+c");
     REQUIRE(viewer.shows([&] {
         const json right = viewer.status()["right"];
         return right.is_object() && right["repetition"].is_number() && right["left_repetition"].is_number();
@@ -248,7 +249,7 @@ TEST_CASE("under the side that is saved, and under no other, it says so") {
     Display display;
     RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
     viewer.move(300, 300);
-    viewer.key("c");
+    viewer.key("shift+c");
     REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
     // What is said beside the two tiles' names is longer than either; all of it in the strip below the
     // canvas, 940 wide, in letters darker than those of the facts.
@@ -306,7 +307,7 @@ TEST_CASE("the loupe finds the paper's tile on itself everywhere, and a tile tha
     viewer.move(20, 20);
     CHECK(viewer.shows([&] { return !viewer.status().contains("loupe"); }));
 
-    viewer.key("c");
+    viewer.key("shift+c");
     REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
     viewer.move(700, 300);
     CHECK(viewer.shows([&] { return viewer.status().contains("loupe") && repetition() > 0.9; }));
@@ -331,7 +332,7 @@ TEST_CASE("a grey is saved as it is shown, and the split view does not change it
     };
     save("alone.svg");
     viewer.move(300, 300);
-    viewer.key("c");
+    viewer.key("shift+c");
     REQUIRE(viewer.shows([&] { return viewer.status().contains("right"); }));
     save("split.svg");
     const std::string alone = text_of(folder / "alone.svg");
@@ -480,7 +481,7 @@ TEST_CASE("a window of any size goes on, whatever is open in it") {
         Display display;
         RunningViewer viewer({}, arguments);
         viewer.move(300, 300);
-        for (const char* keys : {"c", "ctrl+e", "F1"}) {
+        for (const char* keys : {"shift+c", "ctrl+e", "F1"}) {
             viewer.key(keys);
             for (const auto& [width, height] : {std::pair(50, 50), {1, 1}, {1, 700}}) {
                 viewer.resize(width, height);
@@ -685,6 +686,82 @@ TEST_CASE("a window that is still saving asks before it goes, and goes once the 
     const std::string drawing = text_of(folder / "grey.svg");  // to its end
     CHECK(drawing.ends_with("</svg>\n"));
     CHECK(viewer.wait_for_end() == 0);
+}
+
+TEST_CASE(
+    "a right click on the canvas opens a menu, which fits the page, copies the drawing and exports it") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    put_text(folder / "start.dapple",
+             R"({"dapple": 1, "picture": "grey.pgm", "drawing": {"count": 300, "relax": 0}})");
+    Display display;
+    RunningViewer viewer(folder.path(), {"start.dapple"}, WindowMemory{folder / "home"});
+    const auto open_menu = [&] {
+        viewer.move(300, 300);
+        viewer.xdotool("click 3");
+        REQUIRE(viewer.shows([&] { return viewer.has("1:1"); }));
+    };
+    const double zoom = viewer.status()["zoom"];
+    open_menu();
+    viewer.click("1:1");
+    CHECK(viewer.shows([&] { return viewer.status()["zoom"] < zoom / 10; }));  // of four pixels
+    REQUIRE(viewer.shows([&] { return !viewer.has("1:1"); }));
+    open_menu();
+    viewer.xdotool("key Down Return");
+    CHECK(viewer.shows([&] { return viewer.status()["zoom"] == zoom && !viewer.has("1:1"); }));
+    open_menu();
+    viewer.click("Copy picture");
+    REQUIRE(viewer.shows(
+        [&] { return viewer.has("Copied the drawing; paste it where you like") && !viewer.has("1:1"); }));
+    run({"sh", "-c",
+         "xclip -selection clipboard -o -t image/png >'" + (folder / "copied.png").string() + "'"});
+    run({dapple_program(), "render", (folder / "start.dapple").string(), "-o",
+         (folder / "command.png").string()});
+    CHECK((decode_png(text_of(folder / "copied.png")).preview.values ==
+           decode_png(text_of(folder / "command.png")).preview.values));
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "home"))
+        CHECK(entry.path().extension() != ".png");  // nothing is left of it
+    open_menu();
+    viewer.click("Export...");
+    CHECK(viewer.shows([&] { return viewer.has("Path"); }));
+}
+
+TEST_CASE("Escape stops an export") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    // Saving waits for somebody who reads it.
+    REQUIRE(::mkfifo((folder / "grey.svg").c_str(), 0600) == 0);
+    Display display;
+    RunningViewer viewer(folder.path(), {"grey.pgm"});
+    viewer.move(300, 300);
+    viewer.key("ctrl+e");
+    viewer.click("Accept");
+    viewer.click("Replace");
+    REQUIRE(viewer.shows([&] { return viewer.has("Cancel saving"); }));
+    viewer.move(300, 300);
+    viewer.key("Escape");
+    CHECK(viewer.shows([&] {
+        return viewer.has("Cancelled: " + (folder / "grey.svg").string() + " was not written") &&
+               !viewer.has("Cancel saving");
+    }));
+}
+
+TEST_CASE("a key that was typed before a question was there does not answer it") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
+    put_text(folder / "grey.svg", "another");
+    Display display;
+    RunningViewer viewer(folder.path(), {"grey.pgm"});
+    viewer.move(300, 300);
+    viewer.key("ctrl+e");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.at_once([&] { viewer.xdotool("key Return Return"); });
+    REQUIRE(viewer.shows([&] { return viewer.has("Replace"); }));
+    viewer.move(310, 300);
+    CHECK(viewer.has("Replace"));
+    CHECK(text_of(folder / "grey.svg") == "another");
+    viewer.key("Return");
+    CHECK(viewer.shows([&] { return text_of(folder / "grey.svg").ends_with("</svg>\n"); }));
 }
 
 TEST_CASE("a drawing that was not saved when the program was killed comes back, and is still to be saved") {

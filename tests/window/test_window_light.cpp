@@ -46,4 +46,32 @@ TEST_CASE("the window is as light as the PNG with the same settings, fitted and 
     CHECK(viewer.shows(is_as_light));
 }
 
+TEST_CASE(
+    "holding C shows the photograph, and letting go of it the drawing; by its name it stays until Escape") {
+    TemporaryFolder folder;
+    put_text(folder / "grey.pgm", "P2 2 2 255 128 128 128 128");
+    put_text(folder / "grey.dapple", R"({"dapple": 1, "picture": "grey.pgm", "drawing": {"count": 500}})");
+    Display display;
+    RunningViewer viewer(folder.path(), {"grey.dapple"});
+    viewer.move(300, 300);
+    // Of a drawing there are dots and paper, of the photograph its grey alone.
+    const auto is_even = [] {
+        const Grid<glm::u8vec3> middle = cut_out(screen(), {{440, 360}, {500, 420}});
+        return std::ranges::all_of(middle.values,
+                                   [&](const glm::u8vec3& pixel) { return pixel == middle.values[0]; });
+    };
+    CHECK(viewer.shows([&] { return !is_even(); }));
+    viewer.xdotool("keydown c");
+    CHECK(viewer.shows(is_even));
+    viewer.xdotool("keyup c");
+    CHECK(viewer.shows([&] { return !is_even(); }));
+    viewer.key("ctrl+p");
+    REQUIRE(viewer.shows([&] { return viewer.has("Commands"); }));
+    viewer.xdotool("type --delay 20 'compare photograph'");
+    viewer.key("Return");
+    CHECK(viewer.shows(is_even));
+    viewer.key("Escape");
+    CHECK(viewer.shows([&] { return !is_even(); }));
+}
+
 }  // namespace dapple

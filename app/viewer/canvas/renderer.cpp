@@ -12,6 +12,7 @@
 
 #include "app/viewer/model/dot_colours.h"
 #include "core/image/colour.h"
+#include "core/image/linear_colour.h"
 #include "core/image/tone.h"
 #include "dapple_viewer_embedded/shaders.h"
 
@@ -119,17 +120,31 @@ std::string with_define(std::string_view source, std::initializer_list<const cha
 // About so long is what is drawn between two looks at the clock.
 constexpr double kSliceSeconds = 0.008;
 constexpr std::size_t kFewestDots = DotCost::kFewestDots, kMostDotsAtOnce = 1 << 19;
-constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
+constexpr double kMostRasterMemory = 256e6;  // bytes
+constexpr double kRasterSlowness = 0.06;     // of the processor's dots beside those of OpenGL on it
+constexpr std::size_t kTilesAtOnce = 4096;   // and as many are drawn quickly
 
 }  // namespace
 
-Renderer::Renderer()
+DotsBy usual_dots_by() {
+    const GLubyte* const text = glGetString(GL_RENDERER);
+    const std::string_view name = text ? reinterpret_cast<const char*>(text) : "";
+    for (const char* program : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"})
+        if (name.find(program) != name.npos) return DotsBy::processor;
+    return DotsBy::graphics_card;
+}
+
+Renderer::Renderer(DotsBy dots_by)
     : page_(shaders::page_vert(), shaders::page_frag()),
       sheet_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET"})),
       sheet_with_picture_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PICTURE"})),
+      sheet_by_palette_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PALETTE"})),
+      desk_(shaders::page_vert(), with_define(shaders::page_frag(), {"DESK"})),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
       line_(shaders::line_vert(), shaders::line_frag()),
-      tile_(shaders::tile_vert(), shaders::tile_frag()) {
+      tile_(shaders::tile_vert(), shaders::tile_frag()),
+      dots_by_(dots_by),
+      quick_cost_(dots_by == DotsBy::processor ? kRasterSlowness : 1) {
     dot_array_.bind();
     column(0, dot_x_, 1, 0);
     column(1, dot_y_, 1, 0);
@@ -246,9 +261,8 @@ Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, cons
     job_.reset();
     Job job = job_of(camera, look, fineness, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
-    const int samples = job.grid.samples;
     go_on(job, picture, std::numeric_limits<double>::infinity());
-    return samples == finest.grid.samples ? Fineness::full : fineness;
+    return job.grid.samples == finest.grid.samples && job.raster == finest.raster ? Fineness::full : fineness;
 }
 
 Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
@@ -257,10 +271,10 @@ Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& came
     dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
-    job.every = quick_cost_.every(job.in_view, mean_radius(camera, look) * job.grid.samples, seconds);
+    job.every = quick_cost_.every(job.in_view, in_samples(job, mean_radius(camera, look)), seconds);
     job.tiles = std::min(job.tiles, kTilesAtOnce);
-    const bool as_good =
-        job.grid.samples == finest.grid.samples && job.every == 1 && job.tiles == finest.tiles;
+    const bool as_good = job.grid.samples == finest.grid.samples && job.raster == finest.raster &&
+                         job.every == 1 && job.tiles == finest.tiles;
     go_on(job, picture, std::numeric_limits<double>::infinity());
     return as_good ? Fineness::full : Fineness::quick;
 }
@@ -288,6 +302,10 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     job.grid = dot_grid(camera, look, fineness, job.columns);
     if (look.tiles) job.tiles = tiles_shown_.size();
     if (job.grid.samples == 0) return job;
+    job.raster = raster_of(job);
+    // Its coverage of a pixel is that of many samples. But of several pens which dots lie on others has to be
+    // known where they do.
+    if (job.raster && !by_pen()) job.grid.samples = 1;
     const glm::dvec2 origin = to_canvas(camera, dot_origin_);
     const double radius = strokes_ ? strokes_->width / 2 : has_radii_ ? largest_radius_ : look.dot_radius;
     const double rim = radius * camera.pixels_per_unit + 2;
@@ -358,10 +376,12 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         dots_seconds_ = passed(dots_begin);
         const auto every = static_cast<double>(job.every);
         const double drawn = static_cast<double>(job.in_view) / every,
-                     radius = mean_radius(job.camera, job.look) * job.grid.samples * std::sqrt(every);
+                     radius = in_samples(job, mean_radius(job.camera, job.look)) * std::sqrt(every);
         if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
+    if (job.raster && !job.uploaded) upload_raster(job);
+    job.uploaded = true;
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -409,6 +429,13 @@ Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& loo
         return {grid.low, grid.low, 0};
     SampleLimits limits = limits_;
     limits.most /= static_cast<double>(pictures_of_dots());
+    if (dots_by_ == DotsBy::processor && by_pen()) {
+        // Eight bytes a sample; and its samples have soft edges, of which fewer are to meet.
+        constexpr double kFiner = 0.6;
+        limits.most = std::min(limits.most, kMostRasterMemory / 8 / static_cast<double>(pens_.size()));
+        grid.samples = samples_per_side(kFiner * radius, size, fineness, limits);
+        return grid;
+    }
     grid.samples = samples_per_side(radius, size, fineness, limits);
     return grid;
 }
@@ -417,11 +444,98 @@ GlFramebuffer& Renderer::dots_of(const Job& job) {
     return job.fineness == Fineness::quick ? quick_dots_ : full_dots_;
 }
 
+RasterView Renderer::raster_view(const Job& job) const {
+    const Camera& camera = job.camera;
+    const double samples = job.raster && by_pen() ? job.grid.samples : 1;
+    const glm::dvec2 corner(job.grid.low);
+    const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
+    return {.size = (job.grid.high - job.grid.low) * static_cast<int>(samples),
+            .origin = (to_canvas(camera, dot_origin_) - corner) * samples,
+            .pixels_per_unit = camera.pixels_per_unit * samples,
+            .page = {(sheet.low - corner) * samples, (sheet.high - corner) * samples},
+            .pens = by_pen() ? pens_.size() : 1};
+}
+
+std::optional<RasterGrain> Renderer::raster_of(const Job& job) const {
+    if (dots_by_ != DotsBy::processor || has_colours_) return std::nullopt;
+    const bool full = job.fineness == Fineness::full && !by_pen() &&
+                      DotRaster::memory(raster_view(job), RasterGrain::full) <= kMostRasterMemory;
+    return full ? RasterGrain::full : RasterGrain::quick;
+}
+
+double Renderer::in_samples(const Job& job, double radius) const {
+    return radius * job.grid.samples * (job.raster ? static_cast<int>(*job.raster) : 1);
+}
+
+// As draw_dots() has it.
+void Renderer::raster_dots(Job& job, std::size_t most) {
+    std::vector<RasterDots> some;
+    const float limit = job.every > 1 && !strokes_ && part().is_known()
+                            ? part().limit(static_cast<double>(job.every))
+                            : std::numeric_limits<float>::infinity();
+    RasterLook look{
+        .radius = job.look.dot_radius,
+        .largest_radius = largest_radius_,
+        // Those left away are made up for.
+        .grow = strokes_ ? static_cast<double>(job.every) : std::sqrt(static_cast<double>(job.every)),
+        .fade_scale = has_critical_ ? job.look.fade_scale : 0,
+        .hidden = job.look.hidden_pens};
+    std::size_t count = 0;
+    for (; job.next_block < job.blocks.size() && count < most; ++job.next_block) {
+        const DotBlock& block = blocks_[job.blocks[job.next_block]];
+        count += block.count;
+        if (strokes_) {
+            const auto of = [&](const auto& column) {
+                return column.empty() ? std::span(column)
+                                      : std::span(column).subspan(block.first, block.count);
+            };
+            raster_.add({.lines = of(strokes_->lines),
+                         .widths = of(strokes_->widths),
+                         .pens = of(strokes_->pens),
+                         .width = strokes_->width,
+                         .every = job.every},
+                        look);
+            continue;
+        }
+        RasterDots dots{.piece = &dots_shown_->pieces[block.piece],
+                        .first = block.first,
+                        .count = block.count,
+                        .every = job.every,
+                        .low = block.low.y,
+                        .high = block.high.y};
+        if (std::isfinite(limit)) dots.limit = limit;
+        some.push_back(dots);
+    }
+    if (!strokes_) raster_.add(some, look);
+}
+
+void Renderer::upload_raster(const Job& job) {
+    const GlFramebuffer& dots = dots_of(job);
+    const auto put = [&](const auto& pictures, GLenum format) {
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            dots.bind_texture(i);
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, pictures[i].width, pictures[i].height, format,
+                            GL_UNSIGNED_BYTE, pictures[i].values.data());
+        }
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    };
+    glActiveTexture(GL_TEXTURE0);
+    if (by_pen()) {
+        raster_.finish(raster_pens_);
+        put(raster_pens_, GL_RGBA);
+    } else {
+        raster_.finish(raster_cover_);
+        put(raster_cover_, GL_RED);
+    }
+}
+
 void Renderer::prepare_dots(const Job& job) {
     const glm::ivec2 size = (job.grid.high - job.grid.low) * job.grid.samples;
     GlFramebuffer& dots = dots_of(job);
     const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
     dots.resize(size, texels, pictures_of_dots());
+    if (job.raster) return raster_.begin(raster_view(job), *job.raster);
     dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -442,16 +556,20 @@ void Renderer::attach_columns() {
     }
 }
 
+const EvenPart& Renderer::part() {
+    if (!part_) part_.emplace(*dots_shown_);
+    return *part_;
+}
+
 // Which dots of a block stand for all of them.
 void Renderer::choose(const Job& job, const DotBlock& block) {
     taken_.clear();
     const std::size_t end = block.first + block.count;
-    if (!part_) part_.emplace(*dots_shown_);
-    if (!part_->is_known()) {
+    if (!part().is_known()) {
         for (std::size_t i = block.first; i < end; i += job.every) taken_.push_back(i);
         return;
     }
-    const float limit = part_->limit(static_cast<double>(job.every));
+    const float limit = part().limit(static_cast<double>(job.every));
     const FloatBuffer& critical = dots_shown_->pieces[block.piece].critical;
     for (std::size_t i = block.first; i < end; ++i)
         if (critical[i] <= limit) taken_.push_back(i);
@@ -460,6 +578,7 @@ void Renderer::choose(const Job& job, const DotBlock& block) {
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
 // do: dots unite in any order.
 void Renderer::draw_dots(Job& job, std::size_t most) {
+    if (job.raster) return raster_dots(job, most);
     if (strokes_) return draw_lines(job, most);
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
@@ -593,18 +712,46 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box) {
     const glm::vec2 page_low = sheet.low, page_high = sheet.high;
     // The page may reach further than integers do.
     const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
-    const Rectangle<int> inner{
-        glm::clamp(glm::ivec2(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y))),
-                   box.low, box.high),
-        glm::clamp(glm::ivec2(column(std::floor(page_high.x)), height - column(std::ceil(page_low.y))),
-                   box.low, box.high)};
-    if (inner.low.x >= inner.high.x || inner.low.y >= inner.high.y) return draw_page(job, box, page_);
-    const bool picture = has_picture_ && job.look.picture_opacity > 0;
-    draw_page(job, inner, picture ? sheet_with_picture_ : sheet_);
-    draw_page(job, {box.low, {box.high.x, inner.low.y}}, page_);
-    draw_page(job, {{box.low.x, inner.high.y}, box.high}, page_);
-    draw_page(job, {{box.low.x, inner.low.y}, {inner.low.x, inner.high.y}}, page_);
-    draw_page(job, {{inner.high.x, inner.low.y}, {box.high.x, inner.high.y}}, page_);
+    const auto within = [&](int low_x, int low_y, int high_x, int high_y) {
+        return Rectangle<int>{glm::clamp(glm::ivec2(low_x, low_y), box.low, box.high),
+                              glm::clamp(glm::ivec2(high_x, high_y), box.low, box.high)};
+    };
+    const Rectangle<int> inner =
+        within(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y)),
+               column(std::floor(page_high.x)), height - column(std::ceil(page_low.y)));
+    // With those pixels that lie on its edges.
+    const Rectangle<int> outer =
+        within(column(std::floor(page_low.x)), height - column(std::ceil(page_high.y)),
+               column(std::ceil(page_high.x)), height - column(std::floor(page_low.y)));
+    if (outer.low.x >= outer.high.x || outer.low.y >= outer.high.y) return draw_page(job, box, desk_);
+    draw_around(job, box, outer, desk_);
+    if (inner.low.x >= inner.high.x || inner.low.y >= inner.high.y) return draw_page(job, outer, page_);
+    draw_around(job, outer, inner, page_);
+    if (has_picture_ && job.look.picture_opacity > 0) return draw_page(job, inner, sheet_with_picture_);
+    const bool by_palette = job.raster && !by_pen();
+    if (by_palette) prepare_palette(job.look);
+    draw_page(job, inner, by_palette ? sheet_by_palette_ : sheet_);
+}
+
+void Renderer::draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
+                           const GlProgram& program) {
+    draw_page(job, {box.low, {box.high.x, hole.low.y}}, program);
+    draw_page(job, {{box.low.x, hole.high.y}, box.high}, program);
+    draw_page(job, {{box.low.x, hole.low.y}, {hole.low.x, hole.high.y}}, program);
+    draw_page(job, {{hole.high.x, hole.low.y}, {box.high.x, hole.high.y}}, program);
+}
+
+void Renderer::prepare_palette(const CanvasLook& look) {
+    if (std::exchange(palette_of_, std::pair(look.ink, look.paper)) == std::pair(look.ink, look.paper))
+        return;
+    Grid<glm::u8vec4> colours(256, 1);
+    for (int covered = 0; covered < 256; ++covered) {
+        const float share = static_cast<float>(covered) / 255;
+        colours.at(covered, 0) =
+            glm::u8vec4(srgb_bytes(glm::mix(light_of(look.paper), light_of(look.ink), share)), 255);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    palette_.write(colours);
 }
 
 void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program) {
@@ -621,6 +768,10 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1f(program.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
     glUniform1f(program.uniform("picture_gain"), look.picture_gain);
     glUniform1i(program.uniform("picture"), 0);
+    constexpr int kPalette = 4;
+    glUniform1i(program.uniform("palette"), kPalette);
+    glActiveTexture(GL_TEXTURE0 + kPalette);
+    palette_.bind();
     constexpr std::array kDotPictures{"dots", "dots_of_pens_4_to_7", "dots_of_pens_8_to_11"};
     const GlFramebuffer& dots = dots_of(job);
     for (std::size_t i = 0; i < kDotPictures.size(); ++i) {

@@ -6,6 +6,9 @@
 // For that the dots are first drawn by themselves, with more samples than the canvas has pixels where they
 // are small; how much of a sample each of several pens covers stands in a component of its own.
 //
+// Where OpenGL is a program, and so is slow, dots and lines are drawn by ours instead (dot_raster.h), but for
+// those that have colours of their own.
+//
 // Nothing here takes longer for more dots unless it is told to: a drawing goes forward in steps, as long as
 // one likes, and dots are handed to OpenGL as they are drawn, through buffers of constant size.
 
@@ -15,11 +18,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/camera.h"
 #include "app/viewer/model/dot_blocks.h"
+#include "app/viewer/model/dot_raster.h"
 #include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/even_part.h"
 #include "app/viewer/model/frame_budget.h"
@@ -66,9 +71,18 @@ struct Columns {
 /// Shared with whoever made them: they are looked at until they are uploaded.
 using PictureLevels = std::shared_ptr<const std::vector<Grid<glm::u8vec4>>>;
 
+/// Who draws the dots.
+enum class DotsBy {
+    graphics_card,
+    processor,
+};
+
+/// Of the OpenGL that is current: the processor, where that is a program too.
+DotsBy usual_dots_by();
+
 class Renderer {
  public:
-    Renderer();
+    explicit Renderer(DotsBy dots_by = usual_dots_by());
 
     // What is set with these three is looked at again whenever it is drawn: it has to stay until the next.
 
@@ -130,7 +144,9 @@ class Renderer {
         std::size_t next_block = 0;
         int next_row = 0;
         Fineness fineness = Fineness::full;
-        bool prepared = false;  // there is an empty picture for the dots
+        bool prepared = false;                   // there is an empty picture for the dots
+        std::optional<RasterGrain> raster = {};  // the processor draws them, so finely
+        bool uploaded = false;                   // and OpenGL has what it drew
     };
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
@@ -139,9 +155,16 @@ class Renderer {
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     bool go_on(Job& job, const GlFramebuffer& picture, double seconds);
     GlFramebuffer& dots_of(const Job& job);
+    RasterView raster_view(const Job& job) const;
+    std::optional<RasterGrain> raster_of(const Job& job) const;
+    /// The radius of a dot of that many pixels in what it is drawn with.
+    double in_samples(const Job& job, double radius) const;
     void prepare_dots(const Job& job);
+    void raster_dots(Job& job, std::size_t most);
+    void upload_raster(const Job& job);
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
+    const EvenPart& part();
     void choose(const Job& job, const DotBlock& block);
     bool by_pen() const { return !pens_.empty() && !has_colours_; }
     /// Pictures that have so many pens' dots.
@@ -149,16 +172,22 @@ class Renderer {
     // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
     void draw_page(const Job& job, const Rectangle<int>& box);
     void draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program);
+    void draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
+                     const GlProgram& program);
+    void prepare_palette(const CanvasLook& look);
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
-    GlProgram page_, sheet_, sheet_with_picture_, dot_, line_, tile_;  // the first three: see page.frag
+    // The first five: see page.frag.
+    GlProgram page_, sheet_, sheet_with_picture_, sheet_by_palette_, desk_, dot_, line_, tile_;
     GlVertexArray empty_, dot_array_, dot_quad_array_, line_array_, tile_array_;
     GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, line_widths_, tiles_,
         tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
+    GlTexture palette_;                                          // 256 colours from paper to ink:
+    std::optional<std::pair<glm::vec3, glm::vec3>> palette_of_;  // of these
     PagePoint dot_origin_{0, 0};
     PageWindow tile_window_;
     std::size_t dot_count_ = 0;
@@ -175,6 +204,10 @@ class Renderer {
     std::vector<std::size_t> taken_;  // of a block, to be handed over
     std::optional<EvenPart> part_;    // of the dots; none: not asked for yet
     std::optional<Job> job_;
+    DotsBy dots_by_;
+    DotRaster raster_;
+    std::vector<Grid<std::uint8_t>> raster_cover_;  // handed to OpenGL
+    std::vector<Grid<glm::u8vec4>> raster_pens_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     DotCost quick_cost_;

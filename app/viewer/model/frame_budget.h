@@ -31,6 +31,9 @@ class DotCost {
  public:
     static constexpr std::size_t kFewestDots = 2048;
 
+    /// Beside one processor that runs OpenGL, before anything was measured.
+    explicit DotCost(double slowness = 1) : slowness_(slowness) {}
+
     /// In seconds; the radius in samples.
     double seconds(double dots, double radius) const;
 
@@ -42,7 +45,7 @@ class DotCost {
     std::size_t every(std::size_t dots, double radius, double seconds) const;
 
  private:
-    double slowness_ = 1;
+    double slowness_;
 };
 
 }  // namespace dapple

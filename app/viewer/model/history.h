@@ -36,12 +36,6 @@ class History {
     /// The value one step back or forward; the present one at either end.
     const Value& undo() { return go(can_undo() ? -1 : 0); }
     const Value& redo() { return go(can_redo() ? 1 : 0); }
-    /// What was undone does not come back.
-    void forget_undone() {
-        if (!can_redo()) return;
-        kept_.resize(at_ + 1);
-        ++changes_;
-    }
 
  private:
     const Value& go(int steps) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <array>
 #include <cstdlib>
 #include <ctime>
@@ -70,6 +72,30 @@ fs::path new_file(const fs::path& folder, const char* ending) {
 }
 
 }  // namespace
+
+fs::path file_to_copy() {
+    const fs::path state = state_folder();
+    return state.empty() ? state : state / fmt::format("picture to copy {}.png", ::getpid());
+}
+
+bool copy_picture(const fs::path& png, const std::stop_token& stop) {
+    constexpr ChildLimits kLimits{.longest = std::chrono::seconds(30)};
+    std::string program;
+    if (std::getenv("WAYLAND_DISPLAY") && is_in_path("wl-copy"))
+        program = R"(wl-copy --type image/png <"$0")";
+    else if (is_in_path("xclip"))
+        program = R"(xclip -selection clipboard -t image/png "$0")";
+    else
+        throw std::runtime_error(
+            "Copying a picture needs xclip, or wl-copy on Wayland: install that, or export the drawing as a "
+            "PNG");
+    // Both go on to hand the picture out, and would keep our pipe open.
+    const auto done =
+        output_of({"/bin/sh", "-c", "exec " + program + " >/dev/null", png.string()}, kLimits, stop);
+    if (done && done->status != 0)
+        throw std::runtime_error("The picture could not be copied: there is no clipboard that takes it");
+    return done.has_value();
+}
 
 fs::path pasted_folder() {
     const fs::path data = data_folder();

@@ -1,11 +1,18 @@
 #pragma once
-// A picture on the clipboard, by the desktop's own programs: wl-paste on Wayland, xclip on X11.
+// A picture on the clipboard, by the desktop's own programs: wl-paste and wl-copy on Wayland, xclip on X11.
 
 #include <filesystem>
 #include <optional>
 #include <stop_token>
 
 namespace dapple {
+
+/// Where a picture is written that is to be copied, for that time; empty: there is no home.
+std::filesystem::path file_to_copy();
+
+/// Puts a PNG file on the clipboard, where it stays when the file goes. False if stopped. Throws
+/// std::runtime_error with one sentence for the person if neither program is there, or if it fails.
+bool copy_picture(const std::filesystem::path& png, const std::stop_token& stop);
 
 /// Where pasted pictures are kept, so that projects find them again; empty: there is no home.
 std::filesystem::path pasted_folder();

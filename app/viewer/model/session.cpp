@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/sample.h"
 #include "app/files/save_page.h"
@@ -17,6 +19,7 @@
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
 #include "app/viewer/model/change_words.h"
+#include "app/viewer/model/pasted_picture.h"
 #include "app/viewer/model/viewer_fields.h"
 #include "core/drawing/drawing_file.h"
 #include "core/settings/whole_path.h"
@@ -32,12 +35,19 @@ constexpr std::chrono::milliseconds kPatience(8);
 constexpr std::chrono::milliseconds kLongPatience(50);
 
 constexpr const char* kFindPicture = "Find the picture";
+constexpr const char* kSample = "Still life";
+
+// Either may be empty.
+std::string name_of(const fs::path& project, const fs::path& picture) {
+    const fs::path& file = project.empty() ? picture : project;
+    return file.empty() ? kSample : printable(file.filename().native());
+}
 
 }  // namespace
 
 Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
     : settings{.drawing = drawing},
-      history_(settings),
+      history_({settings, opened_}),
       wake_(std::move(wake)),
       most_dots_(most_dots),
       tiles_(drawing.tile),
@@ -47,34 +57,77 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
 
 void Session::begin_with(const ViewerSettings& begin) {
     settings = begin;
-    history_ = History(settings);
+    history_ = History<Step>({settings, opened_});
     know_safe(settings.drawing);
 }
 
 void Session::remember(bool editing) {
-    history_.observe(settings, editing);
+    if (!readings_.empty()) return;
+    history_.observe({settings, opened_}, editing);
     name_changes();
 }
 
 void Session::undo() {
-    settings = history_.undo();
+    if (!readings_.empty() || !history_.can_undo() || open_again(*history_.before())) return;
+    settings = history_.undo().settings;
     name_changes();
 }
 
 void Session::redo() {
-    settings = history_.redo();
+    if (!readings_.empty() || !history_.can_redo() || open_again(*history_.after())) return;
+    settings = history_.redo().settings;
     name_changes();
+}
+
+// False: it is of what is shown.
+bool Session::open_again(const Step& step) {
+    if (step.opened == opened_) return false;
+    const Source again = left_.at(step.opened).source;
+    SettingsBefore before{std::exchange(settings, step.settings), safe_};
+    if (!again.project.why_missing.empty()) {  // as where it was opened first
+        come_to(step.opened, {std::exchange(source_, again), before.safe});
+        say(again.project.why_missing);
+        return true;
+    }
+    begin_reading(again, step.opened);
+    readings_.back().settings_before = std::move(before);
+    read_source();
+    return true;
+}
+
+// The step that leads there is the next one or the one before, or else a new one.
+void Session::come_to(int opened, Left before) {
+    if (opened == opened_) return;
+    left_[std::exchange(opened_, opened)] = std::move(before);
+    if (const auto known = left_.find(opened); known != left_.end()) {
+        const Step* const before_it = history_.before();
+        const bool back = before_it && before_it->opened == opened;
+        static_cast<void>(back ? history_.undo() : history_.redo());
+        know_safe(std::move(known->second.safe));
+        left_.erase(known);
+    } else {
+        history_.observe({settings, opened}, false);
+    }
+    name_changes();
+}
+
+const Session::Source& Session::source_of(const Step& step) const {
+    const auto left = left_.find(step.opened);
+    return left == left_.end() ? source_ : left->second.source;
 }
 
 void Session::name_changes() {
     if (std::exchange(changes_named_, history_.changes()) == history_.changes()) return;
     undo_words_.reset();
     redo_words_.reset();
-    const ViewerSettings &now = history_.now(), *const before = history_.before(),
-                         *const after = history_.after();
-    if (before) undo_words_ = change_in_words(*before, now);
-    if (after) redo_words_ = change_in_words(now, *after);
-    has_changes_ = now.drawing != safe_;
+    const Step &now = history_.now(), *const before = history_.before(), *const after = history_.after();
+    const auto words = [this](const Step& from, const Step& to) {
+        if (from.opened == to.opened) return change_in_words(from.settings, to.settings);
+        return "opening " + name_of(source_of(to).project_path, source_of(to).picture);
+    };
+    if (before) undo_words_ = words(*before, now);
+    if (after) redo_words_ = words(now, *after);
+    has_changes_ = now.settings.drawing != safe_;
 }
 
 void Session::know_safe(std::optional<DrawingSettings> drawing) {
@@ -102,12 +155,12 @@ DotsRequest Session::page_request() const {
 }
 
 void Session::open_sample() {
-    begin_reading({});
-    read_sample();
+    begin_reading({}, all_opened_++);
+    read_source();
 }
 
 void Session::open(const fs::path& path) {
-    begin_reading({.picture = path});
+    begin_reading({.picture = path}, all_opened_++);
     // It was painted for another picture; undo brings it back.
     readings_.back().mask_before = std::exchange(settings.drawing.mask, {});
     read(path);
@@ -118,16 +171,24 @@ void Session::find_picture(const fs::path& file) {
     Source found = source_;
     found.picture = file;
     found.project.why_missing.clear();
-    begin_reading(std::move(found));
-    read(file);
+    begin_reading(std::move(found), readings_.empty() ? opened_ : readings_.back().opened);
+    read_source();
 }
 
-void Session::begin_reading(Source next) {
-    readings_.push_back({next.picture, std::exchange(source_, std::move(next))});
+void Session::begin_reading(Source next, int opened) {
+    const fs::path picture = next.picture;
+    readings_.push_back({picture, opened, std::exchange(source_, std::move(next))});
+}
+
+void Session::read_source() {
+    if (source_.picture.empty())
+        read_sample();
+    else
+        read(source_.picture);
 }
 
 void Session::read_sample() {
-    pane_.worker().open("Still life", [] { return sample_picture(PictureColours::kept); });
+    pane_.worker().open(kSample, [] { return sample_picture(PictureColours::kept); });
 }
 
 void Session::read(const fs::path& path) {
@@ -144,9 +205,12 @@ void Session::read(const fs::path& path) {
 }
 
 // Those before it were overtaken.
-void Session::end_reading(const fs::path& picture) {
+std::optional<Session::Reading> Session::end_reading(const fs::path& picture) {
     const auto read = std::ranges::find(readings_, picture, &Reading::picture);
-    if (read != readings_.end()) readings_.erase(readings_.begin(), read + 1);
+    if (read == readings_.end()) return std::nullopt;
+    std::optional<Reading> ended(std::move(*read));
+    readings_.erase(readings_.begin(), read + 1);
+    return ended;
 }
 
 void Session::go_back_before(const fs::path& picture) {
@@ -159,7 +223,6 @@ void Session::go_back_before(const fs::path& picture) {
         source_ = std::move(failed->before);
         if (failed->settings_before) {
             settings = std::move(failed->settings_before->settings);
-            history_ = std::move(failed->settings_before->history);
             know_safe(std::move(failed->settings_before->safe));
         } else if (settings.drawing.mask.empty())
             settings.drawing.mask = std::move(failed->mask_before);
@@ -181,26 +244,24 @@ void Session::load_project(const fs::path& file) {
     Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
     if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
     read.every_frame = settings.every_frame;
-    SettingsBefore before{std::exchange(settings, read), history_, safe_};
+    SettingsBefore before{std::exchange(settings, read), safe_};
     know_safe(settings.drawing);
-    if (!placed_once()) history_ = History(settings);  // there is nothing to go back to
+    if (!placed_once()) history_ = History<Step>({settings, opened_});  // there is nothing to go back to
+    const int opened = all_opened_++;
     banner = {};
     Source source{.picture = project.picture.value_or(fs::path()),
                   .project = std::move(project),
                   .project_path = whole_path(file)};
     if (!source.project.why_missing.empty()) {
-        source_ = std::move(source);
+        come_to(opened, {std::exchange(source_, std::move(source)), std::move(before.safe)});
         say(source_.project.why_missing);
         readings_.clear();  // what still comes is not gone back from
         if (!placed_once()) read_sample();
         return;
     }
-    begin_reading(std::move(source));
+    begin_reading(std::move(source), opened);
     readings_.back().settings_before = std::move(before);
-    if (source_.picture.empty())
-        read_sample();
-    else
-        this->read(source_.picture);
+    read_source();
 }
 
 void Session::open_project(const fs::path& file) {
@@ -279,10 +340,10 @@ void Session::take_dropped(const fs::path& file) {
         open(file);
 }
 
-void Session::save(const fs::path& path) {
-    const auto prepare = [path, drawing = settings.drawing, saving = settings.saving,
-                          choice = settings.density,
-                          most = most_dots_](Workbench& bench, const std::stop_token& stop) -> WriteFile {
+PrepareFile Session::file_to_write(const fs::path& path, const DrawingSettings& drawing,
+                                   const SavingChoice& saving) const {
+    return [path, drawing, saving, choice = settings.density, most = most_dots_](
+               Workbench& bench, const std::stop_token& stop) -> WriteFile {
         const DrawingFile file{.path = path,
                                .format = drawing_format(path),
                                .settings = drawing,
@@ -295,7 +356,35 @@ void Session::save(const fs::path& path) {
         if (!dots) return {};
         return [dots = std::move(*dots)](const SavingWatch& watch) { return save_page(dots, watch); };
     };
+}
+
+void Session::save(const fs::path& path) {
     saves_[path] = {settings.drawing, settings.saving};
+    pane_.worker().save(path, file_to_write(path, settings.drawing, settings.saving));
+}
+
+void Session::copy_picture() {
+    const fs::path path = dapple::file_to_copy();
+    if (path.empty()) return say("The drawing cannot be copied: there is no home folder");
+    copied_path_ = path;
+    DrawingSettings drawing = settings.drawing;
+    SavingChoice saving = settings.saving;
+    drawing.sheets = {};
+    saving.separations = false;  // one picture
+    const auto prepare = [path, prepared = file_to_write(path, drawing, saving)](
+                             Workbench& bench, const std::stop_token& stop) -> WriteFile {
+        WriteFile write = prepared(bench, stop);
+        if (!write) return {};
+        return [path, write = std::move(write)](const SavingWatch& watch) {
+            const auto remove = [](const fs::path* file) {
+                std::error_code ignored;
+                fs::remove(*file, ignored);
+            };
+            const std::unique_ptr<const fs::path, decltype(remove)> removed(&path, remove);
+            make_folder(path.parent_path());
+            return write(watch) && dapple::copy_picture(path, watch.stop);
+        };
+    };
     pane_.worker().save(path, prepare);
 }
 
@@ -391,17 +480,17 @@ void Session::take_right(DotsPlaced& event) {
 }
 
 void Session::take(DotsPlaced& event) {
-    if (event.picture) {
-        ++previews_;
-        end_reading(event.picture->file);
-    }
+    if (event.picture) ++previews_;
     if (event.picture && event.picture->refines) {
         picture_ = std::move(*event.picture);
     } else if (event.picture) {
+        std::optional<Reading> read = end_reading(event.picture->file);
         picture_ = std::move(*event.picture);
         ++pictures_;
-        history_.forget_undone();  // that was of the picture before
+        std::optional<DrawingSettings> safe =
+            read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
+        if (read) come_to(read->opened, {std::move(read->before), std::move(safe)});
         saved_path_.clear();                     // it shows another picture
         if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
@@ -440,6 +529,10 @@ std::vector<fs::path> Session::files_to_save(const fs::path& path) const {
 }
 
 void Session::take(DrawingSaved& event) {
+    if (event.path == copied_path_) {
+        banner = {BannerKind::notice, "Copied the drawing; paste it where you like"};
+        return;
+    }
     std::string words = event.path.string();
     if (event.path != film_path_) {
         const auto& [drawing, saving] = saves_[event.path];
@@ -459,6 +552,10 @@ void Session::take(DrawingSaved& event) {
 }
 
 void Session::take(SavingCancelled& event) {
+    if (event.path == copied_path_) {
+        banner = {BannerKind::notice, "Cancelled: the drawing was not copied"};
+        return;
+    }
     const bool several = event.path != film_path_ && is_several(saves_[event.path].drawing.sheets);
     banner = {BannerKind::notice,
               several ? "Cancelled: not all sheets of " + event.path.string() + " were written"

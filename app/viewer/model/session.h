@@ -39,6 +39,8 @@ class Session {
     void open_sample();
     void open(const std::filesystem::path& path);
     void save(const std::filesystem::path& path);
+    /// The drawing onto the clipboard, as the PNG that would be exported. The banner says how that went.
+    void copy_picture();
     /// Begins to play; nothing before the first dots.
     void play(FilmKind kind);
     /// The film that is played, as a file: see save_film().
@@ -100,8 +102,11 @@ class Session {
     /// Gives up a placing under way: the settings are again those of the drawing that is shown.
     void stop_placing();
 
-    /// Remembers the settings for undo, unless they are still being edited.
+    /// Remembers the settings for undo, unless they are still being edited. To open a picture is one step,
+    /// with all that comes with it: nothing is remembered while it is being read.
     void remember(bool editing);
+    /// Across that step they open the picture that was there before or after it again, with its settings.
+    /// While a picture is being read they do nothing.
     void undo();
     void redo();
     /// What those would change, in words; none: there is nothing to undo or to redo.
@@ -151,14 +156,25 @@ class Session {
         std::filesystem::path project_path = {};
         bool brought_back = false;  // and not saved since
     };
+    /// What undo goes back to.
+    struct Step {
+        ViewerSettings settings;
+        int opened = 0;  // of what was opened, which one they were of
+        bool operator==(const Step&) const = default;
+    };
+    /// What was opened, as it was left for another.
+    struct Left {
+        Source source;
+        std::optional<DrawingSettings> safe;
+    };
     /// A picture that is being read, and what there was before: that comes back if it cannot be.
     struct SettingsBefore {
         ViewerSettings settings;
-        History<ViewerSettings> history;
         std::optional<DrawingSettings> safe;
     };
     struct Reading {
         std::filesystem::path picture;
+        int opened = 0;  // its number, which undo knows it by
         Source before;
         std::optional<SettingsBefore> settings_before = {};
         Mask mask_before = {};  // where the settings stay
@@ -166,8 +182,14 @@ class Session {
 
     void read(const std::filesystem::path& picture);
     void read_sample();
-    void begin_reading(Source next);
-    void end_reading(const std::filesystem::path& picture);
+    void begin_reading(Source next, int opened);
+    std::optional<Reading> end_reading(const std::filesystem::path& picture);
+    PrepareFile file_to_write(const std::filesystem::path& path, const DrawingSettings& drawing,
+                              const SavingChoice& saving) const;
+    void read_source();
+    bool open_again(const Step& step);
+    void come_to(int opened, Left before);
+    const Source& source_of(const Step& step) const;
     void go_back_before(const std::filesystem::path& picture);
     /// What the whole page is requested with.
     DotsRequest page_request() const;
@@ -185,7 +207,9 @@ class Session {
 
     // The settings of the page requested last, and of the one placed last.
     std::optional<ViewerSettings> requested_settings_, placed_settings_;
-    History<ViewerSettings> history_;
+    int all_opened_ = 0, opened_ = 0;  // so many; the number of the one that is shown, from 0 on
+    std::map<int, Left> left_;         // by their numbers
+    History<Step> history_;
     int changes_named_ = 0;                // of the history, by the words
     std::optional<DrawingSettings> safe_;  // nothing is lost with these; none: whatever they are
     bool has_changes_ = false;
@@ -204,6 +228,7 @@ class Session {
     std::vector<std::filesystem::path> saved_files_;
     std::map<std::filesystem::path, SavedSettings> saves_;  // under way
     std::filesystem::path film_path_;                       // saved last
+    std::filesystem::path copied_path_;                     // copied last
     Source source_;
     std::deque<Reading> readings_;  // in the order in which they were asked for
 };

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <span>
 
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/row_keys.h"
@@ -36,28 +36,31 @@ bool menu_button(ImVec2 size) {
     return item_keys("Menu keys").press || pressed;
 }
 
+constexpr Action kCanvasMenu[] = {Action::fit, Action::one_to_one, Action::photograph, Action::copy_picture,
+                                  Action::save_as};
 constexpr Action kMenu[] = {Action::palette, Action::help, Action::full_screen, Action::preferences,
                             Action::about};
 
 // What was chosen, which is done once the menu is closed.
-std::optional<Action> draw_menu() {
-    if (!ImGui::BeginPopup("menu")) return std::nullopt;
+std::optional<Action> draw_menu(const char* name, std::span<const Action> entries) {
+    if (!ImGui::BeginPopup(name)) return std::nullopt;
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID mark = ImGui::GetID("marked");
-    constexpr auto kEntries = static_cast<int>(std::size(kMenu));
+    const auto last = static_cast<int>(entries.size()) - 1;
     const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
     if (ImGui::IsWindowAppearing()) storage->SetInt(mark, -1);
     const int walked = down(Key::down) - down(Key::up);
     const int marked =
-        walked == 0 ? storage->GetInt(mark) : std::clamp(storage->GetInt(mark) + walked, 0, kEntries - 1);
+        walked == 0 ? storage->GetInt(mark) : std::clamp(storage->GetInt(mark) + walked, 0, last);
     storage->SetInt(mark, marked);
     std::optional<Action> chosen;
-    for (int i = 0; i < kEntries; ++i) {
-        const Shortcut& entry = shortcut_of(kMenu[i]);
-        if (ImGui::MenuItem(entry.label, entry.keys, i == marked)) chosen = kMenu[i];
+    for (int i = 0; i <= last; ++i) {
+        const Action action = entries[static_cast<std::size_t>(i)];
+        const Shortcut& entry = shortcut_of(action);
+        const bool entered = i == marked && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter));
+        if (ImGui::MenuItem(entry.label, entry.keys, i == marked) || entered) chosen = action;
         note_place(entry.label);
     }
-    if (marked >= 0 && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter))) chosen = kMenu[marked];
     if (chosen || key_pressed(Key::escape)) ImGui::CloseCurrentPopup();
     take_keyboard();
     ImGui::EndPopup();
@@ -105,10 +108,20 @@ void draw_title(const std::string& name, const std::function<void(Action)>& act)
     if (menu_button(button)) ImGui::OpenPopup("menu");
     const float below = button.y + ImGui::GetStyle().ItemSpacing.y;
     ImGui::SetNextWindowPos({place.x + button.x, place.y + below}, ImGuiCond_Always, {1, 0});
-    if (const std::optional<Action> chosen = draw_menu()) act(*chosen);
+    if (const std::optional<Action> chosen = draw_menu("menu", kMenu)) act(*chosen);
     ImGui::SetCursorScreenPos({start.x, start.y + button.y});
     ImGui::Dummy({0, 0});
     ImGui::SetCursorScreenPos({start.x, start.y + button.y});
+}
+
+void draw_canvas_menu(glm::vec2 corner, glm::vec2 size, const std::function<void(Action)>& act) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 press = io.MouseClickedPos[ImGuiMouseButton_Right];
+    const bool inside = press.x >= corner.x && press.x < corner.x + size.x && press.y >= corner.y &&
+                        press.y < corner.y + size.y;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !io.WantCaptureMouse && inside)
+        ImGui::OpenPopup("canvas menu");
+    if (const std::optional<Action> chosen = draw_menu("canvas menu", kCanvasMenu)) act(*chosen);
 }
 
 void draw_action_buttons(const UndoInfo& info, bool has_project, const std::function<void(Action)>& act) {

@@ -69,7 +69,7 @@ std::vector<std::filesystem::path> recent_with(std::string_view text,
 std::vector<Shortcut> shortcuts_with(std::string_view text, std::span<const Shortcut> shortcuts) {
     std::vector<Shortcut> found;
     for (const Shortcut& shortcut : shortcuts) {
-        if (shortcut.action == Action::photograph || shortcut.action == Action::palette) continue;
+        if (shortcut.action == Action::palette) continue;
         if (has_all_words(std::string(shortcut.meaning) + ' ' + shortcut.keys, text))
             found.push_back(shortcut);
     }

@@ -13,8 +13,8 @@
 
 namespace dapple {
 
-/// Those whose meaning or keys have every word of the text, in upper or lower case, in their order. Nothing
-/// that acts only while a key is held.
+/// Those whose meaning or keys have every word of the text, in upper or lower case, in their order, but for
+/// the palette itself.
 std::vector<Shortcut> shortcuts_with(std::string_view text, std::span<const Shortcut> shortcuts);
 
 /// Files that were opened before, the last one first, and what opens one of them.

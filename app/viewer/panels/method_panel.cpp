@@ -104,6 +104,7 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
 
 void draw_film_buttons(const std::function<void(Action)>& act) {
     constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
+    const ImVec2 start = ImGui::GetCursorScreenPos();
     const float air = ImGui::GetStyle().ItemSpacing.x, row = ImGui::GetContentRegionAvail().x;
     for (const Action film : kFilms) {
         const bool first = film == kFilms[0];
@@ -111,7 +112,7 @@ void draw_film_buttons(const std::function<void(Action)>& act) {
         if (!first) ImGui::SameLine();
         if (key_button(button.label, {(row - 2 * air) * (first ? 0.5f : 0.25f), 0})) act(film);
         note_place(button.label);
-        tip(with_keys(button.tip, first ? Action::play : film).c_str());
+        tip_beside(start, with_keys(button.tip, first ? Action::play : film).c_str());
     }
 }
 

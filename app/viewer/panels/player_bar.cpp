@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
@@ -73,13 +74,16 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
             chosen = static_cast<FilmKind>(kind);
             wish = PlayerWish::other_film;
         }
-        tip("growth: from a few dots to all; none ever moves.\nlevels: one level of tiles after the other.\n"
+        tip_above(
+            "growth: from a few dots to all, which then settle.\n"
+            "levels: one level of tiles after the other.\n"
             "zoom: into the middle, with ever more dots.\nplot: stroke by stroke, as a machine draws it.");
         ImGui::SameLine();
     }
     const bool pressed =
         ImGui::Button(film.running ? "Pause##play" : "Play##play", {button_width("Pause"), 0});
     note_place("Play film");
+    tip_above(with_keys("Lets the film go on, or rest.", Action::play).c_str());
     if (pressed && film.running)
         film.running = false;
     else if (pressed)
@@ -93,6 +97,7 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
             film.running = false;
         }
         note_place("Moment");
+        tip_above("The moment of the film that is shown.");
         ImGui::SameLine();
     }
     if (has_words) {
@@ -106,14 +111,16 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
         int takes = known == kSeconds.end() ? 2 : static_cast<int>(known - kSeconds.begin());
         if (noted_combo("Takes", takes, kSecondsShown, seconds_width))
             film.seconds = kSeconds[static_cast<std::size_t>(takes)];
-        tip("How long the film takes from its beginning to its end.");
+        tip_above("How long the film takes from its beginning to its end.");
         ImGui::SameLine();
     }
     if (has_save) {
         if (noted_button("Save film...")) wish = PlayerWish::save;
+        tip_above("Saves it as an animated WebP file, which web browsers play.");
         ImGui::SameLine();
     }
     if (noted_button("Close")) wish = PlayerWish::close;
+    tip_above("Back to the drawing.   Escape");
     ImGui::End();
     ImGui::PopStyleVar();
     return wish;

@@ -41,6 +41,7 @@ constexpr Entry kEntries[] = {
     {In::drawing,
      {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings", "Project...",
       "Saves picture and settings together, to go on another day."}},
+    {In::drawing, {Action::copy_picture, "Ctrl+C", "Copy the drawing as a picture", "Copy picture"}},
     {In::drawing, {Action::as_lights, "", "Light samples of the picture as an environment map"}},
     {In::map, {Action::back, "", "Back to the drawing that the map was opened from"}},
     {In::both, {Action::undo, "Ctrl+Z", "Undo", "Undo"}},
@@ -51,7 +52,7 @@ constexpr Entry kEntries[] = {
     {In::map,
      {Action::fit, "F", "Fit the map into the window", "Fit",
       "Shows all of the page or the map again after zooming."}},
-    {In::drawing, {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel"}},
+    {In::drawing, {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel", "1:1"}},
     {In::map, {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"}},
     {In::both, {Action::zoom_in, "+", "Zoom in"}},
     {In::both, {Action::zoom_out, "-", "Zoom out"}},
@@ -62,13 +63,13 @@ constexpr Entry kEntries[] = {
     {In::map, {Action::lighter, "E", "Half a stop lighter"}},
     {In::map, {Action::darker, "Shift+E", "Half a stop darker"}},
     {In::drawing, {Action::toggle_tiles, "T", "Tile boundaries"}},
-    {In::drawing, {Action::compare, "C", "Split view: beside another tile or placer"}},
+    {In::drawing, {Action::compare, "Shift+C", "Split view: beside another tile or placer"}},
     {In::drawing, {Action::loupe, "L", "Loupe: tiles laid on one another"}},
     {In::drawing, {Action::explain_dots, "I", "Where the dot under the pointer comes from"}},
     {In::drawing, {Action::play, "Space", "Play a film of the drawing, or let it rest"}},
     {In::drawing,
      {Action::film_growth, "", "Film: the drawing grows dot by dot", "Watch it grow",
-      "From a few dots to all of them. None ever moves or goes."}},
+      "From a few dots to all of them, which then settle; until then none moves or goes."}},
     {In::drawing,
      {Action::film_levels, "", "Film: level by level of the tiles", "Levels",
       "The page divided into tiles, level by level, each in its colour."}},
@@ -81,7 +82,8 @@ constexpr Entry kEntries[] = {
     {In::drawing, {Action::save_film, "", "Save the film that is played"}},
     {In::drawing, {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"}},
     {In::drawing, {Action::larger_brush, "]", "A larger brush"}},
-    {In::drawing, {Action::photograph, "P, held", "The photograph instead of its dots"}},
+    {In::drawing,
+     {Action::photograph, "C, \\, P, held", "Compare: the photograph instead of its dots", "Compare"}},
     {In::drawing, {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"}},
     {In::map, {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"}},
     {In::both, {Action::full_screen, "F11", "Full screen", "Full screen"}},
@@ -179,7 +181,8 @@ std::string with_keys(std::string_view tip, Action action) {
 
 bool photograph_key_down() {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && key_down(Key::p);
+    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && !io.KeyShift &&
+           (key_down(Key::c) || key_down(Key::backslash) || key_down(Key::p));
 }
 
 bool escape_pressed() {
@@ -199,7 +202,9 @@ std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool ro
     std::vector<Action> actions;
     if (ImGui::GetIO().WantCaptureKeyboard) return actions;
     for (const Shortcut& shortcut : shortcuts)
-        if (are_pressed(shortcut.keys, row_has_keys)) actions.push_back(shortcut.action);
+        // While that one's key is held it is so anyway.
+        if (shortcut.action != Action::photograph && are_pressed(shortcut.keys, row_has_keys))
+            actions.push_back(shortcut.action);
     return actions;
 }
 

@@ -18,6 +18,7 @@ enum class Action {
     save,
     save_as,
     save_project,
+    copy_picture,
     undo,
     redo,
     fit,
@@ -40,7 +41,7 @@ enum class Action {
     save_film,
     smaller_brush,
     larger_brush,
-    photograph,  // while the key is held: see photograph_key_down()
+    photograph,  // until it is asked for again, or while a key is held: see photograph_key_down()
     toggle_panels,
     full_screen,
     lighter,
@@ -77,7 +78,7 @@ std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool ro
 /// A key is held that moves or changes something again and again, so that frames have to follow one another.
 bool repeating_key_down();
 
-/// Whether the key is held that shows the photograph in the drawing's place.
+/// Whether a key is held that shows the photograph in the drawing's place.
 bool photograph_key_down();
 
 bool escape_pressed();

@@ -63,7 +63,7 @@ void draw_picture_section(Session& session) {
         {.min = 0,
          .max = 1,
          .neutral = 0,
-         .tip = "How much of the photograph shows through under the dots; holding P shows all of it."});
+         .tip = "How much of the photograph shows through under the dots; holding C shows all of it."});
     draw_crop_rows(drawing.page.crop, page.picture_pixels, session.cropping);
     draw_mask_panel(drawing.mask, session.brush);
 }

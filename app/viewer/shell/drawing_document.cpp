@@ -25,6 +25,7 @@
 #include "app/viewer/model/mipmaps.h"
 #include "app/viewer/model/pasted_picture.h"
 #include "app/viewer/model/small_drawing.h"
+#include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/mask_panel.h"
@@ -34,6 +35,7 @@
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
 
@@ -259,7 +261,15 @@ void DrawingDocument::act(Action action, const Frame&) {
             return resize_brush(session_.brush, -1);
         case Action::larger_brush:
             return resize_brush(session_.brush, 1);
-        default:  // the photograph, while its key is held; or of environment maps
+        case Action::copy_picture:
+            return session_.copy_picture();
+        case Action::photograph:
+            toggle(photograph_);
+            if (photograph_)
+                session_.banner = {BannerKind::notice,
+                                   "This is the photograph; press C or Escape for the drawing"};
+            return;
+        default:  // of environment maps
             return;
     }
 }
@@ -275,6 +285,7 @@ void DrawingDocument::show_lights() {
 void DrawingDocument::stop_what_takes_long() {
     Worker& worker = session_.pane().worker();
     const bool opening = worker.opening().has_value();
+    if (photograph_) return toggle(photograph_);
     if (worker.saving()) return worker.cancel_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
     if (session_.film) return film_player_.stop();  // a moment's placing ends with its film
@@ -302,12 +313,14 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
+    if (photograph_key_down()) photograph_ = false;  // the drawing comes with its release
     session_.take_events(std::chrono::milliseconds(0));
     take_mask();
     film_player_.show();
     show_changes(frame.window);
 
     const auto [place, player, captions, status_size] = layout(frame);
+    keep_tips_above(place.size.y);  // a film's bar lies below
     const bool panels = frame.panels.x > 0;
     const auto preview = [this](const DrawingSettings& drawing) { return preview_of(drawing); };
     open_ = panels
@@ -335,6 +348,7 @@ void DrawingDocument::draw(const Frame& frame) {
     film_player_.draw_bar({0, place.size.y}, player, frame.act);
     draw_over_canvas(place, frame.act);
     canvas_.handle_mouse(place, session_.brush.on || cropping);
+    draw_canvas_menu(place.corner, place.size, frame.act);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
@@ -443,7 +457,7 @@ SplitLook DrawingDocument::look(const CanvasPlace& place) const {
     look.sides[0].hidden_pens = hidden_among(session_.pane().shown().pens, session_.shown_pens);
     if (const Pane* right = session_.right())
         look.sides[1].hidden_pens = hidden_among(right->shown().pens, session_.shown_pens);
-    if (photograph_key_down()) {
+    if (photograph_ || photograph_key_down()) {
         for (CanvasLook& side : look.sides) {
             side.picture_opacity = 1;
             side.dots = false;

@@ -138,6 +138,7 @@ class DrawingDocument : public Document {
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
+    bool photograph_ = false;  // in the drawing's place, without a key
     std::unique_ptr<Document> successor_;
 };
 

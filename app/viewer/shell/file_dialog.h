@@ -69,6 +69,8 @@ class FileDialog {
 
     bool is_open() const { return open_; }
     bool saves() const { return saves_; }
+    /// What it asks whether to replace; empty: it does not ask that.
+    const std::filesystem::path& replaces() const { return replaces_; }
 
     /// Draws what goes with the format chosen, an index into SaveQuestion::formats, and says why it cannot be
     /// written; empty: it can. Nothing is accepted while it cannot.

@@ -2,6 +2,7 @@
 // What becomes of files that were dropped, pasted or chosen: one is opened, of several one is chosen, and a
 // picture that holds the settings it was drawn with is opened as what the person says.
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -23,6 +24,8 @@ class FileQuestion {
     };
     /// Draws the question while there is one. The answer, once; to let the dialog go is to open nothing.
     std::optional<Answer> draw(const IsBoth& is_both);
+    /// About how many files it asks; 0: it does not ask.
+    std::size_t files() const { return is_plain_ ? 0 : offered_.size(); }
 
  private:
     std::optional<Answer> draw_both();

@@ -21,6 +21,7 @@ class LightsDocument : public Document {
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::string saving() const override { return session_.saving() ? "the list of samples" : ""; }
+    void stop_saving() override { session_.stop(LightWork::saving); }
     bool tells_of_trouble() const override { return is_trouble(session_.banner); }
     std::filesystem::path file() const override { return session_.lit() ? session_.map_path() : ""; }
     void say(const std::string& sentence) override { session_.banner = {BannerKind::error, sentence}; }

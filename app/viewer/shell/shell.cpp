@@ -214,6 +214,16 @@ bool Shell::draw_questions(Document& document) {
     return waits || asks_about_saving_ || about_left;
 }
 
+Shell::Question Shell::question() const {
+    if (waiting_ && !waiting_->saving) return {"changes", kUntilSeen};
+    if (asks_about_saving_) return {"saving", kUntilSeen};
+    if (asks_about_left_ && ready_) return {"left " + left_behind_.front().string(), kUntilSeen};
+    if (const std::size_t files = file_question_.files())
+        return {"open " + std::to_string(files), kUntilSeen};
+    if (dialog_.replaces().empty()) return {};
+    return {"replace " + dialog_.replaces().string(), 1};  // in a dialog that is there already
+}
+
 double Shell::seconds_until_kept(const Document& document) const {
     constexpr double kNever = 3600;
     if (document.unsaved().empty() || document.changes() == changes_kept_) return kNever;
@@ -263,9 +273,15 @@ void Shell::save_memory() {
 }
 
 void Shell::frame(Document& document) {
+    // What was typed before a question could be seen does not answer it.
+    const Question asked = question();
+    if (std::exchange(question_, asked.what) != asked.what) question_frames_ = 0;
+    const bool is_seen = question_frames_ >= asked.frames_until_seen;
+    if (!is_seen) window_.forget_typed();
     window_.begin_frame();
     const bool row_has_keys = widgets_.places.contains(kRowWithKeys);  // in the last frame
     widgets_.places.clear();
+    widgets_.tips_end.reset();
     const float scale = ImGui::GetFontSize() / 15;
     const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
     const float panels = panels_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
@@ -284,8 +300,8 @@ void Shell::frame(Document& document) {
     draw_dialogs(document, do_this);
     document.draw(frame);
     window_.end_frame();
-    // What was typed before a question could be seen does not answer it.
-    if (question_frames_ > 0 && question_frames_ <= kUntilSeen) window_.forget_typed();
+    if (!is_seen) window_.forget_typed();
+    if (!is_seen && !window_.frame_is_unseen()) ++question_frames_;
     report_outside(document);
     remember(document);
     keep_unsaved(before_ ? *before_ : document);
@@ -476,9 +492,7 @@ void Shell::take_preferences(bool desktop) {
 
 void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& act) {
     // Alone: two dialogs would take turns in each other's place.
-    const bool asked = draw_questions(document);
-    question_frames_ = asked ? question_frames_ + 1 : 0;
-    if (asked) return;
+    if (draw_questions(document)) return;
     std::vector<ListedRow> rows;
     if (palette_.is_open()) list_rows(document, rows);
     palette_.draw(

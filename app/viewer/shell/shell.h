@@ -43,8 +43,14 @@ class Shell {
     void draw_saving_question(Document& document);
     /// What windows left that ended unasked.
     void draw_kept_question(Document& document);
-    /// Questions that are answered by keys; none is drawn beside them.
+    /// About what is not saved; none of the other dialogs is drawn beside these.
     bool draw_questions(Document& document);
+    /// What is asked that a key would answer, as no other question is called; empty: nothing.
+    struct Question {
+        std::string what = {};
+        int frames_until_seen = 0;
+    };
+    Question question() const;
     /// In case the program ends; at most every ten seconds.
     void keep_unsaved(Document& document);
     double seconds_until_kept(const Document& document) const;
@@ -100,7 +106,8 @@ class Shell {
     std::optional<Waiting> waiting_;
     bool closing_ = false;
     bool asks_about_saving_ = false, closes_once_saved_ = false;
-    int question_frames_ = 0;  // for how many there has been one
+    std::string question_;     // of the last frame,
+    int question_frames_ = 0;  // and for how many it was shown, until it is seen
     UnsavedDrawings unsaved_;
     // Asked about one after the other, from the first on; or the first brought back and not kept since.
     std::vector<std::filesystem::path> left_behind_;

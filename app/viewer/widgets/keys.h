@@ -29,6 +29,7 @@ enum class Key {
     z,
     zero,
     comma,
+    backslash,
     up,
     down,
     left,
@@ -92,6 +93,8 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(0, 0);
         case Key::comma:
             return DAPPLE_KEY(COMMA, Comma);
+        case Key::backslash:
+            return DAPPLE_KEY(BACKSLASH, Backslash);
         case Key::up:
             return DAPPLE_KEY(UP, UpArrow);
         case Key::down:
@@ -212,6 +215,8 @@ inline ImGuiKey imgui_key(int glfw_key) {
         int glfw;
         ImGuiKey imgui;
     } kOthers[] = {
+        {GLFW_KEY_COMMA, ImGuiKey_Comma},
+        {GLFW_KEY_BACKSLASH, ImGuiKey_Backslash},
         {GLFW_KEY_TAB, ImGuiKey_Tab},
         {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
         {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},

@@ -12,6 +12,22 @@ namespace {
 constexpr float kTipWidth = 24;
 constexpr float kTipAfter = 0.5f;  // seconds
 
+void place_tip(const TipPlace& place, const std::string& lines) {
+    const float air = ImGui::GetFontSize();
+    const ImVec2 point = place.point, screen = ImGui::GetIO().DisplaySize;
+    if (place.side == TipPlace::Side::above) {
+        // By its share of the window's width all of the tip is in that.
+        const float share = std::clamp(point.x / std::max(screen.x, 1.0f), 0.0f, 1.0f);
+        return ImGui::SetNextWindowPos({point.x, point.y - air / 2}, ImGuiCond_Always, {share, 1});
+    }
+    if (point.x <= kTipWidth * air + 3 * air) return;
+    const WidgetNotes* const notes = widget_notes();
+    const float end = notes && notes->tips_end ? *notes->tips_end : screen.y;
+    const float height = ImGui::CalcTextSize(lines.c_str()).y + 2 * ImGui::GetStyle().WindowPadding.y;
+    const float top = std::max(std::min(point.y, end - height), 0.0f);
+    ImGui::SetNextWindowPos({point.x - 2 * air, top}, ImGuiCond_Always, {1, 0});
+}
+
 }  // namespace
 
 WidgetNotes* widget_notes() {
@@ -90,7 +106,7 @@ void begin_tooltip() {
     ImGui::PopStyleVar();
 }
 
-void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside) {
+void show_tip(const char* text, bool hovered, const std::optional<TipPlace>& place) {
     if (!hovered) return;  // rows that have the same to say leave each other's time alone
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(text), seen = ImGui::GetID("tip seen in");
@@ -101,12 +117,12 @@ void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside) {
     storage->SetFloat(id, rested);
     storage->SetInt(seen, ImGui::GetFrameCount());
     if (rested < kTipAfter || !may_have_tooltip()) return;
-    const float width = kTipWidth * ImGui::GetFontSize(), air = ImGui::GetFontSize();
-    if (beside && beside->x > width + 3 * air)
-        ImGui::SetNextWindowPos({beside->x - 2 * air, beside->y}, ImGuiCond_Always, {1, 0});
+    const float width = kTipWidth * ImGui::GetFontSize();
+    const std::string lines = in_lines(text, width - ImGui::GetStyle().WindowPadding.x);
+    if (place) place_tip(*place, lines);
     begin_tooltip();
     ImGui::PushTextWrapPos(width);
-    ImGui::TextUnformatted(in_lines(text, width - ImGui::GetCursorPosX()).c_str());
+    ImGui::TextUnformatted(lines.c_str());
     note_place("Tip");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -117,7 +133,7 @@ void show_row_tip(const char* text, const Row& row) {
     if (!text || ImGui::GetStyle().Alpha < 1) return;
     const ImVec2 end{row.start.x + row.width, row.start.y + row.height};
     const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(row.start, end);
-    show_tip(text, hovered && !ImGui::IsAnyItemActive(), row.start);
+    show_tip(text, hovered && !ImGui::IsAnyItemActive(), TipPlace{row.start});
 }
 
 void close_on_escape() {

@@ -54,9 +54,16 @@ bool may_have_tooltip();
 /// Round, whatever the window is that its row is in.
 void begin_tooltip();
 
-/// A tip, once the mouse has come to rest on what it is about; moving on must not make it flicker. `beside`:
-/// a place left of which it stands, where there is room.
-void show_tip(const char* text, bool hovered, std::optional<ImVec2> beside = {});
+/// Where a tip stands.
+struct TipPlace {
+    enum class Side { left, above };
+    ImVec2 point;
+    Side side = Side::left;  // of the point, where there is room; it ends above what keep_tips_above() says
+};
+
+/// A tip, once the mouse has come to rest on what it is about; moving on must not make it flicker. Without a
+/// place it stands at the mouse.
+void show_tip(const char* text, bool hovered, const std::optional<TipPlace>& place = {});
 /// Beside the row, so that it hides none of the next ones.
 void show_row_tip(const char* text, const Row& row);
 

@@ -108,7 +108,7 @@ Greyed::~Greyed() {
     const ImVec2 end = ImGui::GetCursorScreenPos();
     const ImVec2 last{end.x + ImGui::GetContentRegionAvail().x, end.y - ImGui::GetStyle().ItemSpacing.y};
     show_tip(reason_, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({end.x, top_}, last),
-             ImVec2(end.x, top_));
+             TipPlace{{end.x, top_}});
 }
 
 bool press_area(const char* name, ImVec2 size) {
@@ -167,6 +167,19 @@ bool subsection(const char* title, bool open_at_first) {
 
 void tip(const char* text) {
     show_tip(text, ImGui::IsItemHovered());
+}
+
+void tip_beside(ImVec2 row, const char* text) {
+    show_tip(text, ImGui::IsItemHovered(), TipPlace{row});
+}
+
+void tip_above(const char* text) {
+    const ImVec2 point{ImGui::GetItemRectMin().x, ImGui::GetWindowPos().y};
+    show_tip(text, ImGui::IsItemHovered(), TipPlace{point, TipPlace::Side::above});
+}
+
+void keep_tips_above(float y) {
+    if (WidgetNotes* const notes = widget_notes()) notes->tips_end = y;
 }
 
 void hint(const char* text) {

@@ -54,6 +54,7 @@ struct WidgetNotes {
     const ListedRow* taken = nullptr;          // the listed row that is to have `value`
     int value = -1;
     std::optional<ListedRow> reveal{};  // is to be shown: its sections unfold, and it gets the keys
+    std::optional<float> tips_end{};    // see keep_tips_above()
 };
 
 /// While it lives rows are not drawn and folds are open: each adds itself to a list. One of them, as such a
@@ -193,6 +194,13 @@ bool subsection(const char* title, bool open_at_first = true);
 
 /// More about the item drawn last, while the mouse rests on it.
 void tip(const char* text);
+/// The same beside the row that begins there, as rows have it: for items that share a row.
+void tip_beside(ImVec2 row, const char* text);
+/// The same above the ImGui window that the item is in: a bar, which a tip at the mouse would cover.
+void tip_above(const char* text);
+
+/// Tips beside rows end above that height: what lies below is not to be covered by them.
+void keep_tips_above(float y);
 
 /// Small grey text under a control.
 void hint(const char* text);

@@ -166,7 +166,15 @@ TEST_CASE(
         const FilmFrame frame = film_frames(pipeline, settings_for(2000), {.kind = kind, .longer_side = 300});
         CHECK(frame(1).values == whole.values);
         CHECK(frame(0.5).values != whole.values);
-        if (kind == FilmKind::plot) CHECK(light_of(frame(0)) == 1);
+        if (kind == FilmKind::plot) {
+            CHECK(light_of(frame(0)) == 1);
+            continue;
+        }
+        // All dots, then how they settle, and the settled ones until its end.
+        const std::vector<glm::u8vec3> all = frame(kFilmEnd).values, some_steps = frame(0.92).values;
+        CHECK(all != some_steps);
+        CHECK(some_steps != whole.values);
+        CHECK(frame(0.95).values == whole.values);
     }
 }
 

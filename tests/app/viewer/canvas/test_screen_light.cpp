@@ -16,6 +16,7 @@
 #include "core/output/raster.h"
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
+#include "tests/dots_by.h"
 #include "tests/mean_light.h"
 #include "tests/offscreen_gl.h"
 
@@ -128,7 +129,7 @@ class Screen {
 
     OffscreenContext context;
     GlFramebuffer picture;
-    Renderer renderer;
+    Renderer renderer{dots_by_in_environment()};
     CanvasLook look;
 
  private:

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <signal.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -120,6 +122,37 @@ TEST_CASE("a picture on the clipboard becomes a file, PNG before others") {
     ::setenv("WAYLAND_DISPLAY", "wayland-0", 1);
     CHECK(save_pasted_picture(path / "pasted", {}).value().extension() == ".webp");
     ::unsetenv("WAYLAND_DISPLAY");
+}
+
+TEST_CASE(
+    "a picture is copied by the program of the desktop's that is there, and what fails is said in a "
+    "sentence") {
+    const DesktopPath path;
+    put_text(path / "drawing.png", "png");
+    const auto trouble = [&] {
+        try {
+            return copy_picture(path / "drawing.png", {}) ? std::string() : "stopped";
+        } catch (const std::runtime_error& error) {
+            return std::string(error.what());
+        }
+    };
+    CHECK(trouble().find("Copying a picture needs xclip") == 0);
+    // It goes on to hand the picture out, as xclip does.
+    path.program("xclip", "echo \"$1 $2 $3 $4\" >'" + (path / "asked").string() + "'; cat \"$5\" >'" +
+                              (path / "copied").string() + "'; sleep 600 & echo $! >'" +
+                              (path / "holder").string() + "'");
+    CHECK(trouble().empty());
+    ::kill(std::stoi(text_of(path / "holder")), SIGKILL);
+    CHECK(text_of(path / "asked") == "-selection clipboard -t image/png\n");
+    CHECK(text_of(path / "copied") == "png");
+    path.program("wl-copy", "cat >'" + (path / "copied").string() + "'; echo \"$*\" >>'" +
+                                (path / "copied").string() + "'");
+    ::setenv("WAYLAND_DISPLAY", "wayland-0", 1);
+    CHECK(trouble().empty());
+    ::unsetenv("WAYLAND_DISPLAY");
+    CHECK(text_of(path / "copied") == "png--type image/png\n");
+    path.program("xclip", "exit 1");
+    CHECK(trouble() == "The picture could not be copied: there is no clipboard that takes it");
 }
 
 }  // namespace dapple

@@ -43,17 +43,4 @@ TEST_CASE("seeing the value that undo gave back is no new step") {
     CHECK(history.can_redo());
 }
 
-TEST_CASE("what was undone can be forgotten: of another picture it would be nothing") {
-    History<int> history(1);
-    history.observe(2, false);
-    history.observe(3, false);
-    history.undo();
-    const int changes = history.changes();
-    history.forget_undone();
-    CHECK(history.changes() != changes);
-    CHECK_FALSE(history.can_redo());
-    CHECK(history.redo() == 2);
-    CHECK(history.undo() == 1);
-}
-
 }  // namespace dapple

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -12,8 +13,10 @@ namespace {
 
 struct Keyboard {
     std::vector<Action> actions;
+    std::function<void()> each_frame = [] {};
     char text[32] = "";
     HeadlessUi ui{[this] {
+        each_frame();
         for (Action action : pressed_actions(shortcuts())) actions.push_back(action);
         ImGui::InputText("text", text, sizeof text);
         note_place("text");
@@ -49,11 +52,41 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(Key::z, true, true) == Actions{Action::redo});
     CHECK(keyboard.press(Key::tab).empty());  // walks the rows
     CHECK(keyboard.press(Key::b, true) == Actions{Action::toggle_panels});
-    CHECK(keyboard.press(Key::c) == Actions{Action::compare});
+    CHECK(keyboard.press(Key::c, false, true) == Actions{Action::compare});
+    CHECK(keyboard.press(Key::c, true) == Actions{Action::copy_picture});
     CHECK(keyboard.press(Key::l) == Actions{Action::loupe});
     CHECK(keyboard.press(Key::i) == Actions{Action::explain_dots});
     CHECK(keyboard.press(Key::f11) == Actions{Action::full_screen});
     CHECK(keyboard.press(Key::o).empty());
+}
+
+TEST_CASE("C, the backslash and P show the photograph while they are held, and do nothing else") {
+    bool shown = false;
+    Keyboard keyboard;
+    keyboard.each_frame = [&] { shown = photograph_key_down(); };
+    for (const Key key : {Key::c, Key::backslash, Key::p}) {
+        put_key(key, true);
+        keyboard.actions.clear();
+        for (int frame = 0; frame < 3; ++frame) {
+            keyboard.ui.frame();
+            CHECK(shown);
+        }
+        CHECK(keyboard.actions.empty());
+        // With a modifier it is another key.
+        for (const int modifier : {GLFW_MOD_SHIFT, GLFW_MOD_CONTROL}) {
+            put_modifiers(modifier);
+            keyboard.ui.frame();
+            CHECK_FALSE(shown);
+        }
+        put_modifiers(0);
+        put_key(key, false);
+        keyboard.ui.frame();
+        CHECK_FALSE(shown);
+    }
+    keyboard.ui.click("text");
+    put_key(Key::c, true);
+    keyboard.ui.frame();
+    CHECK_FALSE(shown);
 }
 
 TEST_CASE("a question mark asks for help wherever the keyboard has it") {

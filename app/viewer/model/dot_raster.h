@@ -1,0 +1,85 @@
+#pragma once
+// Dots and lines on the part of the page that is seen, drawn by the processor: for computers whose OpenGL is
+// a program too, which takes fifty times as long for the same.
+//
+//     begin() ──► add() blocks of them, as long as there is time ──► finish(): how much of each pixel is ink
+//
+// By sample points, as files are drawn (core/output/sample_band.h): what overlaps unites, each pen's by
+// itself, and what lies beyond the page's edges is cut off.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/image/grid.h"
+#include "core/image/rectangle.h"
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+/// A view of the page, in pixels from the picture's upper left corner.
+struct RasterView {
+    glm::ivec2 size{0, 0};    // of the picture
+    glm::dvec2 origin{0, 0};  // where positions of 0 lie
+    double pixels_per_unit = 1;
+    Rectangle<double> page{{0, 0}, {0, 0}};  // beyond it nothing is drawn
+    std::size_t pens = 1;
+};
+
+/// How dots are drawn.
+struct RasterLook {
+    double radius = 0;          // page units; of dots that have none of their own
+    double largest_radius = 0;  // of those that have
+    double grow = 1;            // of all radii, or of half of all widths
+    double fade_scale = 0;      // dots are all there a seventh above their critical scale; 0: all are
+    std::uint32_t hidden = 0;   // pens: a bit for each
+};
+
+/// Dots that follow each other in a piece, and those of them that are drawn.
+struct RasterDots {
+    const Dots* piece = nullptr;
+    std::size_t first = 0, count = 0;
+    std::optional<float> limit = {};  // those with a critical scale up to this
+    std::size_t every = 1;            // or else one in so many
+    float low = 0, high = 0;          // their least and greatest y, page units
+};
+
+struct RasterLines {
+    std::span<const glm::vec4> lines;    // page units: from x, y to x, y
+    std::span<const float> widths = {};  // page units; none: all as wide as `width`
+    std::span<const std::uint8_t> pens = {};
+    double width = 0;
+    std::size_t every = 1;  // one in so many
+};
+
+/// How finely: sample points along a pixel's side.
+enum class RasterGrain { quick = 8, full = 16 };
+
+class DotRaster {
+ public:
+    DotRaster();
+    ~DotRaster();
+
+    /// What a view needs, in bytes.
+    static double memory(const RasterView& view, RasterGrain grain);
+
+    /// An empty picture.
+    void begin(const RasterView& view, RasterGrain grain);
+    /// On all cores.
+    void add(std::span<const RasterDots> dots, const RasterLook& look);
+    void add(const RasterLines& lines, const RasterLook& look);
+    /// The share of each pixel that is ink, 0..255, rows from the bottom up as OpenGL has them: for up to
+    /// four pens in a picture's four components, as many pictures as that takes.
+    template <class Pixel>
+    void finish(std::vector<Grid<Pixel>>& pictures) const;
+
+ private:
+    struct Samples;
+    std::unique_ptr<Samples> samples_;
+};
+
+}  // namespace dapple
