@@ -21,7 +21,6 @@
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/shell/changes_question.h"
-#include "app/viewer/widgets/row_keys.h"
 #include "core/text/shown_text.h"
 
 namespace dapple {
@@ -279,7 +278,7 @@ void Shell::frame(Document& document) {
     const bool is_seen = question_frames_ >= asked.frames_until_seen;
     if (!is_seen) window_.forget_typed();
     window_.begin_frame();
-    const bool row_has_keys = widgets_.places.contains(kRowWithKeys);  // in the last frame
+    const bool row_has_keys = std::exchange(widgets_.row_with_keys, 0) != 0;  // in the last frame
     widgets_.places.clear();
     widgets_.tips_end.reset();
     const float scale = ImGui::GetFontSize() / 15;
@@ -536,7 +535,7 @@ void Shell::report_outside(const Document& document) {
         health_.gl_errors += Window::gl_errors();
         const ImGuiIO& io = ImGui::GetIO();
         add_input(*status, {{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]}, health_,
-                  widgets_.places);
+                  widgets_);
         std::string line = status->dump();
         if (line != logged_) std::puts(line.c_str());
         logged_ = std::move(line);

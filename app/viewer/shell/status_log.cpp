@@ -5,14 +5,15 @@
 namespace dapple {
 
 void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
-               const WidgetPlaces& widgets) {
+               const WidgetNotes& widgets) {
     line["longest_frame_ms"] = health.longest_frame_ms;
     line["longest_work_ms"] = health.longest_work_ms;
     line["gl_errors"] = health.gl_errors;
     line["mouse"] = {mouse.position.x, mouse.position.y};
     line["mouse_down"] = mouse.down;
+    line["row_with_keys"] = widgets.row_with_keys;
     auto& places = line["widgets"] = nlohmann::ordered_json::object();
-    for (const auto& [label, place] : widgets)
+    for (const auto& [label, place] : widgets.places)
         places[label] = {place.min.x, place.min.y, place.max.x, place.max.y};
 }
 

@@ -95,7 +95,8 @@ double arrow_step() {
     return direction * (io.KeyShift ? 10 : io.KeyAlt ? 0.1 : 1);
 }
 
-void show_ring(ImVec2 low, ImVec2 high) {
+void show_ring(ImGuiID id, ImVec2 low, ImVec2 high) {
+    if (auto* const notes = static_cast<WidgetNotes*>(ImGui::GetIO().UserData)) notes->row_with_keys = id;
     const float unit = ImGui::GetTextLineHeight() / 15;
     const ImVec2 a{low.x - 3 * unit, low.y - unit}, b{high.x + 3 * unit, high.y + unit};
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -127,7 +128,7 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     keep(kLast, id);
     if (kept(kFocus) != id) return {};
     keep(kSeen, 1);
-    if (!kept(kCovered)) show_ring(low, high);
+    if (!kept(kCovered)) show_ring(id, low, high);
     // Nor is the key that brought it here its own.
     if (!here || !had || tab || typing || revealed) return {.focused = true};
     const bool enter = key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
