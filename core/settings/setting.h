@@ -50,14 +50,14 @@ namespace setting {
 
 // Tone.
 inline constexpr Setting automatic_tone{
-    .names = {"automatic_tone", "Tone from", "--tone"},
+    .names = {"automatic_tone", "Automatic tone", "--tone"},
     .value = "auto|true",
     .help =
         "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers just "
         "the light that the picture lacks",
     .more = ". --black-point, --white-point, --contrast, --brightness and --gamma switch it to true"};
 inline constexpr Setting tone_strength{
-    .names = {"tone_strength", "Tone strength", "--tone-strength"},
+    .names = {"tone_strength", "Automatic tone", "--tone-strength"},
     .range = {0, 1},
     .usual = kUsualToneStrength,
     .help =
@@ -106,7 +106,7 @@ inline constexpr Setting detail{
     .usual = kAutoDetail,
     .help = "Brings out what is faint and only a few dots wide, such as whiskers"};
 inline constexpr Setting black{
-    .names = {"black", "Black", "--black"},
+    .names = {"black", "Deepest black", "--black"},
     .range = {kLeastBlack, 1},
     .usual = 1,
     .value = "auto|0.5..1",
@@ -251,7 +251,7 @@ inline constexpr Setting overlap{.names = {"sheet_overlap_mm", "Overlap", "--ove
                                      "glue in; SVG and PDF have marks where to cut"};
 
 // Pens and colours.
-inline constexpr Setting pens{.names = {"pens", "Which pens", "--pens"}};
+inline constexpr Setting pens{.names = {"pens", "Inks", "--pens"}};
 inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-order"}};
 inline constexpr Setting pen_ink{
     .names = {"pen_ink", "Pen ink", "--pen-ink"},

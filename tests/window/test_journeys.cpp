@@ -116,10 +116,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
         type_into(viewer, "Dots", "0.3k+400");
         CHECK(viewer.shows([&] { return viewer.dots() == 700; }));
         place_anew(viewer, "margin", [&] { type_into(viewer, "Margin, mm", "1cm"); });
-        place_anew(viewer, "turned", [&] {
-            walk_to(viewer, "90");
-            viewer.key("Right");
-        });
+        place_anew(viewer, "turned", [&] { viewer.key("r"); });
         place_anew(viewer, "on another paper", [&] { command(viewer, "a5"); });
         place_anew(viewer, "masked", [&] {
             command(viewer, "open mask");
@@ -199,9 +196,8 @@ TEST_CASE(
         REQUIRE(viewer.shows(is_unmasked));
         viewer.key("ctrl+y");
         REQUIRE(viewer.shows([&] { return !is_unmasked(); }));
-        viewer.click("off");
-        viewer.click("Mask");
-        place_anew(viewer, "turned", [&] { viewer.click("90"); });
+        viewer.click("Back to the drawing");
+        place_anew(viewer, "turned", [&] { viewer.click("Rotate"); });
         in_dialog(viewer, "Export...");
         REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
         exported = files.svg();

@@ -47,9 +47,8 @@ std::array<int, 16> circles_by_part(const std::string& svg, double page) {
     return counts;
 }
 
-/// Opens that section, and folds others so that most of it is in the window.
 void open_the_method(RunningViewer& viewer) {
-    for (const char* section : {"The method", "Export", "Pens", "Page", "Picture"}) viewer.click(section);
+    viewer.key("m");
     REQUIRE(viewer.shows([&] { return viewer.has("ramp"); }));
 }
 
@@ -433,7 +432,7 @@ TEST_CASE("on the canvas a hidden pen's dots are gone, and of one looked at alon
     const auto is_magenta = [](glm::u8vec3 pixel) { return pixel.r > 190 && pixel.g < 60 && pixel.b > 90; };
     const auto is_yellow = [](glm::u8vec3 pixel) { return pixel.r > 220 && pixel.g > 200 && pixel.b < 80; };
     const auto is_black = [](glm::u8vec3 pixel) { return pixel.r < 60 && pixel.g < 60 && pixel.b < 60; };
-    for (const char* section : {"Page", "Picture"}) viewer.click(section);
+    viewer.click("More pen settings");
     CHECK(count(is_magenta) > 300);
     viewer.click("Show Magenta");
     viewer.move(300, 750);  // no tip of the row's lies over the canvas
@@ -640,6 +639,7 @@ TEST_CASE("what is not saved is asked about before the window closes: it can sta
     put_text(folder / "grey.pgm", "P2 4 4 255 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9");
     Display display;
     RunningViewer viewer(folder.path(), {"grey.pgm"});
+    viewer.click("More tone settings");
     viewer.click("Invert");
     CHECK(viewer.is_titled("^[*]grey.pgm - Dapple$"));
     viewer.move(300, 300);

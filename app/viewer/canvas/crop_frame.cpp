@@ -62,7 +62,7 @@ glm::dvec2 framed_pixel(const Framing& framing, glm::dvec2 opened) {
     }
 }
 
-bool CropFrame::drag(std::optional<Crop>& crop, const Framing& framing, glm::ivec2 picture,
+bool CropFrame::drag(std::optional<Crop>& crop, double proportion, const Framing& framing, glm::ivec2 picture,
                      const Camera& camera, const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool let_go = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
@@ -100,6 +100,7 @@ bool CropFrame::drag(std::optional<Crop>& crop, const Framing& framing, glm::ive
             high = std::clamp(high + moved[axis], std::min(low + kLeastCropPercent, 100.0), 100.0);
         }
     }
+    if (!all) box = in_proportion(box, proportion, held_->sides);
     if (moved != glm::dvec2(0)) crop = crop_of_percent(box);
     if (let_go) held_.reset();
     return !let_go;

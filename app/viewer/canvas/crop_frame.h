@@ -17,9 +17,9 @@ glm::dvec2 framed_pixel(const Framing& framing, glm::dvec2 opened);
 class CropFrame {
  public:
     /// Moves the crop as the left button asks in this frame, of a picture that is shown uncropped, framed so.
-    /// True while it is held there.
-    bool drag(std::optional<Crop>& crop, const Framing& framing, glm::ivec2 picture, const Camera& camera,
-              const CanvasPlace& place);
+    /// It is kept to a proportion as in_proportion() has it; 0: to none. True while it is held there.
+    bool drag(std::optional<Crop>& crop, double proportion, const Framing& framing, glm::ivec2 picture,
+              const Camera& camera, const CanvasPlace& place);
 
     /// Over the canvas, behind ImGui's windows: what is cut away is darkened.
     void draw(const std::optional<Crop>& crop, const Framing& framing, glm::ivec2 picture,

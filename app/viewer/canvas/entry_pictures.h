@@ -1,6 +1,7 @@
 #pragma once
 // The small pictures of a list's entries, as textures.
 
+#include <cstddef>
 #include <map>
 #include <string>
 
@@ -17,6 +18,7 @@ class EntryPictures {
     /// As SmallPictures::of(); bare while there is none.
     EntryPicture of(const std::string& key, const SmallPictures::Make& make);
 
+    std::size_t size() const { return textures_.size(); }
     /// Gives up what is being made, and all memory. Only before the frame shows any of them.
     void forget();
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "app/viewer/model/viewer_fields.h"
@@ -86,8 +88,21 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
         return "Tile";
     }
     if (rows.empty()) return {};
+    // White ink on black paper is one choice, and so is the way back.
+    const std::string its_parts[] = {setting::invert.names.row, setting::ink.names.row,
+                                     setting::paper.names.row};
+    const auto is_part = [&](const std::string& row) { return std::ranges::count(its_parts, row) > 0; };
+    if (std::ranges::count_if(rows, is_part) == std::ssize(its_parts)) {
+        std::erase_if(rows, is_part);
+        rows.insert(rows.begin(), setting::pens.names.row);
+    }
     std::ranges::replace(rows, std::string(setting::pens.names.row),
                          row_of_pens(before.drawing.pens, after.drawing.pens));
+    // One row may say two things.
+    std::vector<std::string> once;
+    for (std::string& row : rows)
+        if (std::ranges::find(once, row) == once.end()) once.push_back(std::move(row));
+    rows = std::move(once);
     return rows.size() == 1 ? rows[0] : fmt::format("{} and {} more", rows[0], rows.size() - 1);
 }
 

@@ -1,5 +1,6 @@
 #include "app/viewer/model/crop_percent.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 
 namespace dapple {
@@ -16,6 +17,56 @@ std::optional<Crop> crop_of_percent(Rectangle<double> box) {
     box.high = glm::clamp(box.high, box.low + kLeastCropPercent, glm::dvec2(100));
     if (box == Rectangle<double>{{0, 0}, {100, 100}}) return std::nullopt;
     return Crop{box, Crop::Unit::percent};
+}
+
+double percent_proportion(CropProportion proportion, const Rectangle<double>& box, glm::ivec2 picture,
+                          glm::dvec2 room) {
+    const glm::dvec2 pixels(glm::max(picture, 1));
+    const double percent = pixels.y / pixels.x;
+    const glm::dvec2 side = (box.high - box.low) * pixels;
+    switch (proportion) {
+        case CropProportion::free:
+            return 0;
+        case CropProportion::page:
+            return room.x / room.y * percent;
+        case CropProportion::square:
+            return percent;
+        case CropProportion::three_two:
+            return (side.x >= side.y ? 1.5 : 1 / 1.5) * percent;
+    }
+    return 0;
+}
+
+Rectangle<double> in_proportion(Rectangle<double> box, double proportion, glm::ivec2 moved) {
+    if (!(proportion > 0)) return box;
+    glm::dvec2 size = box.high - box.low;
+    // What was moved says how large it is; else it keeps as much as it can.
+    const bool by_width = moved.x != 0 || (moved.y == 0 && size.x < size.y * proportion);
+    if (by_width)
+        size.y = size.x / proportion;
+    else
+        size.x = size.y * proportion;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double &low = box.low[axis], &high = box.high[axis];
+        const double middle = (low + high) / 2;
+        const double room = moved[axis] < 0   ? high
+                            : moved[axis] > 0 ? 100 - low
+                                              : 2 * std::min(middle, 100 - middle);
+        size *= std::min(1.0, room / size[axis]);
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        double &low = box.low[axis], &high = box.high[axis];
+        const double middle = (low + high) / 2;
+        if (moved[axis] < 0) {
+            low = high - size[axis];
+        } else if (moved[axis] > 0) {
+            high = low + size[axis];
+        } else {
+            low = middle - size[axis] / 2;
+            high = middle + size[axis] / 2;
+        }
+    }
+    return box;
 }
 
 }  // namespace dapple

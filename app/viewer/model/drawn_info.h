@@ -20,4 +20,7 @@ struct DrawnInfo {
     PageSize page{200, 150, 200};
 };
 
+/// Where dots that are sized otherwise start from: as large as they were drawn, about.
+DotSize dot_size_from(DotSizing sizing, double drawn_radius_mm);
+
 }  // namespace dapple

@@ -145,7 +145,7 @@ bool Session::would_lose_changes(const fs::path& file) const {
 DotsRequest Session::page_request() const {
     DotsRequest request = film ? film_request(settings, *film) : dots_request(settings);
     request.terms.most_dots = std::min(request.terms.most_dots, most_dots_);
-    if (cropping) {
+    if (cropping.on) {
         // All of the picture: filling the paper would cut its edges off, and the frame's with them.
         request.drawing.page.crop.reset();
         request.drawing.page.fit = PageFit::inside;
@@ -394,7 +394,7 @@ void Session::play(FilmKind kind) {
     film = PlayedFilm{.kind = kind,
                       .seconds = film ? film->seconds : 8,
                       .dots = std::clamp<std::uint64_t>(dots, 1, kMostFilmDots)};
-    cropping = brush.on = false;
+    cropping.on = brush.on = false;
 }
 
 void Session::save_film(const fs::path& path) {
@@ -577,6 +577,12 @@ DrawnInfo Session::drawn(const Pane& pane) const {
             .steps = drawing.all_steps,
             .usual_steps = drawing.usual_steps,
             .page = drawing.layout.page};
+}
+
+glm::dvec2 Session::room_for_crop() const {
+    const Rectangle<double>& within = pane_.page().layout.within_margins;
+    const glm::dvec2 room = within.high - within.low;
+    return settings.drawing.page.quarter_turns % 2 == 1 ? glm::dvec2(room.y, room.x) : room;
 }
 
 }  // namespace dapple

@@ -16,6 +16,7 @@
 #include "app/settings/embedded_settings.h"
 #include "app/settings/project.h"
 #include "app/viewer/model/banner.h"
+#include "app/viewer/model/crop_percent.h"
 #include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/mask_brush.h"
@@ -115,7 +116,9 @@ class Session {
 
     ViewerSettings settings;  // the panels edit them
     // Tools, and so neither saved nor undone.
-    bool cropping = false;  // all of the picture is shown, for a frame over it
+    CropTool cropping;
+    /// The page's room within its margins, as wide and high as the picture was opened.
+    glm::dvec2 room_for_crop() const;
     MaskBrush brush;
     ShownPens shown_pens;
     std::optional<PlayedFilm> film;  // shown in the drawing's place

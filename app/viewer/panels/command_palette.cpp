@@ -47,7 +47,7 @@ std::string where_in_words(const FoundRow& found) {
     if (found.row->is_section && found.row->sections.empty()) return "section";
     for (const std::string& section : found.row->sections) words += (words.empty() ? "" : ", ") + section;
     if (found.value >= 0 && found.value == found.row->chosen) words += ", as it is";
-    if (found.row->greyed) words += ", greyed";
+    if (!found.row->why_not.empty()) words += ", not now";
     return words;
 }
 
@@ -90,7 +90,7 @@ std::vector<FoundRow> rows_with(std::string_view text, std::span<const ListedRow
             return has_all_words(sections + each.words(), text);
         };
         if (wanted({&row})) found.push_back({&row});
-        for (int i = 0; !row.greyed && i < static_cast<int>(row.values.size()); ++i)
+        for (int i = 0; row.why_not.empty() && i < static_cast<int>(row.values.size()); ++i)
             if (wanted({&row, i})) values.push_back({&row, i});
     }
     found.insert(found.end(), values.begin(), values.end());

@@ -39,7 +39,7 @@ struct FoundRow {
     std::string words() const;  // "Paper size", "Paper size: A4"
 };
 /// Those whose section, label and value have every word of the text: rows first, then values, of rows that
-/// are not greyed. None if there is no word.
+/// can be used now. None if there is no word.
 std::vector<FoundRow> rows_with(std::string_view text, std::span<const ListedRow> rows);
 
 class CommandPalette {

@@ -25,7 +25,7 @@ bool draw_right_side(Comparison& right, const TileList& tiles) {
     }
     const bool counted = right.placer == PlacerKind::exact;
     {
-        const Greyed greyed(why_only_exact(right.placer));
+        const Absent absent(why_only_exact(right.placer));
         changed |= ranking_row("Right ranking", right.ranking);
     }
     int by = static_cast<int>(right.by);
@@ -48,7 +48,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
         changed = true;
     }
     {
-        const Greyed greyed(right.on ? nullptr : "Applies to the split view only.");
+        const Absent absent(right.on ? nullptr : "Applies to the split view only.");
         changed |= draw_right_side(right, tiles);
     }
     hint("Repetition shows best on an even grey or a ramp: Density, above.");
@@ -58,7 +58,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
 bool draw_loupe(LoupeChoice& loupe) {
     bool changed =
         switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
-    const Greyed greyed(loupe.on ? nullptr : "Applies to the loupe only.");
+    const Absent absent(loupe.on ? nullptr : "Applies to the loupe only.");
     double step = loupe.step;
     if (slider_row("Its tiles", step,
                    {.min = -3,

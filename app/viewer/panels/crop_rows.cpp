@@ -22,21 +22,27 @@ bool side_row(const char* label, double& percent, double edge, const char* tip) 
 
 }  // namespace
 
-bool draw_rotate_row(int& quarter_turns) {
-    return segmented_row("Rotate", quarter_turns, std::array{"0", "90", "180", "270"},
-                         "Turns the picture on the page, in degrees clockwise.");
-}
-
-bool draw_crop_rows(std::optional<Crop>& crop, glm::ivec2 picture, bool& framing) {
-    if (!subsection("Crop", false)) {
-        framing = false;
+bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::dvec2 room) {
+    if (!section("Crop")) {
+        tool.on = false;  // what cannot be seen is not to frame
         return false;
     }
-    switch_row("Crop frame", framing,
+    std::optional<Crop>& crop = setup.crop;
+    Rectangle<double> box = crop_percent(crop, picture);
+    int proportion = static_cast<int>(tool.proportion);
+    bool changed = false;
+    if (segmented_row(
+            "Proportions", proportion, names_of(tool.proportion),
+            "What the frame is kept to while it is dragged. page: the paper within its margins. 3:2: "
+            "upright if the frame is.")) {
+        tool.proportion = static_cast<CropProportion>(proportion);
+        box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
+        changed = tool.proportion != CropProportion::free;
+    }
+    switch_row("Crop frame", tool.on,
                "Shows all of the picture, with a frame around what is drawn: drag its edges, its corners or "
                "all of it.");
-    Rectangle<double> box = crop_percent(crop, picture);
-    bool changed =
+    changed |=
         side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before it is turned.");
     changed |=
         side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before it is turned.");
@@ -45,7 +51,12 @@ bool draw_crop_rows(std::optional<Crop>& crop, glm::ivec2 picture, bool& framing
     changed |=
         side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before it is turned.");
     if (changed) crop = crop_of_percent(box);
-    return changed;
+    changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
+                             "Turns the picture on the page, in degrees clockwise.");
+    const Absent absent(crop ? nullptr : "All of the picture is drawn.");
+    if (!wide_button("All of the picture", "Takes the crop away.")) return changed;
+    crop.reset();
+    return true;
 }
 
 }  // namespace dapple

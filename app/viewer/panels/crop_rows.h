@@ -1,18 +1,15 @@
 #pragma once
-// What of the picture is drawn, and how it is turned: rows of the section "Picture".
+// The tool "Crop": what of the picture is drawn, and how it is turned.
 
 #include <glm/vec2.hpp>
-#include <optional>
 
+#include "app/viewer/model/crop_percent.h"
 #include "core/drawing/page_setup.h"
 
 namespace dapple {
 
-/// True when the quarter turns changed.
-bool draw_rotate_row(int& quarter_turns);
-
-/// What of a picture of so many pixels is drawn, in percent of its width and height; `framing`: whether the
-/// frame over the canvas is there. True when the crop changed.
-bool draw_crop_rows(std::optional<Crop>& crop, glm::ivec2 picture, bool& framing);
+/// What of a picture of so many pixels is drawn, in percent of its width and height. `room`: the page's
+/// within its margins, in the direction in which the picture was opened. True when crop or turns changed.
+bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::dvec2 room);
 
 }  // namespace dapple

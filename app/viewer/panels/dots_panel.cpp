@@ -22,65 +22,58 @@ void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     request.count.reset();
 }
 
-// `follows`: how many there are follows from their sizes.
+// `follows`: how many there are follows from their sizes, which are chosen below.
 bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows) {
-    bool changed = false;
+    const Greyed greyed(follows ? "The number of dots sized by tone follows from their sizes and the tone."
+                                : nullptr);
     const auto most = static_cast<double>(drawn.most_dots);
-    const std::string why = fmt::format(
-        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
-        grouped(drawn.most_dots));
-    int by = request.count ? 1 : 0;
-    if (segmented_row("Dots by", by, std::array{"tone", "number"},
-                      "number: exactly as many dots as you ask for, whatever the picture. tone: a darker "
-                      "picture gets more dots.",
-                      1)) {
-        if (by == 0)
-            use_scale(request, drawn);
-        else
-            request.count = std::clamp<std::uint64_t>(drawn.dots, 1, drawn.most_dots);
-        changed = true;
-    }
-    if (request.count) {
-        auto count = static_cast<double>(follows ? drawn.dots : *request.count);
-        SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
-        range.grouped = true;
-        if (slider_row(setting::count.names.row, count, range)) {
-            request.count = static_cast<std::uint64_t>(std::llround(count));
-            changed = true;
-        }
-    } else {
+    if (!request.count) {
         // Dots are in proportion to the scale.
         std::optional<double> largest;
         if (drawn.dots > 0) largest = most / static_cast<double>(drawn.dots) * drawn.scale;
-        changed |= slider_row(setting::scale, request.scale, {.most = largest});
+        return slider_row(setting::scale, request.scale, {.most = largest});
     }
-    return changed;
+    const std::string why = fmt::format(
+        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
+        grouped(drawn.most_dots));
+    auto count = static_cast<double>(follows ? drawn.dots : *request.count);
+    SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
+    range.grouped = true;
+    if (!slider_row(setting::count.names.row, count, range)) return false;
+    request.count = static_cast<std::uint64_t>(std::llround(count));
+    return true;
+}
+
+bool draw_amount_by(PlacingRequest& request, const DrawnInfo& drawn) {
+    int by = request.count ? 1 : 0;
+    if (!segmented_row("Dots by", by, std::array{"tone", "number"},
+                       "number: exactly as many dots as you ask for, whatever the picture. tone: a darker "
+                       "picture gets more dots.",
+                       1))
+        return false;
+    if (by == 0)
+        use_scale(request, drawn);
+    else
+        request.count = std::clamp<std::uint64_t>(drawn.dots, 1, drawn.most_dots);
+    return true;
 }
 
 bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     bool changed = false;
-    const double radius = std::max(drawn.dot_radius_mm, setting::radius.range.least);
     int chosen = static_cast<int>(size.sizing);
     if (segmented_row(
             "Dot size", chosen, std::array{"auto", "fixed", "by tone"},
             "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
             "small dots in light areas, large ones in dark areas.")) {
-        size = {.sizing = static_cast<DotSizing>(chosen),
-                .radius_mm = radius,
-                .smallest_mm = std::max(0.5 * radius, setting::radius.range.least),
-                .largest_mm = 1.2 * radius};
+        size = dot_size_from(static_cast<DotSizing>(chosen), drawn.dot_radius_mm);
         changed = true;
     }
     {
         const bool fixed = size.sizing == DotSizing::fixed;
-        const Greyed greyed(fixed ? nullptr : "Applies to dots of a fixed size only.");
-        double shown = fixed ? size.radius_mm : radius;
-        if (slider_row(setting::radius, shown, {.unit = unit})) {
-            size.radius_mm = shown;
-            changed = true;
-        }
+        const Absent absent(fixed ? nullptr : "Applies to dots of a fixed size only.");
+        changed |= slider_row(setting::radius, size.radius_mm, {.unit = unit});
     }
-    const Greyed greyed(size.sizing == DotSizing::by_tone ? nullptr : "Applies to dots sized by tone only.");
+    const Absent absent(size.sizing == DotSizing::by_tone ? nullptr : "Applies to dots sized by tone only.");
     if (slider_row(setting::smallest, size.smallest_mm, {.unit = unit})) {
         size.largest_mm = std::max(size.largest_mm, size.smallest_mm);
         changed = true;
@@ -104,25 +97,22 @@ bool is_dot_path(const std::string& text) {
 constexpr const char* kUsualPath = "M0.5,0 L1,0.5 L0.5,1 L0,0.5 Z";
 
 bool draw_shape(DrawingSettings& settings) {
-    bool changed = false;
     const bool dots = settings.style == DrawingStyle::dots;
-    {
-        const Greyed greyed(dots ? nullptr : "Applies to dots only.");
-        // As DotShape has them.
-        constexpr std::array kShapes{"circle", "point", "stroke", "spiral",
-                                     "hatch",  "ring",  "cross",  "own path"};
-        int shape = static_cast<int>(settings.mark.shape);
-        if (choice_row("Dot shape", shape, kShapes,
-                       "circle: filled. point: the pen down and up. stroke: a short one. spiral, hatch: "
-                       "filled by the pen. own path: any that you type.")) {
-            settings.mark.shape = static_cast<DotShape>(shape);
-            if (settings.mark.shape == DotShape::path && settings.mark.path.empty())
-                settings.mark.path = kUsualPath;
-            changed = true;
-        }
+    const Absent absent(dots ? nullptr : "Applies to dots only.");
+    bool changed = false;
+    // As DotShape has them.
+    constexpr std::array kShapes{"circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "own path"};
+    int shape = static_cast<int>(settings.mark.shape);
+    if (choice_row("Dot shape", shape, kShapes,
+                   "circle: filled. point: the pen down and up. stroke: a short one. spiral, hatch: "
+                   "filled by the pen. own path: any that you type.")) {
+        settings.mark.shape = static_cast<DotShape>(shape);
+        if (settings.mark.shape == DotShape::path && settings.mark.path.empty())
+            settings.mark.path = kUsualPath;
+        changed = true;
     }
     const bool own = dots && settings.mark.shape == DotShape::path;
-    const Greyed greyed(own ? nullptr : "Applies to the dot shape \"own path\" only.");
+    const Absent not_own(own ? nullptr : "Applies to the dot shape \"own path\" only.");
     return text_row("Own shape", settings.mark.path, is_dot_path,
                     "A path in a box from 0,0 to 1,1: M, L, H, V, C, Q, A and Z, as in M0,0 L1,1",
                     "As in SVG, in a box from 0,0 at the upper left to 1,1, around each dot.", kUsualPath) ||
@@ -137,7 +127,7 @@ bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
                                  "lines from each dot to its nearest few.");
     if (changed) settings.style = static_cast<DrawingStyle>(style);
     changed |= draw_shape(settings);
-    const Greyed greyed(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
+    const Absent absent(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
     changed |= slider_row(setting::pen_width, settings.pen_width_mm, {.unit = unit});
     return changed;
 }
@@ -154,20 +144,17 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 }  // namespace
 
 bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
-    if (!section("Dots")) return false;
-    bool changed = false;
-    {
-        const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
-        const Greyed greyed(
-            follows ? "The number of dots sized by tone follows from their sizes and the tone." : nullptr);
-        changed |= draw_amount(settings.placing, drawn, follows);
-    }
+    if (!section("Drawing")) return false;
+    const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
+    bool changed = draw_amount(settings.placing, drawn, follows);
     changed |= draw_size(settings.dot_size, drawn, unit);
+    changed |= draw_strokes(settings, unit);
     {
-        const Greyed greyed(why_only_exact(settings.placer));
+        const Absent absent(why_only_exact(settings.placer));
         changed |= draw_relax(settings.relax, drawn);
     }
-    return draw_strokes(settings, unit) || changed;
+    const Absent absent(follows ? "Does not apply to dots sized by tone." : nullptr);
+    return draw_amount_by(settings.placing, drawn) || changed;
 }
 
 }  // namespace dapple

@@ -1,5 +1,5 @@
 #pragma once
-// The section "Dots": how many dots there are, how large, how even, in which shape.
+// The section "Drawing": how many dots there are, how large, how even, in which shape.
 
 #include "app/viewer/model/drawn_info.h"
 #include "core/drawing/settings.h"

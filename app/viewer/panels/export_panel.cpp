@@ -72,7 +72,7 @@ bool draw_gcode(SavingChoice& saving) {
         saving.pen_up = saving.pen_down = {};  // a servo's are no millimetres
     }
     {
-        const Greyed greyed(own.text.empty() ? "Choose a template of your own above." : nullptr);
+        const Absent absent(own.text.empty() ? "Choose a template of your own above." : nullptr);
         std::string file = own.file;
         if (text_row(
                 "Template", file, [](const std::string& name) { return template_in(name).has_value(); },
@@ -99,12 +99,12 @@ bool draw_gcode(SavingChoice& saving) {
         return true;
     };
     {
-        const Greyed greyed(burns ? "A laser has no pen to lift." : nullptr);
+        const Absent absent(burns ? "A laser has no pen to lift." : nullptr);
         changed |= height_row(setting::pen_up, saving.pen_up, usual.up);
         changed |= height_row(setting::pen_down, saving.pen_down, usual.down);
     }
     const bool fires = burns || !own.text.empty();
-    const Greyed greyed(fires ? nullptr : "Applies to lasers only: choose one above.");
+    const Absent absent(fires ? nullptr : "Applies to lasers only: choose one above.");
     changed |= slider_row(setting::laser_power, saving.laser_power);
     return changed;
 }
@@ -173,7 +173,7 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
         case FindingKind::overlap:
             if (drawing.style == DrawingStyle::dots && drawing.dot_size.sizing == DotSizing::automatic &&
                 drawing.tone.black.value_or(1) > kOpenBlack)
-                return Cure{fmt::format("Black {:g}", kOpenBlack),
+                return Cure{fmt::format("Deepest black {:g}", kOpenBlack),
                             [](ViewerSettings& settings) { settings.drawing.tone.black = kOpenBlack; }};
             break;
         case FindingKind::over_edge:
@@ -244,12 +244,12 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         }
     }
     if (has_pixels(format)) {
-        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
+        const Absent absent(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
                                                                      : nullptr);
         changed |= switch_row(setting::separations, settings.saving.separations);
     }
     if (!has_pixels(format) && !is_table(format)) {
-        const Greyed greyed(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
+        const Absent absent(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
                                                                      : nullptr);
         changed |= switch_row(setting::pen_files, settings.saving.pen_files);
     }

@@ -6,7 +6,7 @@
 
 namespace dapple {
 bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
-    if (!subsection("Mask", false)) {
+    if (!section("Mask")) {
         tool.on = false;  // what cannot be seen is not to paint
         return false;
     }
@@ -42,9 +42,8 @@ bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
                 .neutral = 1,
                 .hard_min = 0.01,
                 .tip = "How far one stroke goes; the next goes on from there."});
-    const Greyed greyed(mask.empty() ? "Nothing is masked." : nullptr);
-    const bool cleared =
-        wide_button("Clear the mask", "The whole picture is drawn as its tone says again.") && !mask.empty();
+    const Absent absent(mask.empty() ? "Nothing is masked." : nullptr);
+    const bool cleared = wide_button("Clear the mask", "The whole picture is drawn as its tone says again.");
     if (cleared) mask = {};
     return cleared;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The mask, within the section "Picture": the brush that paints where there are more dots, fewer or none.
+// The tool "Mask": the brush that paints where there are more dots, fewer or none.
 
 #include "app/viewer/model/mask_brush.h"
 #include "core/image/mask.h"

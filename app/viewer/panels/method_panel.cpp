@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -31,7 +32,7 @@ bool draw_density(DensityChoice& density) {
         "What the dots draw: the photograph, an even grey or a ramp from light to dark. On the last two a "
         "repeating tile is seen best.");
     density.source = static_cast<DensitySource>(source);
-    const Greyed greyed(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
+    const Absent absent(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
     changed |= slider_row("Grey", density.grey,
                           {.min = 0.01,
                            .max = 1,
@@ -43,7 +44,7 @@ bool draw_density(DensityChoice& density) {
 }
 
 bool draw_zooming(ViewerSettings& settings) {
-    const Greyed greyed(
+    const Absent absent(
         settings.drawing.placer == PlacerKind::exact ? nullptr : "Figure 8 places whole drawings only.");
     int mode = static_cast<int>(settings.zoom_mode);
     if (!segmented_row("Zooming in", mode, std::array{"larger dots", "more dots"},
@@ -102,17 +103,18 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
     return true;
 }
 
-void draw_film_buttons(const std::function<void(Action)>& act) {
-    constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
+void draw_film_buttons(std::span<const Action> films, const std::function<void(Action)>& act) {
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float air = ImGui::GetStyle().ItemSpacing.x, row = ImGui::GetContentRegionAvail().x;
-    for (const Action film : kFilms) {
-        const bool first = film == kFilms[0];
-        const Shortcut& button = shortcut_of(film);
-        if (!first) ImGui::SameLine();
-        if (key_button(button.label, {(row - 2 * air) * (first ? 0.5f : 0.25f), 0})) act(film);
+    const auto count = static_cast<float>(films.size());
+    const float room = row - (count - 1) * air, half = std::floor(room / 2);
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        const Shortcut& button = shortcut_of(films[i]);
+        if (i > 0) ImGui::SameLine();
+        const float width = i == 0 ? half : (room - half) / (count - 1);
+        if (key_button(button.label, {std::max(width, 1.0f), 0})) act(films[i]);
         note_place(button.label);
-        tip_beside(start, with_keys(button.tip, first ? Action::play : film).c_str());
+        tip_beside(start, with_keys(button.tip, i == 0 ? Action::play : films[i]).c_str());
     }
 }
 
@@ -130,7 +132,7 @@ bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
         changed = true;
     }
     {
-        const Greyed greyed(why_only_exact(drawing.placer));
+        const Absent absent(why_only_exact(drawing.placer));
         changed |= ranking_row("Ranking", drawing.ranking);
     }
     changed |= draw_density(settings.density);

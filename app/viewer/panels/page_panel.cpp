@@ -38,12 +38,12 @@ bool draw_paper(PageSetup& setup, const PageSize& drawn) {
 
 bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     const bool named = setup.paper != Paper::as_picture && setup.paper != Paper::custom;
-    const Greyed greyed(named ? kNamed : nullptr);
+    const Absent absent(named ? kNamed : nullptr);
     bool changed = false;
     // On a page of the picture's shape, the side typed last says how long the other is.
     const bool by_height = setup.paper == Paper::as_picture && setup.height_mm;
-    double width = named || by_height ? drawn.width_mm : setup.width_mm;
-    double height = named ? drawn.height_mm : setup.height_mm.value_or(drawn.height_mm);
+    double width = by_height ? drawn.width_mm : setup.width_mm;
+    double height = setup.height_mm.value_or(drawn.height_mm);
     if (slider_row(setting::width, width, {.unit = unit})) {
         setup.width_mm = width;
         if (setup.paper == Paper::as_picture) setup.height_mm.reset();
@@ -56,36 +56,53 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     return changed;
 }
 
-bool draw_margins(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
-    Margins& margins = setup.margins;
-    bool& each = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
-    const bool equal = margins == Margins{margins.top, margins.top, margins.top, margins.top};
-    int by = each || !equal ? 1 : 0;
-    bool changed = false;
-    if (segmented_row("Margins", by, std::array{"equal", "each side"},
-                      "Bare paper along the edges, in which no part of a dot lies.")) {
-        each = by == 1;
-        if (!each) {
-            margins = {margins.top, margins.top, margins.top, margins.top};
-            changed = !equal;
-        }
-    }
+bool are_equal(const Margins& margins) {
+    return margins == Margins{margins.top, margins.top, margins.top, margins.top};
+}
+
+// Whether each side has a row, though they may be alike at present.
+bool& each_side() {
+    return *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
+}
+
+SliderRange margin_range(const PageSize& drawn, LengthUnit unit, const char* tip) {
     // The picture keeps some room.
     const double shorter = std::min(drawn.width_mm, drawn.height_mm);
-    SliderRange range =
-        range_of(setting::margin, {.most = std::max(shorter * 0.49, 1.0),
-                                   .track = Track{0, std::clamp(shorter * 0.3, 1.0, 100.0)},
-                                   .unit = unit,
-                                   .tip = "How wide the bare paper is along all four edges."});
-    const bool alike = by == 0;
-    if (!alike) range.tip = "How wide the bare paper is along this edge.";
-    changed |= slider_row(alike ? setting::margin.names.row : "Top", margins.top, range);
+    return range_of(setting::margin, {.most = std::max(shorter * 0.49, 1.0),
+                                      .track = Track{0, std::clamp(shorter * 0.3, 1.0, 100.0)},
+                                      .unit = unit,
+                                      .tip = tip});
+}
+
+constexpr const char* kOneMargin = "How wide the bare paper is along this edge.";
+
+bool draw_margin(Margins& margins, const PageSize& drawn, LengthUnit unit) {
+    const bool alike = !each_side() && are_equal(margins);
+    const char* const tip = alike ? "How wide the bare paper is along all four edges." : kOneMargin;
+    const bool changed =
+        slider_row(alike ? setting::margin.names.row : "Top", margins.top, margin_range(drawn, unit, tip));
     if (alike) margins = {margins.top, margins.top, margins.top, margins.top};
-    const Greyed greyed(alike ? "All margins are alike; choose \"each side\" above." : nullptr);
+    return changed;
+}
+
+bool draw_other_margins(Margins& margins, const PageSize& drawn, LengthUnit unit) {
+    int by = each_side() || !are_equal(margins) ? 1 : 0;
+    bool changed = false;
+    if (segmented_row("Margins", by, std::array{"equal", "each side"},
+                      "Bare paper along the edges, in which no part of a dot lies. each side: they may "
+                      "differ.")) {
+        each_side() = by == 1;
+        if (by == 0) {
+            changed = !are_equal(margins);
+            margins = {margins.top, margins.top, margins.top, margins.top};
+        }
+    }
+    const Absent absent(by == 0 ? "Applies to margins that differ: choose \"each side\" for Margins."
+                                : nullptr);
+    const SliderRange range = margin_range(drawn, unit, kOneMargin);
     changed |= slider_row("Right", margins.right, range);
     changed |= slider_row("Bottom", margins.bottom, range);
-    changed |= slider_row("Left", margins.left, range);
-    return changed;
+    return slider_row("Left", margins.left, range) || changed;
 }
 
 bool draw_number_of_sheets(const char* label, int& number) {
@@ -107,12 +124,12 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
     bool changed = draw_number_of_sheets("Sheets across", sheets.columns);
     changed |= draw_number_of_sheets("Sheets down", sheets.rows);
     {
-        const Greyed greyed(is_several(sheets) ? nullptr : "Applies to several sheets only.");
+        const Absent absent(is_several(sheets) ? nullptr : "Applies to several sheets only.");
         changed |= slider_row(setting::overlap, sheets.overlap_mm, {.unit = unit});
     }
-    // Always a line, so that rows below keep their places.
+    if (!is_several(sheets)) return changed;
     try {
-        hint(is_several(sheets) ? (sheets_in_words(drawn, sheets, unit) + ".").c_str() : "One sheet.");
+        hint((sheets_in_words(drawn, sheets, unit) + ".").c_str());
         note_place("Sheets");
     } catch (const std::runtime_error& error) {
         hint("No sheets: their overlap is too wide.");
@@ -126,30 +143,16 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
 
 bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit& unit) {
     if (!section("Page")) return false;
-    bool changed = false;
-    int shown_in = unit == LengthUnit::inch ? 1 : 0;
-    if (segmented_row("Lengths in", shown_in, std::array{"mm", "inch"},
-                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
-                      "are understood in either.")) {
-        unit = shown_in == 1 ? LengthUnit::inch : LengthUnit::mm;
-        changed = true;
-    }
     // "Paper" alone is the colour of it.
-    changed |= draw_paper(setup, drawn);
-    const char* const shaped = setup.paper == Paper::as_picture ? kPictureShape : nullptr;
+    bool changed = draw_paper(setup, drawn);
     {
-        const Greyed greyed(shaped);
+        const Absent absent(setup.paper == Paper::as_picture ? kPictureShape : nullptr);
         int orientation = static_cast<int>(setup.orientation);
         if (choice_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"},
                        "Whether the sheet is portrait or landscape; auto: as the picture is.")) {
             setup.orientation = static_cast<PageOrientation>(orientation);
             changed = true;
         }
-    }
-    changed |= draw_sides(setup, drawn, unit);
-    changed |= draw_margins(setup, drawn, unit);
-    {
-        const Greyed greyed(shaped);
         int fit = static_cast<int>(setup.fit);
         if (segmented_row("Fit", fit, std::array{"inside", "fill"},
                           "inside: all of the picture, centred within the margins. fill: the middle of the "
@@ -158,7 +161,19 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
             changed = true;
         }
     }
-    return draw_sheets(sheets, drawn, unit) || changed;
+    changed |= draw_sides(setup, drawn, unit);
+    changed |= draw_margin(setup.margins, drawn, unit);
+    if (!subsection("More page settings", false)) return changed;
+    changed |= draw_other_margins(setup.margins, drawn, unit);
+    changed |= draw_sheets(sheets, drawn, unit);
+    int shown_in = unit == LengthUnit::inch ? 1 : 0;
+    if (segmented_row("Lengths in", shown_in, std::array{"mm", "inch"},
+                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
+                      "are understood in either.")) {
+        unit = shown_in == 1 ? LengthUnit::inch : LengthUnit::mm;
+        changed = true;
+    }
+    return changed;
 }
 
 }  // namespace dapple

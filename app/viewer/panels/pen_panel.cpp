@@ -12,6 +12,7 @@
 #include "app/viewer/widgets/widgets.h"
 #include "core/pens/pen.h"
 #include "core/pens/separation.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 namespace {
@@ -66,51 +67,91 @@ Palette pens_to_keep(const PenChoice& choice, const PensSeen& seen) {
     return Palette(seen.drawn.begin(), seen.drawn.end());
 }
 
-bool draw_set(DrawingSettings& settings) {
-    int set = static_cast<int>(settings.pens.set);
+// The choice that people make, of which pens and which colours of ink and paper are two parts.
+enum class Inks { one, white_on_black, greys, cmyk, own, automatic };
+
+Inks inks_of(const DrawingSettings& settings) {
+    switch (settings.pens.set) {
+        case PenSet::one:
+            return settings.tone.invert && settings.ink == kWhite && settings.paper == kBlack
+                       ? Inks::white_on_black
+                       : Inks::one;
+        case PenSet::greys:
+            return Inks::greys;
+        case PenSet::cmyk:
+            return Inks::cmyk;
+        case PenSet::own:
+            return Inks::own;
+        case PenSet::automatic:
+            return Inks::automatic;
+    }
+    return Inks::one;
+}
+
+void take_inks(DrawingSettings& settings, Inks inks) {
+    constexpr PenSet kSets[] = {PenSet::one,  PenSet::one, PenSet::greys,
+                                PenSet::cmyk, PenSet::own, PenSet::automatic};
+    const PenSet set = kSets[static_cast<int>(inks)];
+    const bool white = inks == Inks::white_on_black;
+    if (set == PenSet::own && settings.pens.own.empty()) settings.pens.own = palette_to_begin_with(settings);
+    // White ink draws light, and all others draw darkness again.
+    if (white || inks_of(settings) == Inks::white_on_black) {
+        settings.tone.invert = white;
+        settings.ink = white ? kWhite : kBlack;
+        settings.paper = white ? kBlack : kWhite;
+    }
+    settings.pens.set = set;
+}
+
+bool draw_inks(DrawingSettings& settings) {
+    int chosen = static_cast<int>(inks_of(settings));
     if (!choice_row(
-            "Which pens", set, std::array{"one", "greys", "CMYK", "own", "automatic"},
-            "Several pens, whose colours mix to the picture's; dots of all keep apart. own: pens "
-            "that you name. automatic: those that suit the picture, of common colours or of your own, as "
-            "Palette says."))
+            "Inks", chosen, std::array{"one ink", "white on black", "greys", "CMYK", "own pens", "automatic"},
+            "One ink, or several pens, whose colours mix to the picture's; dots of all keep apart. white on "
+            "black: draws the light of the picture. own pens: pens that you name. automatic: those that suit "
+            "the picture, of common colours or of your own, as Palette says."))
         return false;
-    const auto chosen = static_cast<PenSet>(set);
-    if (chosen == PenSet::own && settings.pens.own.empty())
-        settings.pens.own = palette_to_begin_with(settings);
-    settings.pens.set = chosen;
+    take_inks(settings, static_cast<Inks>(chosen));
     return true;
 }
 
-bool draw_made_set(PenChoice& pens, LengthUnit unit) {
-    bool changed = false;
-    const bool from_own = chooses_from_own(pens);
-    {
-        const Greyed greyed(pens.set == PenSet::automatic ? nullptr : "Applies to automatic pens only.");
-        double count = pens.automatic;
-        if (slider_row("How many", count,
-                       {.min = 1,
-                        .max = from_own ? double(pens.own.size() - 1) : double{kMostPens},
-                        .neutral = 4,
-                        .format = "%.0f",
-                        .tip = "How many pens are chosen for the picture; more of them mix more colours."})) {
-            pens.automatic = static_cast<int>(std::lround(count));
-            changed = true;
-        }
-    }
-    const char* const no_width =
-        pens.set == PenSet::one
-            ? "Applies to several pens only; one pen is as wide as its dots, or as set under Dots."
-        : pens.set == PenSet::own ? "Each pen of your own has its width below."
-        : from_own                ? "Each pen of the palette has its width."
-                                  : nullptr;
-    const Greyed greyed(no_width);
-    changed |= slider_row("Tip width", pens.width_mm, width_range(unit));
-    const Greyed no_gain(no_width || pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
+// In colour, as it is an offer.
+bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
+    const Absent absent(mostly_black ? nullptr : "Applies to pictures that are nearly black only.");
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+    const bool pressed =
+        wide_button("White ink on black paper",
+                    "Nearly all dots go into black: this draws the light of the picture instead.");
+    ImGui::PopStyleColor();
+    if (pressed) take_inks(settings, Inks::white_on_black);
+    return pressed;
+}
+
+bool draw_number(PenChoice& pens) {
+    const Absent absent(pens.set == PenSet::automatic ? nullptr : "Applies to automatic pens only.");
+    double count = pens.automatic;
+    if (!slider_row("How many", count,
+                    {.min = 1,
+                     .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
+                     .neutral = 4,
+                     .format = "%.0f",
+                     .tip = "How many pens are chosen for the picture; more of them mix more colours."}))
+        return false;
+    pens.automatic = static_cast<int>(std::lround(count));
+    return true;
+}
+
+bool draw_tips(PenChoice& pens, LengthUnit unit) {
+    const char* const no_width = pens.set == PenSet::own  ? "Each pen of your own has its width."
+                                 : chooses_from_own(pens) ? "Each pen of the palette has its width."
+                                                          : nullptr;
+    const Absent absent(no_width);
+    const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit));
+    const Absent no_gain(pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
     return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
 
 bool draw_order(PenChoice& pens) {
-    const Greyed greyed(pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     int order = static_cast<int>(pens.order);
     if (!choice_row(
             "Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
@@ -121,12 +162,22 @@ bool draw_order(PenChoice& pens) {
     return true;
 }
 
-bool draw_ink(PenChoice& pens) {
-    const Greyed greyed(pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
+bool draw_pen_ink(PenChoice& pens) {
     int ink = static_cast<int>(pens.ink);
     if (!choice_row(setting::pen_ink.names.row, ink, names_of(pens.ink), setting::pen_ink.help)) return false;
     pens.ink = static_cast<PenInk>(ink);
     return true;
+}
+
+bool draw_black_ink(PenChoice& pens) {
+    const Absent absent(pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
+    return slider_row(
+        "Black ink", pens.black,
+        {.min = 0,
+         .max = 1,
+         .neutral = kUsualBlack,
+         .tip = "How much of greys is drawn in black instead of in three colours that make grey: "
+                "0 as little as possible, 1 as much."});
 }
 
 bool is_free(const Palette& pens, const std::string& name) {
@@ -162,12 +213,12 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
         colour_row(("Colour" + number).c_str(), pen.colour, "The colour that the pen leaves on paper.");
     changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
     {
-        const Greyed greyed(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
+        const Absent absent(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     {
-        const Greyed greyed(place == 0 ? "Already first."
+        const Absent absent(place == 0 ? "Already first."
                             : choice.order != PenOrder::listed
                                 ? "Applies to the pen order \"as listed\" only."
                                 : nullptr);
@@ -175,7 +226,7 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
             pressed = OwnPenButton::earlier;
     }
     {
-        const Greyed greyed(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
+        const Absent absent(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
         if (wide_button(("Remove " + pen.name).c_str(), "Takes the pen out of the set; undo brings it back."))
             pressed = OwnPenButton::remove;
     }
@@ -205,7 +256,7 @@ bool draw_own_pens(PenChoice& choice, LengthUnit unit) {
 
 // Above the list, so that it stays where it is while the list grows.
 bool draw_adding(PenChoice& pens) {
-    const Greyed greyed(pens.set != PenSet::own        ? "Applies to pens of your own only."
+    const Absent absent(pens.set != PenSet::own        ? "Applies to pens of your own only."
                         : pens.own.size() >= kMostPens ? "That is the maximum."
                                                        : nullptr);
     if (!wide_button("Add a pen", "One more pen, in a colour that many makers have; change it as you like."))
@@ -214,7 +265,8 @@ bool draw_adding(PenChoice& pens) {
     return true;
 }
 
-void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
+// One pen alone; the eyes above are then of no use.
+void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
     std::vector<std::string> names{"all pens"};
     for (std::size_t i = 0; i < drawn.size(); ++i)
         names.push_back(std::to_string(i + 1) + " " + drawn[i].name + " alone");
@@ -222,60 +274,67 @@ void draw_shown_pens(std::span<const Pen> drawn, ShownPens& shown) {
     for (const std::string& name : names) entries.push_back(name.c_str());
     const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
     int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
-    {
-        const Greyed greyed(drawn.empty() ? "Applies to several pens only." : nullptr);
-        if (choice_row("Look at", chosen, entries,
-                       "Shows the dots of all pens or of one alone, as its layer has them. Only a way of "
-                       "looking: files have all pens."))
-            shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
-    }
-    const Greyed greyed(chosen > 0 ? "One pen is looked at alone, as the row above says." : nullptr);
-    for (const Pen& pen : drawn) {
-        bool seen = !shown.hidden.contains(pen.name);
-        if (!switch_row(("Show " + pen.name).c_str(), seen,
-                        "Whether this pen's dots are seen in the window; files have them all the same.",
-                        true))
+    if (choice_row("Look at", chosen, entries,
+                   "Shows the dots of all pens or of one alone, as its layer has them. Only a way of "
+                   "looking: files have all pens."))
+        shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
+}
+
+// A row for each pen that drew what is seen.
+void draw_pen_faces(const PensSeen& seen) {
+    if (!seen.shown) return;
+    ShownPens& shown = *seen.shown;
+    for (std::size_t i = 0; i < seen.drawn.size(); ++i) {
+        const Pen& pen = seen.drawn[i];
+        bool is_seen = shown.only.empty() ? !shown.hidden.contains(pen.name) : shown.only == pen.name;
+        if (!eye_row(("Show " + pen.name).c_str(), pen.name, pen.colour,
+                     i < seen.dots.size() ? grouped(seen.dots[i]) : "", is_seen,
+                     "Whether this pen's dots are seen in the window; files have them all the same."))
             continue;
-        if (seen)
+        shown.only.clear();
+        if (is_seen)
             shown.hidden.erase(pen.name);
         else
             shown.hidden.insert(pen.name);
     }
 }
 
+bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
+    const Absent absent(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
+    if (!subsection("More pen settings", false)) return false;
+    bool changed = draw_tips(settings.pens, unit);
+    changed |= draw_order(settings.pens);
+    changed |= draw_pen_ink(settings.pens);
+    changed |= draw_black_ink(settings.pens);
+    changed |= switch_row(setting::registration, settings.registration);
+    if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
+    changed |= draw_adding(settings.pens);
+    if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
+    return changed;
+}
+
 }  // namespace
 
 bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen,
-                    const KeptPalettes& kept) {
-    if (!section("Pens")) return false;
-    bool changed = draw_set(settings);
-    if (kept.row) changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
-    changed |= draw_made_set(settings.pens, unit);
-    changed |= draw_order(settings.pens);
-    changed |= draw_ink(settings.pens);
+                    const KeptPalettes& kept, bool mostly_black) {
+    if (!section("Ink and paper")) return false;
+    bool changed = draw_inks(settings);
+    changed |= draw_light_ink(settings, mostly_black);
     {
-        const Greyed greyed(settings.pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
-        changed |= slider_row("Black ink", settings.pens.black,
-                              {.min = 0,
-                               .max = 1,
-                               .neutral = kUsualBlack,
-                               .tip = "How much of greys is drawn in black instead of in three colours that "
-                                      "make grey: 0 as little as possible, 1 as much."});
-    }
-    {
-        const Greyed greyed(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
-        changed |= switch_row(setting::registration, settings.registration);
-    }
-    {
-        const Greyed greyed(settings.pens.set == PenSet::one ? nullptr
+        const Absent absent(settings.pens.set == PenSet::one ? nullptr
                                                              : "Several pens have colours of their own.");
         changed |= colour_row(setting::ink, settings.ink, kBlack);
     }
     changed |= colour_row(setting::paper, settings.paper, kWhite);
-    changed |= draw_adding(settings.pens);
-    if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
-    if (seen.shown) draw_shown_pens(seen.drawn, *seen.shown);
-    return changed;
+    changed |= draw_number(settings.pens);
+    {
+        const bool named = settings.pens.set == PenSet::own || settings.pens.set == PenSet::automatic;
+        const Absent absent(named ? nullptr : "Applies to own and automatic pens only.");
+        if (kept.row)
+            changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
+    }
+    draw_pen_faces(seen);
+    return draw_more(settings, unit, seen) || changed;
 }
 
 }  // namespace dapple

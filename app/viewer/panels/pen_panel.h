@@ -1,6 +1,7 @@
 #pragma once
-// The section "Pens": which pens draw, and the colours of ink and paper.
+// The section "Ink and paper": which pens draw, and the colours of ink and paper.
 
+#include <cstdint>
 #include <span>
 
 #include "app/viewer/model/banner.h"
@@ -14,7 +15,8 @@ namespace dapple {
 /// The pens that drew what is seen, several or none, and which of them are looked at.
 struct PensSeen {
     std::span<const Pen> drawn = {};
-    ShownPens* shown = nullptr;  // none: no rows for it
+    std::span<const std::uint64_t> dots = {};  // how many each of them drew; empty: not known
+    ShownPens* shown = nullptr;                // none: no rows for it
 };
 
 /// Those kept by name.
@@ -23,10 +25,11 @@ struct KeptPalettes {
     Banner* banner = nullptr;   // with a row: see PaletteRow
 };
 
-/// True while a setting changes. Pens of one's own are listed near the end: each has a name, a colour, a
-/// width, a smallest gap and a dot gain, and can be removed while there is another. At the end one pen can be
-/// looked at alone, and each be hidden, which is no setting.
+/// True while a setting changes. Each pen that drew has a row with its colour, its dots and an eye, which is
+/// no setting. Pens of one's own are listed at the end: each has a name, a colour, a width, a smallest gap
+/// and a dot gain, and can be removed while there is another. `mostly_black`: light ink would draw the
+/// picture better (see core/image/ink_use.h), and is offered.
 bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm, const PensSeen& seen = {},
-                    const KeptPalettes& kept = {});
+                    const KeptPalettes& kept = {}, bool mostly_black = false);
 
 }  // namespace dapple

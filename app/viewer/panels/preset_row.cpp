@@ -1,8 +1,12 @@
 #include "app/viewer/panels/preset_row.h"
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <exception>
 #include <string>
+
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {
@@ -10,6 +14,7 @@ namespace {
 // In heights of a line of text.
 constexpr EntryBox kPresetBox{6, 4};
 constexpr float kListWidth = 30;
+constexpr EntryBox kStripBox{5, 3.6f};
 
 }  // namespace
 
@@ -61,6 +66,24 @@ void PresetRow::draw(const SavedSettings& now, const std::function<void(const Sa
         return draw_preset(presets_[static_cast<std::size_t>(which)], marked, now, preview);
     };
     row_.draw(things, banner);
+    draw_strip(now, take, preview, things.chosen);
+}
+
+void PresetRow::draw_strip(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
+                           const Preview& preview, int chosen) {
+    ImGui::BeginChild("##strip", {0, strip_height(kStripBox)}, false,
+                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
+    for (int i = 0; i < static_cast<int>(presets_.size()); ++i) {
+        const Preset& preset = presets_[static_cast<std::size_t>(i)];
+        if (i > 0) ImGui::SameLine();
+        const EntryPicture picture = next_entry_shows(kStripBox)
+                                         ? preview(with_preset(preset.settings.drawing, now.drawing))
+                                         : EntryPicture{};
+        if (strip_entry("Style " + preset.name, preset.name, i == chosen, picture, kStripBox))
+            take(preset.settings);
+        tip(preset.about.empty() ? "Your own preset." : (preset.about + ".").c_str());
+    }
+    ImGui::EndChild();
 }
 
 }  // namespace dapple

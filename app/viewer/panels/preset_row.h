@@ -1,5 +1,6 @@
 #pragma once
-// The row "Preset" at the top of the column: chooses one, saves the settings as one, removes one.
+// The row "Preset" at the top of the column: chooses one, saves the settings as one, removes one. Below it a
+// strip of what all of them make of the picture.
 
 #include <filesystem>
 #include <functional>
@@ -28,6 +29,8 @@ class PresetRow {
 
  private:
     void read(Banner& banner);
+    void draw_strip(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
+                    const Preview& preview, int chosen);
     bool draw_preset(const Preset& preset, bool marked, const SavedSettings& now, const Preview& preview);
 
     std::filesystem::path folder_;

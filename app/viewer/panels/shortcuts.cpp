@@ -80,6 +80,22 @@ constexpr Entry kEntries[] = {
      {Action::film_plot, "", "Film: as a machine plots it", "Watch it being plotted",
       "Shows the pen's way in its order, with the time that a machine takes."}},
     {In::drawing, {Action::save_film, "", "Save the film that is played"}},
+    {In::drawing,
+     {Action::crop, "X", "Crop the picture", "Crop",
+      "A frame around what is drawn: drag its edges, its corners or all of it."}},
+    {In::drawing,
+     {Action::mask, "B", "Paint a mask: more dots here, fewer or none there", "Mask",
+      "A brush that paints where there are more dots, fewer or none."}},
+    {In::drawing,
+     {Action::rotate, "R", "Rotate the picture by a quarter turn", "Rotate",
+      "Turns the picture clockwise on the page."}},
+    {In::drawing,
+     {Action::variations, "V", "Variations: nine drawings to choose from", "Variations",
+      "Nine small drawings: lighter, darker, with fewer or more dots, in colour. A click takes one."}},
+    {In::drawing,
+     {Action::method, "M", "The method: tiles, ranks, spectrum", "The method",
+      "How it works: the tile that all dots come from, its boundaries, its ranks, why it repeats or does "
+      "not, the spectrum of the dots, and films of them."}},
     {In::drawing, {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"}},
     {In::drawing, {Action::larger_brush, "]", "A larger brush"}},
     {In::drawing,
@@ -117,11 +133,12 @@ struct NamedKey {
     Key key;
 };
 constexpr NamedKey kKeys[] = {
-    {"B", Key::b},         {"C", Key::c},   {"E", Key::e},       {"F", Key::f},       {"I", Key::i},
-    {"L", Key::l},         {"O", Key::o},   {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},
-    {"T", Key::t},         {"V", Key::v},   {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},
-    {",", Key::comma},     {"Up", Key::up}, {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right},
-    {"Space", Key::space}, {"F1", Key::f1}, {"F11", Key::f11},
+    {"B", Key::b},       {"C", Key::c},       {"E", Key::e},         {"F", Key::f},         {"I", Key::i},
+    {"L", Key::l},       {"M", Key::m},       {"R", Key::r},         {"X", Key::x},         {"O", Key::o},
+    {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},         {"T", Key::t},         {"V", Key::v},
+    {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},      {",", Key::comma},     {"Up", Key::up},
+    {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right}, {"Space", Key::space}, {"F1", Key::f1},
+    {"F11", Key::f11},
 };
 
 bool is_arrow(Key key) {

@@ -39,6 +39,11 @@ enum class Action {
     film_zoom,
     film_plot,
     save_film,
+    crop,  // tools, which take the column's place until they are asked for again
+    mask,
+    rotate,
+    variations,
+    method,  // what students look at, likewise
     smaller_brush,
     larger_brush,
     photograph,  // until it is asked for again, or while a key is held: see photograph_key_down()

@@ -3,6 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
@@ -29,12 +32,12 @@ void begin_side_panel(glm::vec2 corner, glm::vec2 size, const SidePanelTitle& ti
                  kNeverAsksForFocus | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoTitleBar |
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    draw_title(title.name, act);
+    draw_title(title.name, title.undo, act);
     // One line, whatever there is to say: nothing moves when a picture arrives.
     ImGui::TextDisabled("%s", title.description.c_str());
     if (ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x) tip(title.description.c_str());
     ImGui::Dummy({0, 0});
-    draw_action_buttons(title.undo, title.has_project, act);
+    draw_action_buttons(title.has_project, act);
 }
 
 void end_side_panel() {
@@ -44,72 +47,86 @@ void end_side_panel() {
 
 namespace {
 
-void draw_picture_section(Session& session) {
-    DrawingSettings& drawing = session.settings.drawing;
-    if (!section("Picture")) {  // what cannot be seen is not to paint or to frame
-        session.brush.on = session.cropping = false;
-        return;
-    }
-    const PlacedDrawing& page = session.pane().page();
-    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
-    draw_tone_panel(drawing, {.histogram = histogram,
-                              .drawn = page.tone,
-                              .usual_exposure = session.picture().exposure,
-                              .usual = page.usual_tone,
-                              .mostly_black = mostly_black(histogram, page.tone)});
-    draw_rotate_row(drawing.page.quarter_turns);
-    slider_row(
-        "Photograph", session.settings.picture_opacity,
-        {.min = 0,
-         .max = 1,
-         .neutral = 0,
-         .tip = "How much of the photograph shows through under the dots; holding C shows all of it."});
-    draw_crop_rows(drawing.page.crop, page.picture_pixels, session.cropping);
-    draw_mask_panel(drawing.mask, session.brush);
+constexpr char kMethodTitle[] = "The method";
+
+std::vector<std::uint64_t> dots_by_pen(const PlacedDrawing& page) {
+    std::vector<std::uint64_t> dots(page.pens.size());
+    for (const Dots& piece : page.dots.pieces)
+        if (static_cast<std::size_t>(piece.pen) < dots.size())
+            dots[static_cast<std::size_t>(piece.pen)] += piece.size();
+    return dots;
 }
 
 void draw_settings(Session& session, PaletteRow* palettes) {
     ViewerSettings& settings = session.settings;
-    draw_picture_section(session);
+    DrawingSettings& drawing = settings.drawing;
+    const PlacedDrawing& page = session.pane().page();
     const DrawnInfo drawn = session.drawn(session.pane());
-    draw_dots_panel(settings.drawing, drawn, settings.unit);
-    draw_page_panel(settings.drawing.page, settings.drawing.sheets, drawn.page, settings.unit);
-    draw_pen_panel(settings.drawing, settings.unit, {session.pane().page().pens, &session.shown_pens},
-                   {palettes, &session.banner});
+    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
+    draw_dots_panel(drawing, drawn, settings.unit);
+    draw_tone_panel(drawing, {.histogram = histogram,
+                              .drawn = page.tone,
+                              .usual_exposure = session.picture().exposure,
+                              .usual = page.usual_tone,
+                              .photograph = &settings.picture_opacity});
+    draw_pen_panel(drawing, settings.unit, {page.pens, dots_by_pen(page), &session.shown_pens},
+                   {palettes, &session.banner}, mostly_black(histogram, page.tone));
+    draw_page_panel(drawing.page, drawing.sheets, drawn.page, settings.unit);
 }
 
-void draw_method(Session& session, const std::function<void()>& open_tile) {
-    draw_method_rows(session.settings, {session.tiles(), open_tile});
+void draw_crop(Session& session) {
+    PageSetup& setup = session.settings.drawing.page;
+    const PlacedDrawing& page = session.pane().page();
+    draw_crop_rows(setup, session.cropping, page.picture_pixels, session.room_for_crop());
+}
+
+void draw_method(Session& session, const std::function<void(Action)>& act) {
+    constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
+    draw_film_buttons(kFilms, act);
+    draw_method_rows(session.settings, {session.tiles(), [&act] { act(Action::open_tile); }});
     draw_compare_panel(session.settings, {session.tiles()});
-}
-
-void draw_export_section(const std::function<void(Action)>& act) {
-    if (!section("Export")) return;
-    const Shortcut& plot = shortcut_of(Action::film_plot);
-    if (wide_button(plot.label, plot.tip)) act(Action::film_plot);
-    if (wide_button(
-            "Export the drawing...",
-            with_keys(
-                "Saves it for plotters, laser cutters, printers or screens: SVG, PDF, PNG, G-code and more.",
-                Action::save_as)
-                .c_str()))
-        act(Action::save_as);
 }
 
 }  // namespace
 
 void SidePanel::draw_rows(Session& session) {
     draw_settings(session, nullptr);
-    section("The method");
-    draw_method(session, [] {});
+    draw_crop(session);
+    draw_mask_panel(session.settings.drawing.mask, session.brush);
+    section(kMethodTitle);
+    draw_method_rows(session.settings, {session.tiles()});
+    draw_compare_panel(session.settings, {session.tiles()});
     static_cast<void>(draw_spectrum_panel({}));
     TilePanelState shown;
     draw_tile_panel(session.pane().tile(), shown);
 }
 
+void SidePanel::turn_to(Column column, Session& session) {
+    column_ = column == column_ ? Column::drawing : column;
+    session.cropping.on = column_ == Column::crop;
+    session.brush.on = column_ == Column::mask;
+}
+
+// What is asked for by a list of all rows may be in another column.
+void SidePanel::turn_to_revealed(Session& session) {
+    const ListedRow* const row = row_to_reveal();
+    if (!row || row->label == revealed_) {
+        if (!row) revealed_.clear();
+        return;
+    }
+    revealed_ = row->label;
+    const std::string& section = row->sections.empty() ? row->label : row->sections.front();
+    const Column wanted = section == "Crop"         ? Column::crop
+                          : section == "Mask"       ? Column::mask
+                          : section == kMethodTitle ? Column::method
+                                                    : Column::drawing;
+    if (wanted != column_) turn_to(wanted, session);
+}
+
 OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
                              const PresetRow::Preview& preview, const std::function<void(Action)>& act,
                              glm::vec2 corner, glm::vec2 size) {
+    turn_to_revealed(session);
     begin_side_panel(corner, size,
                      {session.picture().name,
                       session.picture().description,
@@ -117,20 +134,39 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
                       true},
                      act);
     ViewerSettings& settings = session.settings;
-    presets_.draw(
-        {settings.drawing, settings.saving},
-        [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
-    draw_settings(session, &palettes_);
-    draw_export_section(act);
-    OpenSections open{.method = section("The method", false)};
-    if (open.method) {
-        draw_film_buttons(act);
-        draw_method(session, [&act] { act(Action::open_tile); });
-        open.spectrum = draw_spectrum_panel(spectrum);
-        const Pane& pane = session.pane();
-        if (tiles_seen_ != pane.tiles()) tile_ = {};
-        tiles_seen_ = pane.tiles();
-        draw_tile_panel(pane.tile(), tile_);
+    OpenSections open{.method = column_ == Column::method};
+    if (column_ != Column::drawing &&
+        wide_button("Back to the drawing", "To the settings of the drawing.   Escape"))
+        turn_to(Column::drawing, session);
+    switch (column_) {
+        case Column::drawing: {
+            presets_.draw(
+                {settings.drawing, settings.saving},
+                [&](const SavedSettings& preset) { session.take_preset(preset); }, preview, session.banner);
+            draw_settings(session, &palettes_);
+            ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
+            constexpr Action kFilms[] = {Action::film_growth, Action::film_plot};
+            draw_film_buttons(kFilms, act);
+            for (const Action action : {Action::variations, Action::method}) {
+                const Shortcut& button = shortcut_of(action);
+                if (wide_button(button.label, with_keys(button.tip, action).c_str())) act(action);
+            }
+            break;
+        }
+        case Column::crop:
+            draw_crop(session);
+            break;
+        case Column::mask:
+            draw_mask_panel(settings.drawing.mask, session.brush);
+            break;
+        case Column::method:
+            draw_method(session, act);
+            open.spectrum = draw_spectrum_panel(spectrum);
+            const Pane& pane = session.pane();
+            if (tiles_seen_ != pane.tiles()) tile_ = {};
+            tiles_seen_ = pane.tiles();
+            draw_tile_panel(pane.tile(), tile_);
+            break;
     }
     end_side_panel();
     return open;

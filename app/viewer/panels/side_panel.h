@@ -32,7 +32,7 @@ struct OpenSections {
     bool method = false, spectrum = false;  // see draw_spectrum_panel()
 };
 
-/// That of a drawing: what an artist does, from the picture to the file, and at last the method.
+/// That of a drawing, in the order in which an artist decides.
 class SidePanel {
  public:
     /// The folders of the person's own: see preset_row.h and palette_row.h.
@@ -42,11 +42,19 @@ class SidePanel {
     /// Its rows alone, to be listed: see RowListing.
     static void draw_rows(Session& session);
 
+    Column column() const { return column_; }
+    /// From the one that there is, back to the drawing.
+    void turn_to(Column column, Session& session);
+
     /// Draws it into a rectangle. The panels edit the session's settings; the buttons call `act`.
     OpenSections draw(Session& session, const SpectrumInfo& spectrum, const PresetRow::Preview& preview,
                       const std::function<void(Action)>& act, glm::vec2 corner, glm::vec2 size);
 
  private:
+    void turn_to_revealed(Session& session);
+
+    Column column_ = Column::drawing;
+    std::string revealed_;  // the row that was turned to last
     PresetRow presets_;
     PaletteRow palettes_;
     TilePanelState tile_;

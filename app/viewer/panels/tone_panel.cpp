@@ -3,17 +3,15 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 
 #include "app/viewer/panels/histogram_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
+#include "core/settings/setting.h"
 
 namespace dapple {
 namespace {
-
-enum class Source { automatic, true_light, own };
 
 // A tone without black and white point and the curve between them.
 Tone without_curve(const Tone& tone) {
@@ -24,32 +22,26 @@ Tone without_curve(const Tone& tone) {
             .invert = tone.invert};
 }
 
-Source source_of(const DrawingSettings& settings) {
-    if (settings.automatic_tone) return Source::automatic;
-    const bool neutral = settings.tone == without_curve(settings.tone) && settings.tone.detail == 0 &&
-                         settings.tone.black.value_or(1) == 1;
-    return neutral ? Source::true_light : Source::own;
+bool is_true_light(const DrawingSettings& settings) {
+    return !settings.automatic_tone && settings.tone == without_curve(settings.tone);
 }
 
-bool draw_source(DrawingSettings& settings, const Tone& drawn) {
-    int chosen = static_cast<int>(source_of(settings));
-    if (!segmented_row(
-            "Tone from", chosen, std::array{"auto", "true", "custom"},
-            "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers "
-            "just the light that the picture lacks. custom: as the handles and sliders say."))
-        return false;
-    const auto source = static_cast<Source>(chosen);
-    settings.automatic_tone = source == Source::automatic;
-    settings.tone = source == Source::own ? drawn : without_curve(settings.tone);
-    if (source != Source::own) settings.tone.black.reset();
-    if (source == Source::automatic) settings.tone.detail = kAutoDetail;
-    if (source == Source::true_light) settings.tone.detail = 0;
+// One slider from true light to automatic tone. A tone of the person's own is neither: moving the slider
+// leaves it.
+bool draw_automatic(DrawingSettings& settings) {
+    const bool automatic = settings.automatic_tone;
+    const bool is_true = is_true_light(settings);
+    double strength = is_true ? 0 : settings.tone_strength;
+    const char* const format = is_true || (automatic && strength == 0) ? "true" : automatic ? nullptr : "own";
+    if (!slider_row(setting::tone_strength, strength, {.format = format})) return false;
+    Tone& tone = settings.tone;
+    tone = without_curve(tone);
+    settings.automatic_tone = strength > 0;
+    if (settings.automatic_tone) settings.tone_strength = strength;
+    if (settings.automatic_tone && automatic) return true;
+    tone.black.reset();
+    tone.detail = settings.automatic_tone ? kAutoDetail : 0;
     return true;
-}
-
-bool draw_strength(DrawingSettings& settings) {
-    const Greyed greyed(settings.automatic_tone ? nullptr : "Applies to automatic tone only.");
-    return slider_row(setting::tone_strength, settings.tone_strength);
 }
 
 bool draw_levels(Tone& tone, const Tone& usual) {
@@ -65,10 +57,7 @@ bool draw_levels(Tone& tone, const Tone& usual) {
         tone.black_point = std::min(tone.black_point, tone.white_point - kGap);
         changed = true;
     }
-    changed |= slider_row(setting::contrast, tone.contrast);
-    changed |= slider_row(setting::brightness, tone.brightness);
-    changed |= slider_row(setting::gamma, tone.gamma, {.usual = usual.gamma});
-    return changed;
+    return slider_row(setting::gamma, tone.gamma, {.usual = usual.gamma}) || changed;
 }
 
 // The usual one is automatic again: the next picture has its own.
@@ -92,37 +81,15 @@ const char* why_no_black(const DrawingSettings& settings) {
                                                           : nullptr;
 }
 
-// True light draws the picture as it is.
-bool is_true_light(const DrawingSettings& settings) {
-    return !settings.automatic_tone && settings.tone == without_curve(settings.tone);
-}
-
 // Where none is chosen it follows the number of dots, with automatic tone, or is solid.
 bool draw_black(DrawingSettings& settings, const ToneInfo& info) {
-    const Greyed greyed(why_no_black(settings));
+    const Absent absent(why_no_black(settings));
     std::optional<double>& black = settings.tone.black;
     const double automatic = info.usual.black.value_or(1), none = settings.automatic_tone ? automatic : 1;
     double shown = black.value_or(none);
     if (!slider_row(setting::black, shown, {.usual = is_true_light(settings) ? 1 : automatic})) return false;
     black = shown;
     if (shown == none) black.reset();
-    return true;
-}
-
-// Light ink, or dark ink again; in colour where dots would go into a black ground.
-bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
-    const bool light = !settings.tone.invert;
-    if (mostly_black) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
-    const bool pressed = wide_button(
-        light ? "White ink on black paper" : "Black ink on white paper",
-        mostly_black ? "Nearly all dots go into black: this draws the light of the picture instead."
-        : light      ? "Draws the light of a dark picture instead of its darkness."
-                     : "Draws the darkness of the picture again.");
-    if (mostly_black) ImGui::PopStyleColor();
-    if (!pressed) return false;
-    settings.tone.invert = light;
-    settings.ink = light ? kWhite : kBlack;
-    settings.paper = light ? kBlack : kWhite;
     return true;
 }
 
@@ -144,20 +111,35 @@ void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usua
 }  // namespace
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
-    bool changed = draw_source(settings, info.drawn);
-    changed |= draw_strength(settings);
-    changed |= draw_exposure(settings, info);
+    if (!section("Tone")) return false;
+    bool changed = draw_automatic(settings);
     Tone shown = settings.automatic_tone ? info.drawn : settings.tone;
     bool own = draw_histogram(info.histogram, shown);
-    own |= draw_levels(shown, info.usual);
+    own |= slider_row(setting::brightness, shown.brightness);
+    own |= slider_row(setting::contrast, shown.contrast);
+    changed |= slider_row(setting::detail, settings.tone.detail,
+                          {.usual = is_true_light(settings) ? 0 : kAutoDetail});
+    shown.detail = settings.tone.detail;
+    const bool more = subsection("More tone settings", false);
+    if (more) {
+        changed |= draw_exposure(settings, info);
+        own |= draw_levels(shown, info.usual);
+    }
     if (own) take_own_tone(settings, shown, info.usual);
-    changed |= own;
-    Tone& tone = settings.tone;
-    changed |= slider_row(setting::detail, tone.detail, {.usual = is_true_light(settings) ? 0 : kAutoDetail});
-    changed |= draw_black(settings, info);
-    changed |= slider_row(setting::blur, tone.blur);
-    changed |= switch_row(setting::invert, tone.invert);
-    return draw_light_ink(settings, info.mostly_black) || changed;
+    if (more) {
+        changed |= draw_black(settings, info);
+        changed |= slider_row(setting::blur, settings.tone.blur);
+        changed |= switch_row(setting::invert, settings.tone.invert);
+        if (info.photograph)
+            changed |= slider_row(
+                "Photograph", *info.photograph,
+                {.min = 0,
+                 .max = 1,
+                 .neutral = 0,
+                 .tip = "How much of the photograph shows through under the dots; holding C shows all of "
+                        "it. Files have none of it."});
+    }
+    return changed || own;
 }
 
 }  // namespace dapple

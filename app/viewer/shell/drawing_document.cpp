@@ -31,6 +31,7 @@
 #include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/player_bar.h"
 #include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/panels/variations_wall.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
@@ -47,7 +48,8 @@ namespace fs = std::filesystem;
 constexpr double kLongOpening = 0.5;  // seconds: shorter ones are not told
 constexpr float kStatusHeight = 30;   // at 96 dpi
 // Pixels of presets' previews, and of the copy of the picture that they are made of.
-constexpr int kSmallDrawingSide = 220, kPreviewedSide = 512;
+constexpr int kSmallDrawingSide = 220, kVariationSide = 400, kPreviewedSide = 512;
+constexpr std::size_t kMostPreviews = 100;
 
 // Endings of files that hold pictures, of projects, and of drawings that hold settings; a file with another
 // ending is opened as well if it holds one of these.
@@ -58,6 +60,13 @@ const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg"
 
 void toggle(bool& value) {
     value = !value;
+}
+
+double crop_proportion(const Session& session) {
+    const glm::ivec2 picture = session.pane().page().picture_pixels;
+    return percent_proportion(session.cropping.proportion,
+                              crop_percent(session.settings.drawing.page.crop, picture), picture,
+                              session.room_for_crop());
 }
 
 bool is_there(const std::string& tile) {
@@ -257,6 +266,17 @@ void DrawingDocument::act(Action action, const Frame&) {
             return film_player_.play(FilmKind::plot);
         case Action::as_lights:
             return show_lights();
+        case Action::crop:
+            return side_panel_.turn_to(Column::crop, session_);
+        case Action::mask:
+            return side_panel_.turn_to(Column::mask, session_);
+        case Action::rotate:
+            settings.drawing.page.quarter_turns = (settings.drawing.page.quarter_turns + 1) % 4;
+            return;
+        case Action::variations:
+            return toggle(variations_);
+        case Action::method:
+            return side_panel_.turn_to(Column::method, session_);
         case Action::smaller_brush:
             return resize_brush(session_.brush, -1);
         case Action::larger_brush:
@@ -286,10 +306,12 @@ void DrawingDocument::stop_what_takes_long() {
     Worker& worker = session_.pane().worker();
     const bool opening = worker.opening().has_value();
     if (photograph_) return toggle(photograph_);
+    if (variations_) return toggle(variations_);
     if (worker.saving()) return worker.cancel_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
     if (session_.film) return film_player_.stop();  // a moment's placing ends with its film
-    if (!opening && placing_seconds() > kLongPlacing) session_.stop_placing();
+    if (!opening && placing_seconds() > kLongPlacing) return session_.stop_placing();
+    side_panel_.turn_to(Column::drawing, session_);
 }
 
 std::string DrawingDocument::saving() const {
@@ -322,7 +344,11 @@ void DrawingDocument::draw(const Frame& frame) {
     const auto [place, player, captions, status_size] = layout(frame);
     keep_tips_above(place.size.y);  // a film's bar lies below
     const bool panels = frame.panels.x > 0;
-    const auto preview = [this](const DrawingSettings& drawing) { return preview_of(drawing); };
+    const bool others = std::exchange(previewed_, session_.previews()) != session_.previews();
+    if (others || previews_.size() > kMostPreviews) previews_.forget();
+    const auto preview = [this](const DrawingSettings& drawing) {
+        return preview_of(drawing, kSmallDrawingSide);
+    };
     open_ = panels
                 ? side_panel_.draw(session_, spectrum(), preview, frame.act, {place.size.x, 0}, frame.panels)
                 : OpenSections{};
@@ -330,18 +356,18 @@ void DrawingDocument::draw(const Frame& frame) {
     Mask& mask = session_.settings.drawing.mask;
     const bool can_paint =
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
-    if (!can_paint) session_.cropping = false;
-    if (!can_paint || session_.cropping || session_.film) session_.brush.on = false;
+    if (!can_paint) session_.cropping.on = false;
+    if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = false;
     const bool painting =
         mask_painter_.paint(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     // The frame is there once all of the picture is.
     const PlacedDrawing& page = session_.pane().page();
     const std::optional<DotsRequest>& placed = session_.pane().page_request();
-    const bool framing = session_.cropping && placed && !placed->drawing.page.crop &&
+    const bool framing = session_.cropping.on && placed && !placed->drawing.page.crop &&
                          placed->drawing.page.fit == PageFit::inside;
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
-    const bool cropping =
-        framing && crop_frame_.drag(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
+    const bool cropping = framing && crop_frame_.drag(crop, crop_proportion(session_), page.framing,
+                                                      page.picture_pixels, canvas_.camera(), place);
     session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
     session_.request_dots(zoom());
     show_changes(frame.window);
@@ -349,6 +375,10 @@ void DrawingDocument::draw(const Frame& frame) {
     draw_over_canvas(place, frame.act);
     canvas_.handle_mouse(place, session_.brush.on || cropping);
     draw_canvas_menu(place.corner, place.size, frame.act);
+    if (variations_ && session_.placed_once() && !session_.film)
+        choose_variation(place);
+    else if (panels && !session_.film)
+        draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
@@ -568,16 +598,26 @@ ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_
             .has_duplicates = pane.page().duplicates > 0};
 }
 
-EntryPicture DrawingDocument::preview_of(const DrawingSettings& drawing) {
+void DrawingDocument::choose_variation(const CanvasPlace& place) {
+    DrawingSettings& drawing = session_.settings.drawing;
+    const auto variations = variations_of(drawing, session_.drawn(session_.pane()));
+    const auto chosen = draw_variations(
+        variations, [this](const DrawingSettings& each) { return preview_of(each, kVariationSide); },
+        place.corner, place.size);
+    if (!chosen) return;
+    if (variations[*chosen].drawing == drawing) toggle(variations_);
+    drawing = variations[*chosen].drawing;
+}
+
+EntryPicture DrawingDocument::preview_of(const DrawingSettings& drawing, int side) {
     const OpenedPicture& picture = session_.picture();
     if (!picture.preview) return {};
-    if (std::exchange(previewed_, session_.previews()) != session_.previews()) previews_.forget();
-    const auto make = [mipmaps = picture.preview, drawing = drawing,
-                       exposed = picture.exposure](const std::stop_token& stop) mutable {
+    const auto make = [mipmaps = picture.preview, drawing = drawing, exposed = picture.exposure,
+                       side](const std::stop_token& stop) mutable {
         if (!drawing.automatic_exposure) drawing.tone.exposure -= exposed;
-        return small_drawing(small_copy(*mipmaps, kPreviewedSide), drawing, kSmallDrawingSide, stop);
+        return small_drawing(small_copy(*mipmaps, kPreviewedSide), drawing, side, stop);
     };
-    return previews_.of(embedded_settings({}, drawing, {}), make);
+    return previews_.of(std::to_string(side) + embedded_settings({}, drawing, {}), make);
 }
 
 SpectrumInfo DrawingDocument::spectrum() {

@@ -106,8 +106,9 @@ class DrawingDocument : public Document {
     std::optional<double> placed_share() const;
     std::optional<StatusInfo::RightSide> right_info() const;
     SpectrumInfo spectrum();
-    /// What settings make of the picture shown, small.
-    EntryPicture preview_of(const DrawingSettings& drawing);
+    /// What settings make of the picture shown, its longer side so many pixels.
+    EntryPicture preview_of(const DrawingSettings& drawing, int side);
+    void choose_variation(const CanvasPlace& place);
     void measure_dots();
     ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
 
@@ -139,6 +140,7 @@ class DrawingDocument : public Document {
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
     bool photograph_ = false;  // in the drawing's place, without a key
+    bool variations_ = false;  // in the canvas's place
     std::unique_ptr<Document> successor_;
 };
 

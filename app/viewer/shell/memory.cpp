@@ -51,9 +51,10 @@ void describe(Fields& fields, KeptView& view) {
 }
 
 void describe(Fields& fields, WindowState& state) {
-    auto& [window, panels_shown, folder, view, recent] = state;
+    auto& [window, panels_shown, panel_width, folder, view, recent] = state;
     fields.group("window", [&](Fields& inner) { describe(inner, state.window); });
     fields.flag("panels_shown", panels_shown);
+    fields.number({"panel_width"}, panel_width, {kLeastPanelWidth, kMostPanelWidth});
     fields.remembered_files("folder", folder, 1);
     fields.group("view", [&](Fields& inner) { describe(inner, state.view); });
     fields.remembered_files("recent", recent, kMostRecent);
@@ -178,6 +179,7 @@ void Memory::save() {
         const std::string kept = text_there_now(state_file_, there);
         take_changed(there.window, state.window, known_state_.window);
         take_changed(there.panels_shown, state.panels_shown, known_state_.panels_shown);
+        take_changed(there.panel_width, state.panel_width, known_state_.panel_width);
         take_changed(there.folder, state.folder, known_state_.folder);
         take_changed(there.view, state.view, known_state_.view);
         for (const fs::path& file : forgotten_) std::erase(there.recent, file);

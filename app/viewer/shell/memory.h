@@ -52,9 +52,13 @@ struct KeptView {
     bool operator==(const KeptView&) const = default;
 };
 
+/// How wide the column of panels is, at 96 dpi; no wider than half of the window.
+inline constexpr float kUsualPanelWidth = 340, kLeastPanelWidth = 240, kMostPanelWidth = 800;
+
 struct WindowState {
     WindowPlace window = {};
     bool panels_shown = true;
+    float panel_width = kUsualPanelWidth;
     std::vector<std::filesystem::path> folder = {};  // one at most: where files were opened last
     KeptView view = {};
     std::vector<std::filesystem::path> recent = {};  // the last one opened first

@@ -28,8 +28,7 @@ namespace {
 
 // ImGui answers an event over a few frames.
 constexpr int kFramesAfterEvent = 3;
-constexpr int kUntilSeen = 2;       // frames until a dialog is seen, the first of which ImGui measures it in
-constexpr float kPanelWidth = 340;  // at 96 dpi
+constexpr int kUntilSeen = 2;  // frames until a dialog is seen, the first of which ImGui measures it in
 constexpr double kCursorBlinks = 0.3;  // seconds
 constexpr double kRepeats = 0.02;
 constexpr double kKeepsEvery = 10;
@@ -54,6 +53,26 @@ constexpr const char *kPreferenceRows = "Preferences", *kExportRows = "Export";
 
 void toggle(bool& value) {
     value = !value;
+}
+
+// The canvas's right edge, which a mouse drags; whether one does.
+bool drag_edge(glm::vec2 canvas, float scale) {
+    constexpr float kHalf = 3;
+    ImGui::SetNextWindowPos({canvas.x - kHalf * scale, 0});
+    ImGui::SetNextWindowSize({2 * kHalf * scale, canvas.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin("##edge", nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoBackground);
+    press_area("edge", {2 * kHalf * scale, canvas.y});
+    note_place("Panels' edge");
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+    return held;
 }
 
 }  // namespace
@@ -283,7 +302,7 @@ void Shell::frame(Document& document) {
     widgets_.tips_end.reset();
     const float scale = ImGui::GetFontSize() / 15;
     const glm::vec2 screen{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
-    const float panels = panels_shown_ ? std::min(kPanelWidth * scale, screen.x * 0.6f) : 0;
+    const float panels = panels_shown_ ? std::min(memory_.state.panel_width * scale, screen.x / 2) : 0;
     std::function<void(Action)> do_this;
     const Frame frame{.window = window_,
                       .canvas = {std::max(screen.x - panels, 1.0f), std::max(screen.y, 1.0f)},
@@ -298,6 +317,10 @@ void Shell::frame(Document& document) {
     for (Action action : pressed_actions(document.shortcuts(), row_has_keys)) do_this(action);
     draw_dialogs(document, do_this);
     document.draw(frame);
+    if (panels_shown_ && drag_edge({frame.canvas.x, screen.y}, scale)) {
+        const float width = std::min((screen.x - ImGui::GetIO().MousePos.x) / scale, screen.x / scale / 2);
+        memory_.state.panel_width = std::clamp(width, kLeastPanelWidth, kMostPanelWidth);
+    }
     window_.end_frame();
     if (!is_seen) window_.forget_typed();
     if (!is_seen && !window_.frame_is_unseen()) ++question_frames_;
@@ -457,6 +480,7 @@ void Shell::list_export_rows(const SaveQuestion& question, Document& document, s
 }
 
 void Shell::take_row(const ListedRow& row, int value, Document& document) {
+    if (!row.why_not.empty()) return document.say(row.label + ": " + row.why_not);
     std::vector<std::string> sections = row.sections;
     if (row.is_section) sections.push_back(row.label);
     const std::string outer = sections.empty() ? "" : sections.front();

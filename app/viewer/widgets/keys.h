@@ -19,12 +19,15 @@ enum class Key {
     f,
     i,
     l,
+    m,
     o,
     p,
     q,
+    r,
     s,
     t,
     v,
+    x,
     y,
     z,
     zero,
@@ -73,18 +76,24 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(I, I);
         case Key::l:
             return DAPPLE_KEY(L, L);
+        case Key::m:
+            return DAPPLE_KEY(M, M);
         case Key::o:
             return DAPPLE_KEY(O, O);
         case Key::p:
             return DAPPLE_KEY(P, P);
         case Key::q:
             return DAPPLE_KEY(Q, Q);
+        case Key::r:
+            return DAPPLE_KEY(R, R);
         case Key::s:
             return DAPPLE_KEY(S, S);
         case Key::t:
             return DAPPLE_KEY(T, T);
         case Key::v:
             return DAPPLE_KEY(V, V);
+        case Key::x:
+            return DAPPLE_KEY(X, X);
         case Key::y:
             return DAPPLE_KEY(Y, Y);
         case Key::z:

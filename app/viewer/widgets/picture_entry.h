@@ -26,6 +26,12 @@ bool text_entry(const std::string& label, bool chosen, ImGuiSelectableFlags flag
 bool picture_entry(const std::string& label, const std::string& words, bool chosen,
                    const EntryPicture& picture, const EntryBox& box = {}, ImGuiSelectableFlags flags = 0);
 
+/// An entry of a strip: the picture with its name below, as wide as its box. `note`: as note_place() has it.
+bool strip_entry(const std::string& note, const std::string& name, bool chosen, const EntryPicture& picture,
+                 const EntryBox& box);
+/// How high a strip of them is, with its scroll bar.
+float strip_height(const EntryBox& box);
+
 /// Whether the next entry will be on screen: only then is its picture worth the work.
 bool next_entry_shows(const EntryBox& box = {});
 

@@ -34,17 +34,24 @@ WidgetNotes* widget_notes() {
     return static_cast<WidgetNotes*>(ImGui::GetIO().UserData);
 }
 
+bool is_left_out() {
+    const WidgetNotes* const notes = widget_notes();
+    return notes && notes->absent && !notes->listed;
+}
+
 std::optional<bool> as_listed(const char* label, std::span<const char* const> names, int& chosen) {
     WidgetNotes* const list = widget_notes();
+    if (is_left_out()) return false;
     if (!list || !list->listed) return std::nullopt;
+    const char* const why_not = list->absent ? list->absent : list->greyed;
     const ListedRow row{.sections = list->sections,
                         .label = label,
                         .values = {names.begin(), names.end()},
                         .chosen = chosen,
-                        .greyed = ImGui::GetStyle().Alpha < 1};
+                        .why_not = why_not ? why_not : ""};
     list->listed->push_back(row);
     const ListedRow* const taken = list->taken;
-    if (!taken || row.greyed || taken->label != row.label || taken->sections != row.sections) return false;
+    if (!taken || why_not || taken->label != row.label || taken->sections != row.sections) return false;
     return std::exchange(chosen, list->value) != list->value;
 }
 

@@ -31,7 +31,10 @@ struct LabelLook {
 /// None without anyone to tell.
 WidgetNotes* widget_notes();
 
-/// Where rows are listed, whether the row took another value; none: it is to be drawn.
+/// Whether what would be drawn now is not there (see Absent).
+bool is_left_out();
+
+/// Where rows are listed or left out, whether the row took another value; none: it is to be drawn.
 std::optional<bool> as_listed(const char* label, std::span<const char* const> names, int& chosen);
 std::optional<bool> as_listed(const char* label);
 

@@ -25,6 +25,7 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
         told->sections.emplace_back(title);
         return true;
     }
+    if (is_left_out()) return false;
     float unit = ImGui::GetTextLineHeight() / 15;
     ImGui::Dummy({0, 2 * unit});
     ImGui::PushID(title);
@@ -78,6 +79,11 @@ void note_place(const char* label, const WidgetPlace& place) {
     if (WidgetNotes* const noted = widget_notes()) noted->places[label] = place;
 }
 
+const ListedRow* row_to_reveal() {
+    const WidgetNotes* const notes = widget_notes();
+    return notes && notes->reveal ? &*notes->reveal : nullptr;
+}
+
 void new_frame() {
     constexpr float kLeastSeconds = 1e-5f;
     ImGuiIO& io = ImGui::GetIO();
@@ -98,12 +104,23 @@ void note_place(const char* label) {
     note_place(label, {{min.x, min.y}, {max.x, max.y}});
 }
 
+Absent::Absent(const char* reason) : notes_(widget_notes()) {
+    if (notes_) before_ = std::exchange(notes_->absent, notes_->absent ? notes_->absent : reason);
+}
+
+Absent::~Absent() {
+    if (notes_) notes_->absent = before_;
+}
+
 Greyed::Greyed(const char* reason) : reason_(reason), top_(ImGui::GetCursorScreenPos().y) {
-    if (reason_) ImGui::BeginDisabled();
+    if (!reason_) return;
+    ImGui::BeginDisabled();
+    if (WidgetNotes* const notes = widget_notes()) before_ = std::exchange(notes->greyed, reason_);
 }
 
 Greyed::~Greyed() {
     if (!reason_) return;
+    if (WidgetNotes* const notes = widget_notes()) notes->greyed = before_;
     ImGui::EndDisabled();
     const ImVec2 end = ImGui::GetCursorScreenPos();
     const ImVec2 last{end.x + ImGui::GetContentRegionAvail().x, end.y - ImGui::GetStyle().ItemSpacing.y};
@@ -148,7 +165,66 @@ bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
     return value != before;
 }
 
+namespace {
+
+// A lens-shaped outline around a pupil, crossed out where it is shut.
+void draw_eye(ImVec2 middle, float half, bool open, ImU32 colour) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float line = std::max(half / 6, 1.0f);
+    const ImVec2 left{middle.x - half, middle.y}, right{middle.x + half, middle.y};
+    for (const float side : {-1.0f, 1.0f})
+        list->AddBezierQuadratic(left, {middle.x, middle.y + side * 1.15f * half}, right, colour, line);
+    list->AddCircleFilled(middle, half / 3, colour, 16);
+    if (!open)
+        list->AddLine({left.x, middle.y + half * 0.7f}, {right.x, middle.y - half * 0.7f}, colour, line);
+}
+
+}  // namespace
+
+bool eye_row(const char* label, const std::string& name, const glm::vec3& swatch, const std::string& words,
+             bool& seen, const char* tip) {
+    int on = seen ? 1 : 0;
+    if (const auto listed = as_listed(label, std::array{"off", "on"}, on)) {
+        seen = on == 1;
+        return *listed;
+    }
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight(), unit = line / 15;
+    const Row row{start, ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight(), start.x};
+    const bool before = seen;
+    ImGui::PushID(label);
+    if (press_area("eye", {row.width, row.height})) seen = !seen;
+    note_place(label);
+    const bool hot = ImGui::IsItemHovered();
+    const RowKeys keys = keys_of(label, row);
+    if (keys.press) seen = !seen;
+    if (keys.step != 0) seen = keys.step > 0;
+    if (keys.reset) seen = true;
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float y = start.y + (row.height - line) / 2, eye = 7 * unit, right = start.x + row.width - 2 * eye;
+    const ImVec2 low{start.x, y}, high{start.x + line, y + line};
+    list->AddRectFilled(low, high, ImGui::ColorConvertFloat4ToU32({swatch.r, swatch.g, swatch.b, 1}),
+                        3 * unit);
+    list->AddRect(low, high, colour_of(ThemeColour::off), 3 * unit, 0, unit);
+    const ImU32 text = colour_of(seen ? ThemeColour::text : ThemeColour::quiet);
+    const float number = right - 10 * unit - ImGui::CalcTextSize(words.c_str()).x;
+    const float words_begin = high.x + 8 * unit;
+    list->PushClipRect({words_begin, start.y},
+                       {std::max(number - 6 * unit, words_begin), start.y + row.height}, true);
+    list->AddText({words_begin, y}, text, name.c_str());
+    list->PopClipRect();
+    list->PushClipRect({words_begin, start.y}, {right, start.y + row.height}, true);
+    list->AddText({number, y}, colour_of(ThemeColour::quiet), words.c_str());
+    list->PopClipRect();
+    draw_eye({right + eye, start.y + row.height / 2}, eye, seen,
+             colour_of(hot || seen ? ThemeColour::text : ThemeColour::quiet));
+    show_row_tip(tip, row);
+    end_row(row);
+    return seen != before;
+}
+
 bool wide_button(const char* label, const char* tip) {
+    if (is_left_out()) return false;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const Row row{start, ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight(), start.x};
     const bool pressed = key_button(label, {std::max(row.width, 1.0f), 0});
@@ -183,6 +259,7 @@ void keep_tips_above(float y) {
 }
 
 void hint(const char* text) {
+    if (is_left_out()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", in_lines(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();

@@ -39,8 +39,8 @@ struct ListedRow {
     std::string label{};
     std::vector<std::string> values{};  // one of which can be chosen; none: it takes more than a choice
     int chosen = -1;                    // of these, at present
-    bool greyed = false;
-    bool is_section = false;  // a title that rows stand under
+    std::string why_not{};              // it cannot be used now; empty: it can
+    bool is_section = false;            // a title that rows stand under
 
     bool operator==(const ListedRow&) const = default;
 };
@@ -49,13 +49,15 @@ struct ListedRow {
 /// to nothing.
 struct WidgetNotes {
     WidgetPlaces places{};
-    ImGuiID row_with_keys = 0;  // see row_keys.h; 0: none
+    ImGuiID row_with_keys = 0;                 // see row_keys.h; 0: none
     std::vector<ListedRow>* listed = nullptr;  // see RowListing
     std::vector<std::string> sections{};       // that listed rows are in
     const ListedRow* taken = nullptr;          // the listed row that is to have `value`
     int value = -1;
     std::optional<ListedRow> reveal{};  // is to be shown: its sections unfold, and it gets the keys
     std::optional<float> tips_end{};    // see keep_tips_above()
+    const char* absent = nullptr;       // see Absent
+    const char* greyed = nullptr;       // see Greyed
 };
 
 /// While it lives rows are not drawn and folds are open: each adds itself to a list. One of them, as such a
@@ -71,6 +73,9 @@ class RowListing {
     WidgetNotes notes_{};
     void* before_ = nullptr;
 };
+
+/// The row that is to be shown, which its column turns to; null: none.
+const ListedRow* row_to_reveal();
 
 /// ImGui::NewFrame(), guarded against what a person's typing or a clock could end the program by: some
 /// releases take a text field's old undo steps for those of another text, and insist that time passes.
@@ -94,8 +99,24 @@ struct SliderRange {
     const char* tip = nullptr;
 };
 
-/// Rows made while it lives cannot be used, and say why to a mouse that rests on them: they stay where they
-/// are, so that nothing moves under the pointer when what they depend on is changed.
+/// Rows made while it lives are left out, if there is a reason to: what does not apply is not there. Only a
+/// list of all rows has them, with the reason (RowListing). They come after the row that brings them back, so
+/// that nothing moves under the pointer when that is used.
+class Absent {
+ public:
+    /// Without a reason the rows are there as usual.
+    explicit Absent(const char* reason);
+    ~Absent();
+    Absent(const Absent&) = delete;
+    Absent& operator=(const Absent&) = delete;
+
+ private:
+    WidgetNotes* notes_;
+    const char* before_ = nullptr;
+};
+
+/// Rows made while it lives cannot be used, and say why to a mouse that rests on them: for those that stand
+/// before the row which they depend on, and so keep their place.
 class Greyed {
  public:
     /// Without a reason the rows can be used as usual.
@@ -105,7 +126,7 @@ class Greyed {
     Greyed& operator=(const Greyed&) = delete;
 
  private:
-    const char* reason_;
+    const char *reason_, *before_ = nullptr;
     float top_ = 0;
 };
 
@@ -143,6 +164,11 @@ bool slider_row(const Setting& setting, int& value, const SliderNow& now = {});
 /// A tick box row. True when its value changed.
 bool switch_row(const char* label, bool& value, const char* tip, bool usual = false);
 bool switch_row(const Setting& setting, bool& value);
+
+/// A row of what can be seen or hidden: a swatch of its colour, its name, words about it, and an eye. True
+/// when that was opened or shut. `label` is what lists of all rows call it.
+bool eye_row(const char* label, const std::string& name, const glm::vec3& swatch, const std::string& words,
+             bool& seen, const char* tip);
 
 /// A list to choose from. True when another entry was chosen. Enter or Space opens it, arrows walk it, Enter
 /// takes an entry and Escape none; while it is closed the arrows choose at once.

@@ -66,7 +66,7 @@ TEST_CASE("an edge of the crop's frame goes with the pointer, however the pictur
         CropFrame frame = {};
         HeadlessUi ui{[this] {
             ImGui::GetIO().WantCaptureMouse = false;
-            frame.drag(crop, framing, {200, 200}, camera, place);
+            frame.drag(crop, 0, framing, {200, 200}, camera, place);
             frame.draw(crop, framing, {200, 200}, camera, place);
         }};
     };

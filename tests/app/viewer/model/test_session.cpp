@@ -327,10 +327,10 @@ TEST_CASE(
         return framing.pixels == Rectangle<int>{{0, 0}, session.pane().page().picture_pixels};
     };
     REQUIRE(framing_is([&](const Framing& framing) { return !is_whole(framing); }));
-    session.cropping = true;
+    session.cropping.on = true;
     CHECK(
         framing_is([&](const Framing& framing) { return is_whole(framing) && framing.quarter_turns == 1; }));
-    session.cropping = false;
+    session.cropping.on = false;
     CHECK(framing_is([&](const Framing& framing) { return !is_whole(framing); }));
 }
 

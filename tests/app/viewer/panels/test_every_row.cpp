@@ -36,15 +36,28 @@ namespace {
 
 const std::array<std::string, 2> kTiles{"paper16", "wild64"};
 /// What a click folds.
-const std::set<std::string> kFolds{"Crop",    "Mask", "Dots",    "Page",    "Pens",
-                                   "Figures", "View", "Samples", "Compare", "The tile"};
+const std::set<std::string> kFolds{"Crop",
+                                   "Mask",
+                                   "Drawing",
+                                   "Tone",
+                                   "Page",
+                                   "Ink and paper",
+                                   "More tone settings",
+                                   "More page settings",
+                                   "More pen settings",
+                                   "Figures",
+                                   "View",
+                                   "Samples",
+                                   "Compare",
+                                   "The tile"};
 
 /// All that the panels edit.
 struct Everything {
     ViewerSettings all = {};
     LightsSettings lights = {};
     MaskBrush brush = {};
-    bool framing = false, dialog = true, desktop = false;
+    CropTool cropping = {};
+    bool dialog = true, desktop = false;
     Appearance appearance = {};
     TilePanelState tile = {};
     ShownPens shown_pens = {};
@@ -54,7 +67,7 @@ struct Everything {
     Banner banner = {};
 };
 
-/// In which what is greyed at first can be used.
+/// In which what is not there at first can be used.
 Everything with_all_in_use() {
     Everything one;
     ViewerSettings& all = one.all;
@@ -92,19 +105,18 @@ std::vector<PanelToTest> all_panels(Everything& one) {
     std::vector<PanelToTest> panels{
         {"title",
          [&one, nothing] {
-             draw_title("a picture", nothing);
-             draw_action_buttons({"dots", "dots"}, true, nothing);
+             draw_title("a picture", {"dots", "dots"}, nothing);
+             draw_action_buttons(true, nothing);
              one.presets.draw(
                  {one.all.drawing, one.all.saving}, [](const SavedSettings&) {},
                  [](const DrawingSettings&) { return EntryPicture{}; }, one.banner);
          }},
-        {"picture",
+        {"tone", [&] { draw_tone_panel(drawing, {.photograph = &all.picture_opacity}); }},
+        {"crop",
          [&] {
-             draw_tone_panel(drawing, {});
-             draw_rotate_row(drawing.page.quarter_turns);
-             draw_crop_rows(drawing.page.crop, {400, 300}, one.framing);
-             draw_mask_panel(drawing.mask, one.brush);
+             draw_crop_rows(drawing.page, one.cropping, {400, 300}, {1, 1});
          }},
+        {"mask", [&] { draw_mask_panel(drawing.mask, one.brush); }},
         {"dots", [&] { draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25}); }},
         {"page",
          [&] {
@@ -112,12 +124,13 @@ std::vector<PanelToTest> all_panels(Everything& one) {
          }},
         {"pens",
          [&] {
-             draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, &one.shown_pens},
+             draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, {}, &one.shown_pens},
                             {&one.palettes, &one.banner});
          }},
         {"method",
          [&, nothing, view] {
-             draw_film_buttons(nothing);
+             constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
+             draw_film_buttons(kFilms, nothing);
              draw_method_rows(all, {kTiles});
              draw_compare_panel(all, {kTiles});
              draw_tile_panel(view, one.tile);
@@ -139,7 +152,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
 void make_high(HeadlessUi& ui, float width = 400) {
     ImGui::GetIO().DisplaySize = {width, 4000};
     for (int i = 0; i < 3; ++i) ui.frame();
-    for (const char* folded : {"Crop", "Mask"})
+    for (const char* folded : {"More tone settings", "More page settings", "More pen settings"})
         if (ui.has(folded)) ui.click(folded);
 }
 
@@ -158,10 +171,9 @@ void draw_changing(Everything& one) {
     ViewerSettings& all = one.all;
     DrawingSettings& drawing = all.drawing;
     draw_tone_panel(drawing, {});
-    draw_rotate_row(drawing.page.quarter_turns);
     draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25});
     draw_page_panel(drawing.page, drawing.sheets, {200, 150, 200}, all.unit);
-    draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens, nullptr});
+    draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens});
     draw_method_rows(all, {kTiles});
     draw_compare_panel(all, {kTiles});
     for (const DrawingFormatName& format : kDrawingFormats)
@@ -283,7 +295,7 @@ TEST_CASE("in the narrowest column no label, value or control lies on another, o
 TEST_CASE("undo names a change by the row that made it") {
     // One choice for several rows, and rows whose choice is kept in another's.
     const std::map<std::string, std::string> others{{"Dots by", "Dots"},
-                                                    {"Which pens", "Pens"},
+                                                    {"Inks", "Pens"},
                                                     {"G-code for", "Template"},
                                                     {"Right tile", "Split view"},
                                                     {"Right placer", "Split view"},
@@ -306,7 +318,7 @@ TEST_CASE("undo names a change by the row that made it") {
     for (const Everything& state : states()) {
         Everything plain = state;
         for (const ListedRow& row : listed(plain, nullptr, -1)) {
-            if (row.greyed || row.values.empty()) continue;
+            if (!row.why_not.empty() || row.values.empty()) continue;
             Everything one = state;
             listed(one, &row, row.chosen == 0 ? 1 : 0);
             const std::string words = change_in_words(state.all, one.all);

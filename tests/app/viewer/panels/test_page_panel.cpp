@@ -19,13 +19,9 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     Sheet sheets;
     LengthUnit unit = LengthUnit::mm;
     const PageSize drawn{200, 150, 200};
-    HeadlessUi ui([&] {
-        draw_rotate_row(setup.quarter_turns);
-        draw_page_panel(setup, sheets, drawn, unit);
-    });
+    HeadlessUi ui([&] { draw_page_panel(setup, sheets, drawn, unit); });
     // A page of the picture's shape has no orientation, and one side rules.
-    ui.click("Orientation");
-    CHECK_FALSE(ui.has("landscape"));
+    CHECK_FALSE(ui.has("Orientation"));
     ui.enter("Height, mm", "8in");
     CHECK(*setup.height_mm == doctest::Approx(203.2));
     ui.enter("Width, mm", "180");
@@ -36,14 +32,14 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     ui.click("Orientation");
     ui.click("landscape");
     ui.click("fill");
-    ui.click("90");
+    CHECK_FALSE(ui.has("Width, mm"));  // the paper says it
     ui.enter("Margin, mm", "15");
     CHECK(setup == PageSetup{.paper = Paper::a4,
                              .orientation = PageOrientation::landscape,
                              .width_mm = 180,
                              .margins = {15, 15, 15, 15},
-                             .fit = PageFit::fill,
-                             .quarter_turns = 1});
+                             .fit = PageFit::fill});
+    ui.click("More page settings");
     ui.click("each side");
     ui.enter("Left, mm", "1in");
     CHECK(setup.margins == Margins{15, 15, 15, 25.4});
@@ -65,13 +61,13 @@ TEST_CASE("a mural's sheets share strips, and say how large they are or why they
         wide_button("Below", "");
     });
     CHECK(sheets == Sheet{});
-    const WidgetPlace below = ui.place("Below");
+    ui.click("More page settings");
     ui.enter("Sheets across", "2");
     ui.enter("Sheets down", "3");
     ui.enter("Overlap, mm", "1.5cm");
     CHECK(sheets == Sheet{.columns = 2, .rows = 3, .overlap_mm = 15});
     CHECK(ui.has("Sheets"));
-    CHECK(ui.place("Below") == below);
+    const WidgetPlace below = ui.place("Below");
     ui.enter("Overlap, mm", "120");
     CHECK(ui.has("No sheets"));
     CHECK(ui.place("Below") == below);
@@ -89,6 +85,7 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
     });
     ImGui::GetIO().DisplaySize.y = 2000;
     ui.frame();
+    ui.click("More page settings");
     ui.enter("Margin, mm", "10");
     CHECK(settings.page.margins.top == 10);
     const DrawingSettings before = settings;
@@ -114,12 +111,12 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
 }
 
 TEST_CASE("the crop's rows are percent of the picture, keep a rest of it, and all of it is no crop") {
-    std::optional<Crop> crop;
-    bool framing = false;
-    HeadlessUi ui([&] { draw_crop_rows(crop, {400, 200}, framing); });
-    ui.click("Crop");
+    PageSetup setup;
+    std::optional<Crop>& crop = setup.crop;
+    CropTool tool;
+    HeadlessUi ui([&] { draw_crop_rows(setup, tool, {400, 200}, {1, 1}); });
     ui.click("Crop frame");
-    CHECK(framing);
+    CHECK(tool.on);
     ui.enter("From left, %", "25");
     REQUIRE(crop);
     CHECK(crop->unit == Crop::Unit::percent);
@@ -129,11 +126,38 @@ TEST_CASE("the crop's rows are percent of the picture, keep a rest of it, and al
     ui.enter("To right, %", "100");
     ui.enter("From left, %", "0");
     CHECK_FALSE(crop);
+    CHECK_FALSE(ui.has("All of the picture"));
     crop = Crop{{{100, 50}, {300, 150}}, Crop::Unit::pixels};
     ui.enter("From top, %", "50");
     CHECK(crop->box == Rectangle<double>{{25, 50}, {75, 75}});
+    ui.click("90");
+    CHECK(setup.quarter_turns == 1);
+    ui.click("All of the picture");
+    CHECK_FALSE(crop);
     ui.click("Crop");
-    CHECK_FALSE(framing);
+    CHECK_FALSE(tool.on);
+}
+
+TEST_CASE("a crop is kept to a proportion, as large as there is room for around its middle") {
+    PageSetup setup;
+    CropTool tool;
+    HeadlessUi ui([&] { draw_crop_rows(setup, tool, {400, 200}, {3, 4}); });
+    ui.click("1:1");
+    REQUIRE(setup.crop);
+    CHECK(setup.crop->box == Rectangle<double>{{25, 0}, {75, 100}});  // 200 x 200 pixels
+    ui.click("page");
+    CHECK(setup.crop->box == Rectangle<double>{{31.25, 0}, {68.75, 100}});  // 150 x 200
+    ui.click("free");
+    CHECK(setup.crop->box == Rectangle<double>{{31.25, 0}, {68.75, 100}});
+    // Dragged by a corner, the other one stays; by a side, the middle of the other sides does.
+    const Rectangle<double> corner = in_proportion({{10, 10}, {50, 90}}, 1, {1, 1});
+    CHECK(corner == Rectangle<double>{{10, 10}, {50, 50}});
+    const Rectangle<double> side = in_proportion({{10, 40}, {40, 60}}, 1, {1, 0});
+    CHECK(side == Rectangle<double>{{10, 35}, {40, 65}});
+    // No further than the picture goes.
+    const Rectangle<double> edge = in_proportion({{0, 80}, {100, 100}}, 1, {1, 0});
+    CHECK(edge.high.y == doctest::Approx(100));
+    CHECK(edge.high.x - edge.low.x == doctest::Approx(edge.high.y - edge.low.y));
 }
 
 }  // namespace dapple

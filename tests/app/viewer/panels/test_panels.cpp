@@ -30,7 +30,9 @@ TEST_CASE("every panel fits its column without cutting a label") {
         draw_compare_panel(settings, {kTiles});
     });
     settings.comparison.on = true;
-    ImGui::GetIO().DisplaySize.x = 340;
+    settings.drawing.page.paper = Paper::a4;
+    ImGui::GetIO().DisplaySize = {340, 2000};
+    for (const char* more : {"More tone settings", "More page settings"}) ui.click(more);
     ui.frame();
     ui.frame();
     for (const char* label : {"Black point", "White point", "Contrast", "Brightness", "Gamma", "Blur", "Dots",

@@ -27,18 +27,18 @@ TEST_CASE("pens of one's own begin with those that drew, and are added, named an
     settings.ink = glm::vec3(0.5f, 0, 0);
     HeadlessUi ui([&] { draw_pen_panel(settings); });
     const auto choose = [&](const char* set) {
-        ui.click("Which pens");
+        ui.click("Inks");
         ui.click(set);
     };
     Palette& own = settings.pens.own;
-    choose("own");
+    choose("own pens");
+    ui.click("More pen settings");
     REQUIRE(own.size() == 1);
     CHECK(own[0].colour == settings.ink);
-    ui.click("Remove Ink");
-    CHECK(own.size() == 1);  // greyed: one draws
+    CHECK_FALSE(ui.has("Remove Ink"));  // one draws
     own.clear();
     choose("greys");
-    choose("own");
+    choose("own pens");
     REQUIRE(own.size() == 3);
     ui.click("Add a pen");
     REQUIRE(own.size() == 4);
@@ -65,7 +65,7 @@ TEST_CASE("pens of one's own begin with those that drew, and are added, named an
     ui.key(Key::escape);
     ui.enter("Width 3, mm", "0.5");
     CHECK(own[2].width_mm == 0.5);
-    for (int i = 0; i < 20; ++i) ui.click("Add a pen");
+    for (int i = 0; i < 20 && ui.has("Add a pen"); ++i) ui.click("Add a pen");
     CHECK(own.size() == kMostPens);
     CHECK(parse_pens(text_of(settings.pens)).own.size() == kMostPens);  // a project has them all
 }
@@ -73,10 +73,10 @@ TEST_CASE("pens of one's own begin with those that drew, and are added, named an
 TEST_CASE("several pens are chosen with their width, and then draw registration marks if asked to") {
     DrawingSettings drawing;
     HeadlessUi ui([&] { draw_pen_panel(drawing); });
-    ui.click("Registration");  // greyed: of several pens only
-    CHECK_FALSE(drawing.registration);
-    ui.click("Which pens");
+    CHECK_FALSE(ui.has("More pen settings"));
+    ui.click("Inks");
     ui.click("CMYK");
+    ui.click("More pen settings");
     CHECK(drawing.pens.set == PenSet::cmyk);
     ui.enter("Tip width, mm", "0.4");
     CHECK(drawing.pens.width_mm == 0.4);
@@ -86,8 +86,8 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.black == 0.9);
     ui.click("Registration");
     CHECK(drawing.registration);
-    ui.click("Which pens");
-    ui.click("own");
+    ui.click("Inks");
+    ui.click("own pens");
     REQUIRE(drawing.pens.own.size() == 4);
     CHECK(drawing.pens.own[0].width_mm == 0.4);
     ui.enter("Width 1, mm", "0.7");
@@ -104,17 +104,17 @@ TEST_CASE("own pens draw in the order in which they are listed, and change place
     drawing.pens = parse_pens("Night:#102060,Sand:#d0a040,White:#ffffff");
     HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {}); });
     ImGui::GetIO().DisplaySize.y = 1200;  // all of three pens are in sight
+    ui.click("More pen settings");
     const auto names = [&] {
         std::string all;
         for (const Pen& pen : drawing.pens.own) all += pen.name + " ";
         return all;
     };
-    ui.click("Draw Sand earlier");  // greyed: the lightest are first
-    CHECK(names() == "Night Sand White ");
+    CHECK_FALSE(ui.has("Draw Sand earlier"));  // the lightest are first
     ui.click("Pen order");
     ui.click("as listed");
     CHECK(drawing.pens.order == PenOrder::listed);
-    ui.click("Draw Night earlier");  // greyed: it is the first
+    CHECK_FALSE(ui.has("Draw Night earlier"));  // it is the first
     ui.click("Draw White earlier");
     CHECK(names() == "Night White Sand ");
     ui.click("Remove White");
@@ -127,7 +127,8 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     const DrawingSettings before = drawing;
     Palette pens = palette_of(drawing.pens);
     ShownPens shown;
-    HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {pens, &shown}); });
+    HeadlessUi ui([&] { draw_pen_panel(drawing, LengthUnit::mm, {pens, {}, &shown}); });
+    ui.click("More pen settings");
     CHECK(hidden_among(pens, shown) == 0);
     ui.click("Show Magenta");
     CHECK(hidden_among(pens, shown) == 0b0010);
@@ -138,14 +139,43 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     ui.click("Look at");
     ui.click("1 Yellow alone");
     CHECK(hidden_among(pens, shown) == 0b1110);
-    ui.click("Show Cyan");  // greyed: one pen is looked at alone
-    CHECK(hidden_among(pens, shown) == 0b1110);
     pens.erase(pens.begin());  // without it, there are all again that are not hidden
     ui.frame();
     CHECK(hidden_among(pens, shown) == 0b010);
     ui.click("Show Magenta");
     CHECK(hidden_among(pens, shown) == 0);
+    // An eye that is opened or shut ends the look at one alone.
+    ui.click("Look at");
+    ui.click("1 Cyan alone");
+    ui.click("Show Black");
+    CHECK(hidden_among(pens, shown) == 0);
     CHECK(drawing == before);
+}
+
+TEST_CASE("white ink on black paper is a choice, offered where nearly all dots would go into black") {
+    DrawingSettings settings;
+    bool mostly_black = false;
+    HeadlessUi ui([&] { draw_pen_panel(settings, LengthUnit::mm, {}, {}, mostly_black); });
+    const auto choose = [&](const char* inks) {
+        ui.click("Inks");
+        ui.click(inks);
+    };
+    const auto is_white_on_black = [&] {
+        return settings.tone.invert && settings.ink == kWhite && settings.paper == kBlack;
+    };
+    choose("white on black");
+    CHECK(is_white_on_black());
+    choose("CMYK");
+    CHECK(settings.pens.set == PenSet::cmyk);
+    CHECK_FALSE(settings.tone.invert);
+    CHECK(settings.paper == kWhite);
+    choose("one ink");
+    CHECK(settings == DrawingSettings{});
+    CHECK_FALSE(ui.has("White ink on black paper"));
+    mostly_black = true;
+    ui.frame();
+    ui.click("White ink on black paper");
+    CHECK(is_white_on_black());
 }
 
 }  // namespace dapple

@@ -56,6 +56,11 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(Key::c, true) == Actions{Action::copy_picture});
     CHECK(keyboard.press(Key::l) == Actions{Action::loupe});
     CHECK(keyboard.press(Key::i) == Actions{Action::explain_dots});
+    CHECK(keyboard.press(Key::m) == Actions{Action::method});
+    CHECK(keyboard.press(Key::v) == Actions{Action::variations});
+    CHECK(keyboard.press(Key::x) == Actions{Action::crop});
+    CHECK(keyboard.press(Key::b) == Actions{Action::mask});
+    CHECK(keyboard.press(Key::r) == Actions{Action::rotate});
     CHECK(keyboard.press(Key::f11) == Actions{Action::full_screen});
     CHECK(keyboard.press(Key::o).empty());
 }

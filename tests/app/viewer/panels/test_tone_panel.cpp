@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <glm/glm.hpp>
+#include <utility>
 
-#include "app/viewer/panels/crop_rows.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "tests/headless_ui.h"
 
@@ -18,13 +19,18 @@ DrawingSettings in_own_tone(const Tone& tone) {
     return settings;
 }
 
+/// With all of its rows in sight.
+struct ToneUi : HeadlessUi {
+    explicit ToneUi(std::function<void()> draw) : HeadlessUi(std::move(draw)) { click("More tone settings"); }
+};
+
 }  // namespace
 
 TEST_CASE("a panel that nobody touches changes nothing") {
     DrawingSettings settings = in_own_tone({.contrast = 0.3f, .blur = 50});
     const Tone& tone = settings.tone;
     bool changed = false;
-    HeadlessUi ui([&] { changed |= draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { changed |= draw_tone_panel(settings, {}); });
     ui.move_to({200, 120});
     for (int i = 0; i < 5; ++i) ui.frame();
     CHECK_FALSE(changed);
@@ -34,7 +40,7 @@ TEST_CASE("a panel that nobody touches changes nothing") {
 TEST_CASE("dragging a tone slider to its ends gives its range") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.drag("Contrast", 0.5f, 1.0f);
     CHECK(tone.contrast == 1);
     ui.drag("Contrast", 1.0f, 0.0f);
@@ -46,31 +52,40 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
     CHECK(tone.brightness == 0);
 }
 
-TEST_CASE("automatic tone has a strength, which no other tone has") {
+TEST_CASE("one slider goes from true light to automatic tone, and leaves a tone of one's own") {
     DrawingSettings settings;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
-    ui.drag("Tone strength", 0.6f, 1.0f);
-    CHECK(settings.tone_strength == 1);
-    ui.double_click("Tone strength name");
-    CHECK(settings.tone_strength == kUsualToneStrength);
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
+    ui.drag("Automatic tone", 0.6f, 1.0f);
     CHECK(settings.automatic_tone);
-    ui.click("true");
-    ui.drag("Tone strength", 0.6f, 1.0f);
-    CHECK(settings.tone_strength == kUsualToneStrength);
+    CHECK(settings.tone_strength == 1);
+    ui.double_click("Automatic tone name");
+    CHECK(settings == DrawingSettings{});
+    ui.drag("Automatic tone", 0.6f, 0.0f);
+    CHECK_FALSE(settings.automatic_tone);
+    CHECK(settings.tone == Tone{});
+    ui.enter("Automatic tone", "0.3");
+    CHECK(settings.automatic_tone);
+    CHECK(settings.tone_strength == 0.3);
+    CHECK(settings.tone == DrawingSettings{}.tone);
+    ui.enter("Gamma", "2");
+    CHECK_FALSE(settings.automatic_tone);
+    ui.enter("Automatic tone", "0");
+    CHECK_FALSE(settings.automatic_tone);
+    CHECK(settings.tone == Tone{});
 }
 
 TEST_CASE("exposure is the picture's own until it is moved, and again once it is put back") {
     DrawingSettings settings;
     ToneInfo facts{.usual_exposure = -3.2f};
     bool changed = false;
-    HeadlessUi ui([&] { changed |= draw_tone_panel(settings, facts); });
+    ToneUi ui([&] { changed |= draw_tone_panel(settings, facts); });
     CHECK_FALSE(changed);
     const float below = ui.place("Black point").min.y;
     ui.enter("Exposure", "1.5");
     CHECK_FALSE(settings.automatic_exposure);
     CHECK(settings.tone.exposure == 1.5f);
     CHECK(settings.automatic_tone);  // black, white and gamma still follow
-    ui.click("true");
+    ui.enter("Automatic tone", "0");
     CHECK(settings.tone.exposure == 1.5f);
     ui.enter("Exposure", "-3.2");
     CHECK(settings.automatic_exposure);
@@ -87,7 +102,7 @@ TEST_CASE("exposure is the picture's own until it is moved, and again once it is
 TEST_CASE("a slider goes on following a mouse that leaves its row") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.move_to(ui.at("Brightness", 0.5f));
     ui.press();
     ui.move_to(ui.at("Brightness", 0.9f) + glm::vec2(0, 300));
@@ -100,7 +115,7 @@ TEST_CASE("a slider goes on following a mouse that leaves its row") {
 TEST_CASE("black and white point push each other and never meet") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.drag("Black point", 0.0f, 1.0f);
     CHECK(tone.black_point < tone.white_point);
     ui.drag("White point", 1.0f, 0.0f);
@@ -112,7 +127,7 @@ TEST_CASE("black and white point push each other and never meet") {
 TEST_CASE("a double-click on a slider's name brings the neutral value back") {
     DrawingSettings settings = in_own_tone({.gamma = 3});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.double_click("Gamma name");
     CHECK(tone.gamma == 1);
 }
@@ -120,7 +135,7 @@ TEST_CASE("a double-click on a slider's name brings the neutral value back") {
 TEST_CASE("Ctrl+click on a slider takes a typed number, beyond the track where that is allowed") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.enter("Blur", "250");
     CHECK(tone.blur == 100);
 }
@@ -128,7 +143,7 @@ TEST_CASE("Ctrl+click on a slider takes a typed number, beyond the track where t
 TEST_CASE("the invert switch toggles") {
     DrawingSettings settings = in_own_tone({});
     const Tone& tone = settings.tone;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {}); });
     ui.click("Invert");
     CHECK(tone.invert);
     ui.click("Invert");
@@ -138,7 +153,7 @@ TEST_CASE("the invert switch toggles") {
 TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") {
     DrawingSettings settings;
     const Tone drawn{.black_point = 0.1f, .white_point = 0.8f, .gamma = 2, .detail = 0.5f};
-    HeadlessUi ui([&] { draw_tone_panel(settings, {.drawn = drawn}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {.drawn = drawn}); });
     ui.frame();
     CHECK(settings.automatic_tone);
     ui.drag("Brightness", 0.5f, 1.0f);
@@ -146,10 +161,8 @@ TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") 
     CHECK(settings.tone.brightness == 1);
     CHECK(settings.tone.gamma == 2);
     CHECK(settings.tone.white_point == 0.8f);
-    ui.click("true");
-    CHECK(settings.tone == Tone{});
-    CHECK_FALSE(settings.automatic_tone);
-    ui.click("auto");
+    ui.double_click("Automatic tone name");
+    CHECK(settings.tone == DrawingSettings{}.tone);
     CHECK(settings.automatic_tone);
 }
 
@@ -158,16 +171,16 @@ TEST_CASE(
     "auto") {
     DrawingSettings settings;
     const Tone chosen{.black_point = 0.1f, .white_point = 0.8f, .gamma = 2, .detail = 0.5f, .black = 0.95};
-    HeadlessUi ui([&] { draw_tone_panel(settings, {.drawn = chosen, .usual = chosen}); });
+    ToneUi ui([&] { draw_tone_panel(settings, {.drawn = chosen, .usual = chosen}); });
     ui.double_click("Gamma name");  // which has moved nothing
     CHECK(settings.automatic_tone);
     ui.drag("Gamma", 0.5f, 0.0f);
     ui.enter("Black point", "0.3");
-    ui.enter("Black", "0.6");
+    ui.enter("Deepest black", "0.6");
     CHECK_FALSE(settings.automatic_tone);
     ui.double_click("Gamma name");
     CHECK(settings.tone.gamma == 2);
-    ui.double_click("Black name");
+    ui.double_click("Deepest black name");
     CHECK(settings.tone.black == 0.95);
     CHECK_FALSE(settings.automatic_tone);
     ui.double_click("Black point name");
@@ -179,46 +192,31 @@ TEST_CASE(
 TEST_CASE("black is as solid as the dots allow until its row is moved, and again once that is put back") {
     DrawingSettings settings;
     ToneInfo facts{.usual = {.black = 0.95}};
-    HeadlessUi ui([&] { draw_tone_panel(settings, facts); });
-    ui.enter("Black", "0.7");
+    ToneUi ui([&] { draw_tone_panel(settings, facts); });
+    ui.enter("Deepest black", "0.7");
     CHECK(settings.tone.black == 0.7);
     CHECK(settings.automatic_tone);  // the other tones still follow
-    ui.enter("Black", "0.95");
+    ui.enter("Deepest black", "0.95");
     CHECK_FALSE(settings.tone.black);
-    ui.enter("Black", "1");
+    ui.enter("Deepest black", "1");
     CHECK(settings.tone.black == 1);
     settings.style = DrawingStyle::line;
     ui.frame();
-    ui.drag("Black", 1.0f, 0.0f);
-    CHECK(settings.tone.black == 1);
-}
-
-TEST_CASE("where nearly all dots would go into black, one click brings white ink on black") {
-    DrawingSettings settings;
-    HeadlessUi ui([&] { draw_tone_panel(settings, {.mostly_black = !settings.tone.invert}); });
-    ui.click("White ink on black paper");
-    CHECK(settings.tone.invert);
-    CHECK(settings.ink == kWhite);
-    CHECK(settings.paper == kBlack);
-    ui.click("Black ink on white paper");
-    CHECK_FALSE(settings.tone.invert);
-    CHECK(settings.ink == kBlack);
-    CHECK(settings.paper == kWhite);
+    CHECK_FALSE(ui.has("Deepest black"));
 }
 
 TEST_CASE("a picture's arrival and a tone that is moved leave every row of the picture where it is") {
     DrawingSettings settings;
     ToneInfo info;
-    HeadlessUi ui([&] {
+    ToneUi ui([&] {
         draw_tone_panel(settings, info);
-        draw_rotate_row(settings.page.quarter_turns);
+        wide_button("Below", "");
     });
     const WidgetPlaces before = ui.places();
     info.histogram.counts[300] = info.histogram.total = 1000;
     info.usual_exposure = 5;
-    info.mostly_black = true;
     for (int i = 0; i < 2; ++i) ui.frame();
-    for (const char* row : {"Exposure", "Black point", "Gamma", "Invert", "White ink on black paper", "90"})
+    for (const char* row : {"Exposure", "Black point", "Gamma", "Invert", "Below"})
         CHECK(ui.place(row) == before.at(row));
 }
 

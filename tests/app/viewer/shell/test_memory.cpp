@@ -42,6 +42,7 @@ TEST_CASE("what was chosen and what just was so is there on the next day") {
     today.preferences.appearance = {Theme::dark, 1.25f};
     today.state.window = {-5, 20, 1000, 700, true};
     today.state.panels_shown = false;
+    today.state.panel_width = 420;
     today.state.view = {.zoom_mode = ZoomMode::constant_density,
                         .saving = {.order = DotOrder::space, .dpi = 600}};
     today.state.view.drawing.placing.count = 12'345;
