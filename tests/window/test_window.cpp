@@ -426,7 +426,7 @@ TEST_CASE("on the canvas a hidden pen's dots are gone, and of one looked at alon
     RunningViewer viewer(folder.path(), {"pens.dapple"});
     REQUIRE(viewer.is_relaxed());
     const auto count = [](const auto& looked_for) {
-        const Grid<glm::u8vec3> canvas = cut_out(screen(), {{0, 0}, {930, 700}});
+        const Grid<glm::u8vec3> canvas = cut_out(screen(), {{0, 60}, {930, 700}});
         return std::ranges::count_if(canvas.values, looked_for);
     };
     const auto is_magenta = [](glm::u8vec3 pixel) { return pixel.r > 190 && pixel.g < 60 && pixel.b > 90; };
@@ -530,6 +530,43 @@ TEST_CASE("without a display the program says so and what to do") {
     ChildProcess program({dapple_program()}, {.errors = folder / "errors"});
     CHECK(program.wait() == 1);
     CHECK(text_of(folder / "errors").find("dapple render") != std::string::npos);
+}
+
+TEST_CASE("nine variations are shown, the one that is clicked is drawn, and one undo takes it back") {
+    const TemporaryFolder folder;
+    Display display;
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
+    viewer.move(300, 300);
+    viewer.key("v");
+    REQUIRE(viewer.shows([&] { return viewer.has("Variation fewer dots"); }));
+    viewer.click("Variation fewer dots");
+    CHECK(viewer.shows([&] { return viewer.dots() == 20'000; }));
+    viewer.key("Escape");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Variation lighter"); }));
+    CHECK(viewer.dots() == 20'000);
+    viewer.key("ctrl+z");
+    CHECK(viewer.shows([&] { return viewer.dots() == 40'000; }));
+}
+
+TEST_CASE("the column is as wide as its edge is dragged to, also in the next window") {
+    const TemporaryFolder folder;
+    const WindowMemory memory{folder / "home"};
+    Display display;
+    const auto left_of_column = [](const RunningViewer& viewer) {
+        return viewer.status()["widgets"]["Open..."][0].get<double>();
+    };
+    {
+        RunningViewer viewer(folder.path(), {write_unrelaxed(folder)}, memory);
+        viewer.point_at("Panels' edge");
+        viewer.press();
+        viewer.move(800, 400);
+        viewer.release();
+        CHECK(viewer.shows([&] { return left_of_column(viewer) > 800 && left_of_column(viewer) < 840; }));
+        CHECK(viewer.quit() == 0);
+    }
+    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)}, memory);
+    CHECK(left_of_column(viewer) > 800);
+    CHECK(left_of_column(viewer) < 840);
 }
 
 TEST_CASE("the dots on screen are measured once the spectrum's section is opened") {

@@ -191,6 +191,65 @@ const Shortcut& shortcut_of(Action action) {
     return entry_of(action)->shortcut;
 }
 
+ActionGroup group_of(Action action) {
+    switch (action) {
+        case Action::open:
+        case Action::open_tile:
+        case Action::find_picture:
+        case Action::open_mask:
+        case Action::paste:
+        case Action::save:
+        case Action::save_as:
+        case Action::save_project:
+        case Action::save_film:
+        case Action::copy_picture:
+        case Action::as_lights:
+        case Action::back:
+            return ActionGroup::files;
+        case Action::fit:
+        case Action::one_to_one:
+        case Action::zoom_in:
+        case Action::zoom_out:
+        case Action::pan_left:
+        case Action::pan_right:
+        case Action::pan_up:
+        case Action::pan_down:
+        case Action::photograph:
+        case Action::lighter:
+        case Action::darker:
+        case Action::toggle_panels:
+        case Action::full_screen:
+            return ActionGroup::view;
+        case Action::undo:
+        case Action::redo:
+        case Action::crop:
+        case Action::mask:
+        case Action::rotate:
+        case Action::variations:
+        case Action::smaller_brush:
+        case Action::larger_brush:
+        case Action::play:
+        case Action::film_growth:
+        case Action::film_plot:
+            return ActionGroup::drawing;
+        case Action::method:
+        case Action::toggle_tiles:
+        case Action::compare:
+        case Action::loupe:
+        case Action::explain_dots:
+        case Action::film_levels:
+        case Action::film_zoom:
+            return ActionGroup::method;
+        case Action::help:
+        case Action::palette:
+        case Action::preferences:
+        case Action::about:
+        case Action::quit:
+            return ActionGroup::program;
+    }
+    return ActionGroup::program;
+}
+
 std::string with_keys(std::string_view tip, Action action) {
     const char* const keys = shortcut_of(action).keys;
     return *keys ? fmt::format("{}   {}", tip, keys) : std::string(tip);

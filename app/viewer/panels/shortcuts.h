@@ -73,6 +73,9 @@ std::span<const Shortcut> shortcuts();
 std::span<const Shortcut> light_shortcuts();
 /// What there is to say of an action, in the drawing's window or else in the map's.
 const Shortcut& shortcut_of(Action action);
+/// What help lists together.
+enum class ActionGroup { files, view, drawing, method, program };
+ActionGroup group_of(Action action);
 /// A tip, with the action's keys behind it.
 std::string with_keys(std::string_view tip, Action action);
 
