@@ -328,8 +328,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     changed |= colour_row(setting::paper, settings.paper, kWhite);
     changed |= draw_number(settings.pens);
     {
-        const bool named = settings.pens.set == PenSet::own || settings.pens.set == PenSet::automatic;
-        const Absent absent(named ? nullptr : "Applies to own and automatic pens only.");
+        const Absent absent(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
         if (kept.row)
             changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     }

@@ -93,6 +93,24 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
     return entries;
 }
 
+std::string completed(const std::string& typed, const fs::path& folder,
+                      const std::vector<std::string>& extensions) {
+    const fs::path path(typed), there = (folder / path).parent_path();
+    const std::string begun = lower_case(path.filename().string());
+    if (begun.empty()) return typed;
+    std::optional<std::string> common;
+    bool to_folder = false;
+    for (const FolderEntry& entry : list_folder(there, extensions)) {
+        if (!lower_case(entry.name).starts_with(begun)) continue;
+        to_folder = !common && entry.folder;
+        if (!common) common = entry.name;
+        const auto end = std::ranges::mismatch(*common, entry.name).in1;
+        common->erase(end, common->end());
+    }
+    if (!common || common->size() < begun.size()) return typed;
+    return (path.parent_path() / *common).string() + (to_folder ? "/" : "");
+}
+
 void FileDialog::ask_what_to_open(OpenQuestion question) {
     saves_ = false;
     open_question_ = std::move(question);
@@ -150,6 +168,7 @@ void FileDialog::enter(const fs::path& folder) {
     fs::path name = fs::path(typed_).filename();
     bool keeps_name = saves_ && !name.empty();
     typed_ = (keeps_name ? folder_ / name : folder_ / "").string();
+    filter_.clear();
     trouble_.clear();
     replaces_.clear();
     entry_keys_.forget();
@@ -157,6 +176,21 @@ void FileDialog::enter(const fs::path& folder) {
 
 void FileDialog::take_name(const fs::path& file) {
     typed_ = file.string();
+    filter_.clear();
+    trouble_.clear();
+    replaces_.clear();
+}
+
+// Of another folder than the one that is listed, perhaps.
+void FileDialog::follow_typed() {
+    const fs::path path(typed_), there = path.parent_path();
+    if (path.is_absolute() && there != plain_folder(folder_) && is_folder(there)) {
+        folder_ = there / "";
+        entries_ = list_folder(folder_, endings());
+        entry_keys_.forget();
+    }
+    filter_ = saves_ ? "" : lower_case(path.filename().string());
+    jumps_ = true;
     trouble_.clear();
     replaces_.clear();
 }
@@ -284,7 +318,10 @@ FileDialog::Wanted FileDialog::draw_entries() {
     }
     const FolderEntry* const begun = entry_begun();
     const bool jumps = std::exchange(jumps_, false);
+    bool any = false;
     for (const FolderEntry& entry : entries_) {
+        if (lower_case(entry.name).find(filter_) == std::string::npos) continue;
+        any = true;
         const fs::path path = folder_ / entry.name;
         if (&entry == begun && jumps) ImGui::SetScrollHereY();
         const std::string label = printable(entry.name) + (entry.folder ? "/" : "");
@@ -301,6 +338,7 @@ FileDialog::Wanted FileDialog::draw_entries() {
             if (keys.enter || (clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) chosen = path;
         }
     }
+    if (!any && !filter_.empty()) hint("No file or folder here has these letters.");
     if (!walk_to.empty()) enter(walk_to);
     return chosen;
 }
@@ -378,8 +416,23 @@ bool FileDialog::draw_path() {
     ImGui::SetNextItemWidth(-1);
     if (std::exchange(focus_path_, false)) ImGui::SetKeyboardFocusHere();
     const std::string before = typed_;
-    const auto to_the_end = [](ImGuiInputTextCallbackData* data) {
-        if (std::exchange(*static_cast<bool*>(data->UserData), false)) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool tab =
+        path_has_keys_ && io.WantTextInput && key_pressed(Key::tab) && !io.KeyShift && !io.KeyCtrl;
+    const std::string whole = tab ? completed(typed_, folder_, endings()) : typed_;
+    const bool completes = whole != typed_;
+    // ImGui has a copy of its own while it is typed in.
+    struct Edit {
+        bool &ends, completes;
+        const std::string& whole;
+    } edit{path_ends_, completes, whole};
+    const auto follow = [](ImGuiInputTextCallbackData* data) {
+        Edit& wanted = *static_cast<Edit*>(data->UserData);
+        if (wanted.completes) {
+            data->DeleteChars(0, data->BufTextLen);
+            data->InsertChars(0, editable(wanted.whole).c_str());
+        }
+        if (std::exchange(wanted.ends, false) || std::exchange(wanted.completes, false)) {
             data->ClearSelection();
             data->CursorPos = data->BufTextLen;
         }
@@ -387,15 +440,12 @@ bool FileDialog::draw_path() {
     };
     bool entered =
         bytes_box("##path", typed_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
-                  to_the_end, &path_ends_);
+                  follow, &edit);
     const bool typing = ImGui::IsItemActive(), activated = ImGui::IsItemActivated();
     ImGui::PopID();
     note_place("Path");
-    if (typed_ != before) {
-        jumps_ = true;
-        trouble_.clear();
-        replaces_.clear();
-    }
+    if (typed_ != before) follow_typed();
+    if (completes) return false;  // that Tab goes to no other row
     path_has_keys_ = item_keys("path", typing).focused;
     if (typing && !path_has_keys_) ++path_turn_;
     // Enter also counts where the field has no keyboard: not yet, in the first frames, or no longer.

@@ -22,6 +22,11 @@ struct FolderEntry {
     bool operator==(const FolderEntry&) const = default;
 };
 
+/// A path that is being typed, in that folder or whole, with what all entries have in common that begin with
+/// its last name, in upper or lower case; a folder that alone does gets its slash. As typed where none does.
+std::string completed(const std::string& typed, const std::filesystem::path& folder,
+                      const std::vector<std::string>& extensions);
+
 /// Folders first, then the files whose lower-case extension is in the list (all when it is empty), each by
 /// name; hidden ones left out. Empty if the folder cannot be read.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
@@ -92,6 +97,8 @@ class FileDialog {
     std::filesystem::path draw_folders(const std::vector<std::filesystem::path>& folders);
     Wanted draw_entries();
     void take_name(const std::filesystem::path& file);
+    /// What is typed was changed by hand.
+    void follow_typed();
     bool has_formats() const;  // to choose from
     void draw_formats();
     /// Below the formats. In a low window they scroll, so that some of the folder is left to be seen.
@@ -123,6 +130,7 @@ class FileDialog {
     float options_height_ = 0;  // as they were drawn last
     std::filesystem::path folder_;
     std::string typed_;                            // the path box
+    std::string filter_;                           // letters that listed entries have
     std::string trouble_;                          // why the path cannot be taken
     std::filesystem::path replaces_;               // what was asked for once,
     std::vector<std::filesystem::path> replaced_;  // of whose files these are there already

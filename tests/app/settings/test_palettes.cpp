@@ -75,6 +75,7 @@ TEST_CASE("the palette row takes one's pens, keeps the present ones under a name
     put_text(folder / "lines.json", "Sky:#3aa0d8:0.3\nInk:#111111\n");
     PaletteRow row(folder.path());
     DrawingSettings settings;
+    settings.pens.set = PenSet::cmyk;
     Banner banner;
     HeadlessUi ui([&] { draw_pen_panel(settings, LengthUnit::mm, {}, {&row, &banner}); });
     const auto choose = [&](const char* name) {
@@ -99,7 +100,7 @@ TEST_CASE("the palette row takes one's pens, keeps the present ones under a name
     CHECK(banner.message.find("broken.json") != std::string::npos);  // still
     CHECK(own_palettes(folder.path()) == std::vector<std::string>{"broken", "lines", "mine"});
     CHECK(read_pens(folder / "mine.json").own == settings.pens.own);
-    settings.pens = {};
+    settings.pens = {.set = PenSet::greys};
     ui.frame();
     choose("mine");
     CHECK(settings.pens.own[0].width_mm == 0.7);

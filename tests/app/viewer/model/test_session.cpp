@@ -47,7 +47,7 @@ TEST_CASE("a change of several pens is told by its own row") {
         change(after.drawing.pens);
         return change_in_words(before, after);
     };
-    CHECK(words([](PenChoice& pens) { pens.set = PenSet::cmyk; }) == "Which pens");
+    CHECK(words([](PenChoice& pens) { pens.set = PenSet::cmyk; }) == "Inks");
     CHECK(words([](PenChoice& pens) { pens.own[1].name = "Sand"; }) == "Pen 2");
     CHECK(words([](PenChoice& pens) { pens.own[0].colour = kBlack; }) == "Colour 1");
     CHECK(words([](PenChoice& pens) { pens.own[2].width_mm = 0.4; }) == "Width 3");

@@ -538,6 +538,47 @@ TEST_CASE("typed letters jump to the entry that begins with them, and Enter open
     CHECK(f.dialog.is_open());
 }
 
+TEST_CASE("Tab completes what is typed, as far as all names agree that begin so, and else walks on") {
+    Folder folder;
+    const fs::path root = folder.root.path();
+    const std::vector<std::string> pictures{".png", ".jpg", ".tif"};
+    CHECK(completed("a", root, pictures) == "ant.png");
+    CHECK(completed("c", root, pictures) == "Cat.JPG");
+    CHECK(completed("B F", root, pictures) == "b folder/");
+    CHECK(completed((root / "b folder/in").string(), "/", {}) == (root / "b folder/inner.tif").string());
+    CHECK(completed("z", root, pictures) == "z");
+    CHECK(completed("", root, pictures).empty());
+    std::ofstream(root / "antler.png") << "x";
+    CHECK(completed("an", root, pictures) == "ant");
+    DialogUi f;
+    f.open(root);
+    for (const char* letter : {"a", "n"}) f.ui.type(letter);
+    f.key(Key::tab);
+    f.ui.type("l");
+    f.key(Key::tab);
+    f.key(Key::enter);
+    CHECK(f.chosen == root / "antler.png");
+}
+
+TEST_CASE("what is typed leaves those entries that have its letters, of the folder that is typed") {
+    Folder folder;
+    const fs::path root = folder.root.path();
+    {
+        DialogUi f;
+        f.open(root);
+        CHECK(f.ui.has("ant.png"));
+        for (const char* letter : {"f", "o", "l"}) f.ui.type(letter);
+        f.ui.frame();
+        CHECK(f.ui.has("b folder/"));
+        CHECK_FALSE(f.ui.has("ant.png"));
+    }
+    DialogUi f;
+    f.open(root);
+    f.ui.type((root / "b folder/").c_str());
+    f.ui.frame();
+    CHECK(f.ui.has("inner.tif"));
+}
+
 TEST_CASE("what is wrong with a name is said beside the buttons and never under them") {
     Folder folder;
     DialogUi f;
