@@ -49,7 +49,7 @@ struct ListedRow {
 /// to nothing.
 struct WidgetNotes {
     WidgetPlaces places{};
-    ImGuiID row_with_keys = 0;  // see row_keys.h; 0: none
+    ImGuiID row_with_keys = 0;                 // see row_keys.h; 0: none
     std::vector<ListedRow>* listed = nullptr;  // see RowListing
     std::vector<std::string> sections{};       // that listed rows are in
     const ListedRow* taken = nullptr;          // the listed row that is to have `value`
