@@ -367,7 +367,10 @@ RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, doubl
                              .threads = plan.placing.threads,
                              .kernel = pictures ? kPictureKernel : kSampleKernel,
                              .stirring = stirring_of(placer.table(), scale)};
-    if (pictures && !plan.joined) relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
+    if (pictures && !plan.joined) {
+        relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
+        relaxing.areas.smallest = static_cast<float>(smallest_area(plan.size));
+    }
     return relaxing;
 }
 
@@ -435,7 +438,7 @@ std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_toke
     RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), scale);
     if (plan.steps > relaxing.lloyd_steps)  // once for all parts
         relaxing.blurred = std::make_shared<const BlurredDensity>(
-            blurred_for_kernels(*plan.density, scale, relaxing.kernel));
+            blurred_for_kernels(*plan.density, scale, relaxing.kernel, relaxing.areas));
     return PlannedDots{
         scale, [table = tile_->placer().shared_table(), density = plan.density, request, steps = plan.steps,
                 relaxing](const PagePart& part, const std::stop_token& stopped) {

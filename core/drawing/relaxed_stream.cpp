@@ -32,7 +32,7 @@ class Bands {
         relaxing_.stirring = stirring_of(placer.table(), scale());
         if (steps > relaxing_.lloyd_steps && !relaxing_.blurred)  // once for all bands
             relaxing_.blurred = std::make_shared<const BlurredDensity>(
-                blurred_for_kernels(density, scale(), relaxing_.kernel));
+                blurred_for_kernels(density, scale(), relaxing_.kernel, relaxing_.areas));
     }
 
     double scale() const { return request_.placing.scale; }

@@ -56,18 +56,14 @@ class WideMean {
         tbb::parallel_for(0, means_.height, [&](int y) {
             for (int x = 0; x < means_.width; ++x) means_.at(x, y) = mean_of_block(picture, x, y, value);
         });
-        means_ = blurred(std::move(means_), sigma_px / side_);
+        means_ = widened(blurred(std::move(means_), sigma_px / side_), picture.width);
     }
 
     // The means at the pixels of a row of the picture.
     void row(int y, std::vector<float>& values) const {
-        const auto [above, below, share_y] = neighbours(y, means_.height);
-        for (int x = 0; x < static_cast<int>(values.size()); ++x) {
-            const auto [left, right, share_x] = neighbours(x, means_.width);
-            const float upper = mixed(means_.at(left, above), means_.at(right, above), share_x);
-            const float lower = mixed(means_.at(left, below), means_.at(right, below), share_x);
-            values[static_cast<std::size_t>(x)] = mixed(upper, lower, share_y);
-        }
+        const auto [above, below, share] = neighbours(y, means_.height);
+        const float *const upper = means_.row(above), *const lower = means_.row(below);
+        for (std::size_t x = 0; x < values.size(); ++x) values[x] = mixed(upper[x], lower[x], share);
     }
 
  private:
@@ -88,6 +84,19 @@ class WideMean {
         return sum / static_cast<float>((right - left) * (bottom - top));
     }
 
+    // Rows of blocks as long as the picture's: each is read for all rows of its pixels.
+    Grid<float> widened(const Grid<float>& blocks, int width) const {
+        Grid<float> wide(width, blocks.height);
+        std::vector<Neighbours> columns;
+        for (int x = 0; x < width; ++x) columns.push_back(neighbours(x, blocks.width));
+        tbb::parallel_for(0, blocks.height, [&](int y) {
+            const float* const from = blocks.row(y);
+            float* to = wide.row(y);
+            for (const auto& [left, right, share] : columns) *to++ = mixed(from[left], from[right], share);
+        });
+        return wide;
+    }
+
     // The blocks whose middles lie before and behind a pixel's.
     Neighbours neighbours(int pixel, int blocks) const {
         const float at = (static_cast<float>(pixel) + 0.5f) / static_cast<float>(side_) - 0.5f;
@@ -97,8 +106,8 @@ class WideMean {
 
     static float mixed(float a, float b, float share) { return a + (b - a) * share; }
 
-    int side_;  // of a block that becomes one pixel
-    Grid<float> means_;
+    int side_;           // of a block that becomes one pixel
+    Grid<float> means_;  // a row for each row of blocks
 };
 
 float limited(float change) {
@@ -114,7 +123,7 @@ double detail_sigma(double pixels, double dots) {
 
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {
     if (amount == 0 || light.empty()) return light;
-    const SrgbTables srgb;
+    static const SrgbTables srgb;
     tbb::parallel_for(0, light.height, [&](int y) {
         for (float& v : std::span(light.row(y), static_cast<std::size_t>(light.width)))
             v = srgb.encoded(v < 1 ? (v > 0 ? v : 0.0f) : 1.0f);  // in this order NaN becomes white
@@ -127,11 +136,14 @@ Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {
         std::vector<float> means(static_cast<std::size_t>(light.width)), squares(means.size());
         mean.row(y, means);
         mean_square.row(y, squares);
+        // No step is a branch, so that they are taken for several pixels at once.
         for (std::size_t x = 0; x < means.size(); ++x) {
-            const float spread = std::max(0.0f, squares[x] - means[x] * means[x]);
+            const float variance = squares[x] - means[x] * means[x];
+            const float spread = 0.5f * (variance + std::abs(variance));  // 0 where rounding made it less
             const float change = kGain * (row[x] - means[x]) * (kEdge * kEdge / (spread + kEdge * kEdge));
-            row[x] = srgb.light(std::clamp(row[x] + strength * limited(change), 0.0f, 1.0f));
+            row[x] += strength * limited(change);
         }
+        for (std::size_t x = 0; x < means.size(); ++x) row[x] = srgb.light(std::clamp(row[x], 0.0f, 1.0f));
     });
     return light;
 }

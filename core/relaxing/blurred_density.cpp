@@ -113,11 +113,11 @@ float weighed(const float (&weights)[3], float a, float b, float c) {
 
 }  // namespace
 
-BlurredDensity::BlurredDensity(const Density& density, double least_variance, double most_variance) {
+BlurredDensity::BlurredDensity(Grid<float> grid, double least_variance, double most_variance) {
+    const double width = grid.width, height = grid.height;
     double variance = kSplineVariance, side = 1;  // of the level to come
     while (2 * variance <= least_variance) variance *= 2;
     first_variance_ = static_cast<float>(variance);
-    Grid<float> grid = density.values();
     double held = 0;  // by the grid, without the spline's
     while (true) {
         while (std::sqrt(variance) / side > kMostPixels) {
@@ -128,8 +128,8 @@ BlurredDensity::BlurredDensity(const Density& density, double least_variance, do
         const double lacks = variance - kSplineVariance * side * side - held;
         if (lacks > 1e-9) grid = blurred_in_mirrors(std::move(grid), std::sqrt(lacks) / side);
         held += lacks;
-        levels_.push_back({with_pixels_around(grid, kBefore, kAfter), grid.width / double(density.width()),
-                           grid.height / double(density.height())});
+        levels_.push_back(
+            {with_pixels_around(grid, kBefore, kAfter), grid.width / width, grid.height / height});
         if (variance >= most_variance) return;
         variance *= 2;
     }

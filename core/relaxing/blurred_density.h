@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "core/image/density.h"
 #include "core/image/grid.h"
 
 namespace dapple {
@@ -14,8 +13,8 @@ namespace dapple {
 class BlurredDensity {
  public:
     /// For variances from one to the other, in the picture's pixels squared. What is narrower than a pixel's
-    /// own (0.25) is not told apart. Both finite. The density is not needed any more.
-    BlurredDensity(const Density& density, double least_variance, double most_variance);
+    /// own (0.25) is not told apart. Both finite. The density, a value a pixel, has to have pixels.
+    BlurredDensity(Grid<float> density, double least_variance, double most_variance);
 
     struct Slope {
         float value = 0, x = 0, y = 0;  // x and y a pixel of the picture

@@ -35,6 +35,7 @@ class DotRows {
     std::size_t end(std::int64_t row) const { return begins_[static_cast<std::size_t>(row) + 1]; }
 
     Positions x, y;   // in rows' heights; row after row, in each by x and then by y
+    Positions areas;  // over the largest's, as whoever moves the dots tells them; empty: all are alike
     Numbers numbers;  // as they came
 
  private:

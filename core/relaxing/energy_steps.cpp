@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <utility>
 
 #include "core/relaxing/gaussian.h"
 #include "core/relaxing/page_edge.h"
@@ -30,15 +31,18 @@ constexpr int kLanes = 8;
 typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
 typedef std::int32_t LaneMask __attribute__((vector_size(kLanes * sizeof(float))));
 
-// What kernels push, lane by lane, so that sums are the same with vectors of any width.
+// What kernels push, lane by lane, so that sums are the same with vectors of any width. Weighed by areas, or
+// all alike, which takes less time.
+template <bool kWeighed>
 class Pushes {
  public:
     Pushes(float x, float y, float variance)
         : x_(x), y_(y), per_variance_(-0.5f / variance), end2_(2 * kEnd * variance) {}
 
-    void add(float x, float y) {
+    void add(float x, float y, float area) {
         near_x_[held_] = x;
         near_y_[held_] = y;
+        if constexpr (kWeighed) area_[held_] = area;
         if (++held_ == kRoom) push();
     }
 
@@ -53,7 +57,10 @@ class Pushes {
 
  private:
     void push() {
-        for (std::size_t i = held_; i % kLanes != 0; ++i) near_x_[i] = x_, near_y_[i] = y_;  // pushes nothing
+        for (std::size_t i = held_; i % kLanes != 0; ++i) {
+            near_x_[i] = x_, near_y_[i] = y_;  // pushes nothing
+            if constexpr (kWeighed) area_[i] = 0;
+        }
         for (std::size_t i = 0; i < held_; i += kLanes) {
             Lanes x, y;
             std::memcpy(&x, near_x_ + i, sizeof x);
@@ -65,6 +72,11 @@ class Pushes {
             take_exponential(weight);
             const LaneMask near = distance2 < end2_;
             weight = (Lanes)((LaneMask)weight & near);
+            if constexpr (kWeighed) {
+                Lanes area;
+                std::memcpy(&area, area_ + i, sizeof area);
+                weight *= area;
+            }
             push_x_ += weight * x;
             push_y_ += weight * y;
         }
@@ -80,18 +92,28 @@ class Pushes {
     const float x_, y_, per_variance_, end2_;
     Lanes push_x_{}, push_y_{};
     std::size_t held_ = 0;
-    float near_x_[kRoom], near_y_[kRoom];
+    float near_x_[kRoom], near_y_[kRoom], area_[kWeighed ? kRoom : 1];
 };
 
 }  // namespace
 
-BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel) {
+float DotAreas::density_of(float ink) const {
+    if (!differ() || ink >= 1) return ink;
+    const float more = 1 - smallest, least = std::max(ink, 0.0f);
+    return 2 * least / (smallest + std::sqrt(smallest * smallest + 4 * more * least));
+}
+
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel, DotAreas areas) {
     const PageRows page(density, scale);
     const double pixels2 = page.pixels * page.pixels;
     const float on_black = 2 * kernel * kernel * page.spacing * page.spacing;
-    return {density, std::min(on_black, kMostVariance) * pixels2, kMostVariance * pixels2};
+    Grid<float> ink = density.values();
+    if (areas.differ())
+        for (float& value : ink.values) value *= areas.at(value);
+    return {std::move(ink), std::min(on_black, kMostVariance) * pixels2, kMostVariance * pixels2};
 }
 
+template <bool kWeighed>
 DotStep EnergySteps::by_dots(float x, float y, float variance) {
     const float reach = std::sqrt(2 * kEnd * variance);
     const float from = x - reach, to = x + reach;
@@ -99,13 +121,15 @@ DotStep EnergySteps::by_dots(float x, float y, float variance) {
     const auto first = std::max(static_cast<std::int64_t>(std::floor(in_rows - reach)), cursors_.first());
     const auto last = std::min(static_cast<std::int64_t>(std::floor(in_rows + reach)), cursors_.end() - 1);
     const float *const xs = rows_.x.data(), *const ys = rows_.y.data();
-    Pushes pushes(x, y, variance);
+    const float* const areas = rows_.areas.data();
+    Pushes<kWeighed> pushes(x, y, variance);
     for (std::int64_t near = first; near <= last; ++near) {
         std::size_t& cursor = cursors_.at(near);
         const std::size_t begin = rows_.begin(near), end = rows_.end(near);
         while (cursor < end && xs[cursor] < from) ++cursor;
         while (cursor > begin && xs[cursor - 1] >= from) --cursor;
-        for (std::size_t i = cursor; i < end && xs[i] <= to; ++i) pushes.add(xs[i], ys[i]);
+        for (std::size_t i = cursor; i < end && xs[i] <= to; ++i)
+            pushes.add(xs[i], ys[i], kWeighed ? areas[i] : 1);
     }
     return {pushes.sum_x(), pushes.sum_y()};
 }
@@ -135,17 +159,20 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float densi
 
 DotStep EnergySteps::step(std::size_t dot) {
     const float x = rows_.x[dot], y = rows_.y[dot];
-    const float density = blurred_.sharpest(x * page_.pixels, y * page_.pixels);
+    const float density = areas_.density_of(blurred_.sharpest(x * page_.pixels, y * page_.pixels));
     const float on_black2 = page_.spacing * page_.spacing;
     Kernels kernels;
     kernels.variance =
         std::min(2 * kernel_ * kernel_ * on_black2 / std::max(density, kLeastDensity), kMostVariance);
     kernels.apart = std::sqrt(kernels.variance / 2) / kernel_;
-    const DotStep dots = by_dots(x, y, kernels.variance);
+    const DotStep dots =
+        areas_.differ() ? by_dots<true>(x, y, kernels.variance) : by_dots<false>(x, y, kernels.variance);
     const DotStep rise = slope(x, y, kernels, density);
     const float ink = 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
     // Half of what would overshoot: the energy bends most along waves as long as kernels are wide.
-    const float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
+    float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
+    // Around a dot others are about as large, so that forces are as much stronger or weaker.
+    if (areas_.differ()) stride /= rows_.areas[dot];
     DotStep step{stride * (dots.x + ink * rise.x), stride * (dots.y + ink * rise.y)};
     const float most = kLongest * kernels.apart, length2 = step.x * step.x + step.y * step.y;
     if (length2 > most * most) {

@@ -5,7 +5,9 @@
 // the other sign. Dots go down the energy of both together (Ahmed, Ren and Wonka 2022, with kernels that
 // follow the density). Where Lloyd's steps make dots even, these also make them as many as there should be,
 // over every few of them: tones and edges come out truer, and the low part of the spectrum all but vanishes.
+// Where dots differ in size each counts by its area, so that the ink is what there should be, not the number.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,8 +22,19 @@ namespace dapple {
 /// distances and structure: those of pictures, and those of samples, whose sums are to be near an integral.
 inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
 
-/// The density as kernels of that width see it, which dots placed at this scale have.
-BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel);
+/// The areas of dots, over the largest's, where they go by tone: at density d smallest + (1 - smallest) * d.
+struct DotAreas {
+    float smallest = 1;  // over 0; 1: all are alike
+
+    bool differ() const { return smallest < 1; }
+    float at(float density) const { return smallest + (1 - smallest) * std::min(density, 1.0f); }
+    /// The density whose dots have so much ink, which is density * at(density).
+    float density_of(float ink) const;
+};
+
+/// The ink, which is the density where areas do not differ, as kernels of that width see it, which dots
+/// placed at this scale have.
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel, DotAreas areas = {});
 
 /// The steps of a row's dots, one row after another. All that is given has to outlive it.
 class EnergySteps {
@@ -31,8 +44,10 @@ class EnergySteps {
     /// It moves through fewer rows than this.
     static constexpr int kLongestStep = 4;
 
-    EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel)
-        : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel) {}
+    /// `blurred` for the same kernel and areas.
+    EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel,
+                DotAreas areas = {})
+        : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel), areas_(areas) {}
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
@@ -44,6 +59,7 @@ class EnergySteps {
     struct Kernels {
         float variance, apart;
     };
+    template <bool kWeighed>
     DotStep by_dots(float x, float y, float variance);
     // The slope of the density that dots are to match, which ends at the page's edges; a row.
     DotStep slope(float x, float y, const Kernels& kernels, float density) const;
@@ -52,6 +68,7 @@ class EnergySteps {
     const BlurredDensity& blurred_;
     const PageRows page_;
     const float kernel_;
+    const DotAreas areas_;
     RowCursors<kFarthestRow> cursors_;
 };
 

@@ -32,7 +32,7 @@ class Mover {
     Mover(const DotRows& rows, const Density& density, const RelaxingRequest& request,
           const BlurredDensity* blurred)
         : rows_(rows), density_(density), page_(density, request.scale), lloyd_(rows, density, page_) {
-        if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel);
+        if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel, request.areas);
         even_from_ = request.even_from;
     }
 
@@ -115,7 +115,7 @@ bool Relaxation::step(const std::stop_token& stop) {
     const bool by_energy = taken_ >= request_.lloyd_steps;
     if (by_energy && !request_.blurred)
         request_.blurred = std::make_shared<const BlurredDensity>(
-            blurred_for_kernels(density_, request_.scale, request_.kernel));
+            blurred_for_kernels(density_, request_.scale, request_.kernel, request_.areas));
     // Stretches of rows, as many dots in each.
     std::vector<std::int64_t> ends;
     std::size_t begun = 0;
@@ -124,11 +124,23 @@ bool Relaxation::step(const std::stop_token& stop) {
         ends.push_back(row + 1);
         begun = rows_.end(row);
     }
-    for_each_on_threads(ends.size(), threads_for(request_.threads), [&](std::size_t i) {
-        if (stop.stop_requested()) return;
+    const auto on_stretches = [&](const auto& take) {
+        for_each_on_threads(ends.size(), threads_for(request_.threads), [&](std::size_t i) {
+            if (!stop.stop_requested()) take(i == 0 ? 0 : ends[i - 1], ends[i]);
+        });
+    };
+    if (by_energy && request_.areas.differ()) {
+        rows_.areas.resize(rows_.size());
+        on_stretches([&](std::int64_t first, std::int64_t end) {
+            const double units = std::ldexp(1.0, -depth_);
+            for (std::size_t i = rows_.begin(first); i < rows_.begin(end); ++i)
+                rows_.areas[i] = request_.areas.at(
+                    static_cast<float>(density_.at({rows_.x[i] * units, rows_.y[i] * units})));
+        });
+    }
+    on_stretches([&](std::int64_t first, std::int64_t end) {
         Mover mover(rows_, density_, request_, by_energy ? request_.blurred.get() : nullptr);
-        for (std::int64_t row = i == 0 ? 0 : ends[i - 1]; row < ends[i]; ++row)
-            mover.move_row(row, next_x_, next_y_);
+        for (std::int64_t row = first; row < end; ++row) mover.move_row(row, next_x_, next_y_);
     });
     if (stop.stop_requested()) return false;
     ++taken_;

@@ -37,6 +37,7 @@ struct RelaxingRequest {
     // between them unless they are even. No density is as large where none overlap.
     float even_from = kNeverEven;
     float kernel = kPictureKernel;  // see energy_steps.h
+    DotAreas areas = {};            // with which the later steps weigh dots
     // See blurred_for_kernels(). Without, it is made once it is needed.
     std::shared_ptr<const BlurredDensity> blurred = {};
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h

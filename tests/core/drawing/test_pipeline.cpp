@@ -258,6 +258,29 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
+TEST_CASE(
+    "dots with sizes by tone settle by their ink, on any number of threads, in a stream as in a drawing") {
+    Pipeline pipeline = pipeline_of(ramp());
+    const auto request = [](int threads) {
+        return DrawingRequest{.placing = {.count = {}, .threads = threads}, .relax = 6, .dot_size = kByTone};
+    };
+    const DrawingPlan plan = pipeline.plan(request(1));
+    const Dots dots = drawn_by(pipeline, plan);
+    RankedTile tile = paper_tile();
+    Stippling placed;
+    REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, plan.placing, placed));
+    REQUIRE(relax(placed.dots, *plan.density, 6,
+                  {.scale = placed.scale,
+                   .even_from = static_cast<float>(kSolidLoad / plan.full_load),
+                   .areas = {.smallest = 0.16f},  // 0.4 mm and 1 mm
+                   .stirring = stirring_of(tile.placer().table(), placed.scale)}));
+    const Dots settled = joined(placed.dots);
+    CHECK(dots.x == settled.x);
+    CHECK(dots.y == settled.y);
+    CHECK(same(drawn_by(pipeline, pipeline.plan(request(3))), dots));
+    CHECK(same(all_of(pipeline.stream(plan)), dots));
+}
+
 TEST_CASE("what a scale came to is known when it is asked for again, and no longer with another picture") {
     // Both have the same tones, but the mask leaves the light half of one and the dark half of the other.
     Grid<float> mirrored = ramp();

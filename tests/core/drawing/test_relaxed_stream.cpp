@@ -232,7 +232,7 @@ TEST_CASE("sheets of dots with sizes by tone have the whole page's radii") {
     for (float& v : light.values) v = 1 - v;
     pipeline.set_light(std::move(light));
     const DrawingPlan plan =
-        pipeline.plan({.relax = 2,
+        pipeline.plan({.relax = 5,  // the last by the dots' ink
                        .dot_size = {.sizing = DotSizing::by_tone, .smallest_mm = 0.2, .largest_mm = 0.4},
                        .page = {.width_mm = 20}});
     Stippling drawn;

@@ -94,7 +94,7 @@ TEST_CASE("Gaussians without the C library come near its own") {
 
 TEST_CASE("a blurred density is the density through Gaussians, as is its slope") {
     const Density density(hills(61, 40));
-    const BlurredDensity blurred(density, 0.8, 60);
+    const BlurredDensity blurred(density.values(), 0.8, 60);
     for (const double variance : {0.8, 1.5, 3.0, 7.0, 20.0, 60.0}) {
         CAPTURE(variance);
         double steepest = 0, error = 0;
@@ -112,13 +112,24 @@ TEST_CASE("a blurred density is the density through Gaussians, as is its slope")
     CHECK(blurred.sharpest(30.2, 20.7) == doctest::Approx(sharp.value).epsilon(0.02));
 }
 
-TEST_CASE("a step goes down the energy of all dots and the density, as a slow sum over both has it") {
-    for (const int width : {30, 150}) {
+TEST_CASE("a step goes down the energy of all dots' ink and the wanted ink, as a slow sum over both has it") {
+    struct Case {
+        int width;
+        double smallest;  // dot's area, over the largest's
+    };
+    for (const auto& [width, smallest] : {Case{30, 1}, Case{150, 1}, Case{150, 0.1}}) {
         CAPTURE(width);
+        CAPTURE(smallest);
         const Density density(hills(width, width));
+        const auto area = [smallest](double d) { return smallest + (1 - smallest) * d; };
+        Grid<float> inks = density.values();
+        for (float& value : inks.values) value *= static_cast<float>(area(value));
+        const Density ink(std::move(inks));
         Stippling placed;
         REQUIRE(stipple(test_tile(), density, PlacerKind::exact, {.count = 600}, placed));
-        Relaxation relaxation(placed.dots, density, {.scale = placed.scale, .lloyd_steps = 0});
+        Relaxation relaxation(
+            placed.dots, density,
+            {.scale = placed.scale, .lloyd_steps = 0, .areas = {.smallest = static_cast<float>(smallest)}});
         const std::vector<glm::dvec2> dots = positions(joined(placed.dots));
         REQUIRE(relaxation.step());
         const std::vector<glm::dvec2> after = positions(relaxation.dots_as_taken());
@@ -128,17 +139,24 @@ TEST_CASE("a step goes down the energy of all dots and the density, as a slow su
         int inner = 0;
         for (std::size_t i = 0; i < dots.size(); ++i) {
             const glm::dvec2 dot = dots[i];
-            const double around = seen_through(density, dot * double(width), std::max(0.25, least)).value;
+            const double ink_around = seen_through(ink, dot * double(width), std::max(0.25, least)).value;
+            double around = 0, above = 1;  // the density that has so much ink
+            for (int half = 0; half < 40; ++half) {
+                const double middle = (around + above) / 2;
+                (middle * area(middle) < ink_around ? around : above) = middle;
+            }
             const double apart = 1 / std::sqrt(black * around), variance = 2 * 0.45 * 0.45 * apart * apart;
             const double edge = std::min({dot.x, dot.y, 1 - dot.x, 1 - dot.y});
             if (edge < 5.6 * std::sqrt(variance)) continue;
-            // F = sum (x - x_j) s^-2 exp(-d^2 / 2 s) + 2 pi grad, of which 2 sigma^4 F = s^2 / 2 F is gone.
+            // F = sum a_j (x - x_j) s^-2 exp(-d^2 / 2 s) + 2 pi grad, of which 2 sigma^4 F / a = s^2 / 2 F /
+            // a is gone, a being the dot's own area.
             glm::dvec2 force(0);
             for (const glm::dvec2 other : dots)
-                force += (dot - other) * std::exp(-glm::dot(dot - other, dot - other) / (2 * variance));
-            const Seen seen = seen_through(density, dot * double(width), variance * width * width);
+                force += area(density.at(other)) * (dot - other) *
+                         std::exp(-glm::dot(dot - other, dot - other) / (2 * variance));
+            const Seen seen = seen_through(ink, dot * double(width), variance * width * width);
             force += 2 * std::numbers::pi * variance * variance * black * double(width) * seen.slope;
-            glm::dvec2 step = 0.5 * force;
+            glm::dvec2 step = 0.5 / area(density.at(dot)) * force;
             step *= std::min(1.0, 0.35 * apart / std::max(glm::length(step), 1e-12));
             const double off = glm::distance(after[i], dot + step) / apart;
             way += glm::length(step) / apart;
