@@ -186,7 +186,7 @@ TEST_CASE("the column looks as it did, in each theme, at both scales") {
         in_column("column", 1000);
         click("More tone settings", "Gamma");
         click("More pen settings", "Registration");
-        click("More page settings", "Lengths in name");
+        click("More page settings", "Margins name");
         in_column("column_open", 1600);
         click("Crop", "Proportions name");
         in_column("crop", 400);

@@ -21,7 +21,7 @@ struct Libraries {
 
 }  // namespace
 
-bool draw_preferences(Appearance& appearance, bool& desktop_dialog) {
+bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
     int theme = static_cast<int>(appearance.theme);
     bool changed = segmented_row("Theme", theme, std::array{"light", "dark", "high contrast"},
                                  "How the window looks; the drawing and its files stay as they are.");
@@ -43,14 +43,19 @@ bool draw_preferences(Appearance& appearance, bool& desktop_dialog) {
         desktop_dialog = whose == 1;
         changed = true;
     }
+    int inches = unit && *unit == LengthUnit::inch ? 1 : 0;
+    if (unit && segmented_row("Lengths in", inches, std::array{"mm", "inch"},
+                              "The unit of lengths that are shown, and of numbers typed without one; 8in and "
+                              "21cm are understood in either."))
+        *unit = inches == 1 ? LengthUnit::inch : LengthUnit::mm;
     return changed;
 }
 
-bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog) {
+bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
     const Dialog dialog("Preferences", open);
     if (!dialog) return false;
     ImGui::Dummy({kWidth * ImGui::GetTextLineHeight(), 0});
-    return draw_preferences(appearance, desktop_dialog);
+    return draw_preferences(appearance, desktop_dialog, unit);
 }
 
 void draw_about_panel(bool& open) {

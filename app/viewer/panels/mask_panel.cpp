@@ -29,7 +29,7 @@ bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
                     .hard_min = 100 * kSmallestBrush,
                     .hard_max = 100 * kLargestBrush,
                     .tip = "The brush's radius, in percent of the picture's longer side. The keys [ and ] "
-                           "change it too."}))
+                           "change it too, and so does the wheel with Ctrl."}))
         brush.radius = percent / 100;
     slider_row("Softness", brush.softness,
                {.min = 0,

@@ -141,7 +141,7 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
 
 }  // namespace
 
-bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit& unit) {
+bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
     if (!section("Page")) return false;
     // "Paper" alone is the colour of it.
     bool changed = draw_paper(setup, drawn);
@@ -165,15 +165,7 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
     changed |= draw_margin(setup.margins, drawn, unit);
     if (!subsection("More page settings", false)) return changed;
     changed |= draw_other_margins(setup.margins, drawn, unit);
-    changed |= draw_sheets(sheets, drawn, unit);
-    int shown_in = unit == LengthUnit::inch ? 1 : 0;
-    if (segmented_row("Lengths in", shown_in, std::array{"mm", "inch"},
-                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
-                      "are understood in either.")) {
-        unit = shown_in == 1 ? LengthUnit::inch : LengthUnit::mm;
-        changed = true;
-    }
-    return changed;
+    return draw_sheets(sheets, drawn, unit) || changed;
 }
 
 }  // namespace dapple

@@ -93,6 +93,8 @@ class Document {
     virtual void say(const std::string& sentence) = 0;
     /// What of how it is shown is remembered for the next.
     virtual std::optional<KeptView> kept_view() const { return std::nullopt; }
+    /// What it shows lengths in; null: it shows none.
+    virtual LengthUnit* unit() { return nullptr; }
 
     /// Does what the shell does not do itself: open, save, panels, help, the window.
     virtual void act(Action action, const Frame& frame) = 0;

@@ -358,6 +358,10 @@ void DrawingDocument::draw(const Frame& frame) {
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
     if (!can_paint) session_.cropping.on = false;
     if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = false;
+    if (ImGuiIO& io = ImGui::GetIO(); session_.brush.on && io.KeyCtrl && !io.WantCaptureMouse) {
+        const float turned = std::exchange(io.MouseWheel, 0.0f);  // which is not to zoom
+        if (turned != 0) resize_brush(session_.brush, turned > 0 ? 1 : -1);
+    }
     const bool painting =
         mask_painter_.paint(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     // The frame is there once all of the picture is.
@@ -512,7 +516,12 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
 }
 
 void DrawingDocument::show_changes(Window& window) {
-    if (std::exchange(pictures_fitted_, session_.pictures()) != session_.pictures()) canvas_.fit();
+    if (std::exchange(pictures_fitted_, session_.pictures()) != session_.pictures()) {
+        canvas_.fit();
+        variations_ = false;
+        const Column column = side_panel_.column();  // a tool is of the picture before
+        if (column == Column::crop || column == Column::mask) side_panel_.turn_to(Column::drawing, session_);
+    }
     if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
     show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
     show_changes(Side::right, session_.right());

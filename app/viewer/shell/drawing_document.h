@@ -49,6 +49,7 @@ class DrawingDocument : public Document {
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override { session_.say(sentence); }
     std::optional<KeptView> kept_view() const override;
+    LengthUnit* unit() override { return &session_.settings.unit; }
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }
     std::optional<SaveQuestion> where_to_save() const override;

@@ -453,7 +453,8 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
         document.draw_rows();
         section(kPreferenceRows);
         bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-        if (draw_preferences(memory_.preferences.appearance, desktop)) take_preferences(desktop);
+        if (draw_preferences(memory_.preferences.appearance, desktop, document.unit()))
+            take_preferences(desktop);
         if (const auto question = document.where_to_save(); question && question->has_options)
             list_export_rows(*question, document, rows);
     }
@@ -525,7 +526,7 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
     bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop))
+    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop, document.unit()))
         take_preferences(desktop);
     draw_file_question(document);
     const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); });

@@ -139,7 +139,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
         {"light export", [&] { draw_light_export_panel(one.lights, LightFile::json); }},
         {"preferences", [&] {
              one.dialog = true;
-             draw_preferences_panel(one.dialog, one.appearance, one.desktop);
+             draw_preferences_panel(one.dialog, one.appearance, one.desktop, &one.all.unit);
          }}};
     for (const DrawingFormatName& format : kDrawingFormats)
         panels.push_back({std::string("export of ") + format.shown, [&all, format] {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/viewer/model/viewer_settings.h"
+#include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/crop_rows.h"
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/page_panel.h"
@@ -77,11 +78,14 @@ TEST_CASE("a mural's sheets share strips, and say how large they are or why they
 
 TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept in millimetres") {
     ViewerSettings all;
+    Appearance appearance;
+    bool desktop = false;
     DrawingSettings& settings = all.drawing;
     HeadlessUi ui([&] {
         draw_dots_panel(settings, {}, all.unit);
         draw_page_panel(settings.page, settings.sheets, {200, 150, 200}, all.unit);
         draw_pen_panel(settings, all.unit);
+        draw_preferences(appearance, desktop, &all.unit);
     });
     ImGui::GetIO().DisplaySize.y = 2000;
     ui.frame();

@@ -76,7 +76,7 @@ TEST_CASE("the preferences change the theme and the size of the text") {
     bool open = true;
     Appearance appearance;
     bool desktop = false;
-    HeadlessUi ui([&] { draw_preferences_panel(open, appearance, desktop); });
+    HeadlessUi ui([&] { draw_preferences_panel(open, appearance, desktop, nullptr); });
     ui.click("dark");
     CHECK(appearance.theme == Theme::dark);
     ui.click("large");
