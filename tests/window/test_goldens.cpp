@@ -169,11 +169,17 @@ TEST_CASE("the column looks as it did, in each theme, at both scales") {
         put_text(home.folder / "pens.dapple",
                  R"({"dapple": 1, "drawing": {"count": 900, "relax": 0, "pens": "cmyk"}})");
         RunningViewer viewer(home.folder.path(), {"pens.dapple"}, home.memory());
-        const auto in_column = [&](const std::string& file, int high) {
-            compare_rested(viewer, look, file, [&](const json&) {
-                return Rectangle<int>{{width - 340 * scale, 0}, {width, high * scale}};
-            });
+        const auto in_column = [&](const std::string& file, int high,
+                                   const std::vector<std::string>& changing = {}) {
+            compare_rested(
+                viewer, look, file,
+                [&](const json&) {
+                    return Rectangle<int>{{width - 340 * scale, 0}, {width, high * scale}};
+                },
+                changing);
         };
+        // Pictures of the strip come one after the other.
+        const std::string strip = "Style fine-pen";
         const auto click = [&](const char* widget, const char* brings) {
             viewer.click(widget);
             viewer.move(30 * scale, 300 * scale);  // off the panels, so that nothing there is lit
@@ -183,11 +189,11 @@ TEST_CASE("the column looks as it did, in each theme, at both scales") {
         // Where rows were in another window there is no screen.
         REQUIRE(viewer.shows([&] { return viewer.status()["widgets"]["Menu"][2] > width - 60 * scale; }));
         viewer.move(30 * scale, 300 * scale);
-        in_column("column", 1000);
+        in_column("column", 1000, {strip});
         click("More tone settings", "Gamma");
         click("More pen settings", "Registration");
         click("More page settings", "Margins name");
-        in_column("column_open", 1600);
+        in_column("column_open", 1600, {strip});
         click("Crop", "Proportions name");
         in_column("crop", 400);
         click("Mask", "Brush name");
