@@ -68,34 +68,24 @@ Palette pens_to_keep(const PenChoice& choice, const PensSeen& seen) {
 }
 
 // The choice that people make, of which pens and which colours of ink and paper are two parts.
-enum class Inks { one, white_on_black, greys, cmyk, own, automatic };
+struct Inks {
+    const char* name;
+    PenSet set;
+    bool white_on_black = false;
+};
+constexpr std::array kInks{Inks{"one ink", PenSet::one},  Inks{"white on black", PenSet::one, true},
+                           Inks{"greys", PenSet::greys},  Inks{"CMYK", PenSet::cmyk},
+                           Inks{"own pens", PenSet::own}, Inks{"automatic", PenSet::automatic}};
 
-Inks inks_of(const DrawingSettings& settings) {
-    switch (settings.pens.set) {
-        case PenSet::one:
-            return settings.tone.invert && settings.ink == kWhite && settings.paper == kBlack
-                       ? Inks::white_on_black
-                       : Inks::one;
-        case PenSet::greys:
-            return Inks::greys;
-        case PenSet::cmyk:
-            return Inks::cmyk;
-        case PenSet::own:
-            return Inks::own;
-        case PenSet::automatic:
-            return Inks::automatic;
-    }
-    return Inks::one;
+bool is_white_on_black(const DrawingSettings& settings) {
+    return settings.pens.set == PenSet::one && settings.tone.invert && settings.ink == kWhite &&
+           settings.paper == kBlack;
 }
 
-void take_inks(DrawingSettings& settings, Inks inks) {
-    constexpr PenSet kSets[] = {PenSet::one,  PenSet::one, PenSet::greys,
-                                PenSet::cmyk, PenSet::own, PenSet::automatic};
-    const PenSet set = kSets[static_cast<int>(inks)];
-    const bool white = inks == Inks::white_on_black;
+void take_inks(DrawingSettings& settings, PenSet set, bool white) {
     if (set == PenSet::own && settings.pens.own.empty()) settings.pens.own = palette_to_begin_with(settings);
     // White ink draws light, and all others draw darkness again.
-    if (white || inks_of(settings) == Inks::white_on_black) {
+    if (white || is_white_on_black(settings)) {
         settings.tone.invert = white;
         settings.ink = white ? kWhite : kBlack;
         settings.paper = white ? kBlack : kWhite;
@@ -104,14 +94,20 @@ void take_inks(DrawingSettings& settings, Inks inks) {
 }
 
 bool draw_inks(DrawingSettings& settings) {
-    int chosen = static_cast<int>(inks_of(settings));
+    std::array<const char*, kInks.size()> names{};
+    std::ranges::transform(kInks, names.begin(), &Inks::name);
+    const auto now = std::ranges::find_if(kInks, [&](const Inks& inks) {
+        return inks.set == settings.pens.set && inks.white_on_black == is_white_on_black(settings);
+    });
+    int chosen = static_cast<int>(now - kInks.begin());
     if (!choice_row(
-            "Inks", chosen, std::array{"one ink", "white on black", "greys", "CMYK", "own pens", "automatic"},
+            "Inks", chosen, names,
             "One ink, or several pens, whose colours mix to the picture's; dots of all keep apart. white on "
             "black: draws the light of the picture. own pens: pens that you name. automatic: those that suit "
             "the picture, of common colours or of your own, as Palette says."))
         return false;
-    take_inks(settings, static_cast<Inks>(chosen));
+    const Inks& taken = kInks[static_cast<std::size_t>(chosen)];
+    take_inks(settings, taken.set, taken.white_on_black);
     return true;
 }
 
@@ -123,7 +119,7 @@ bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
         wide_button("White ink on black paper",
                     "Nearly all dots go into black: this draws the light of the picture instead.");
     ImGui::PopStyleColor();
-    if (pressed) take_inks(settings, Inks::white_on_black);
+    if (pressed) take_inks(settings, PenSet::one, true);
     return pressed;
 }
 
@@ -265,7 +261,7 @@ bool draw_adding(PenChoice& pens) {
     return true;
 }
 
-// One pen alone; the eyes above are then of no use.
+// One pen alone, until an eye above is opened or shut.
 void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
     std::vector<std::string> names{"all pens"};
     for (std::size_t i = 0; i < drawn.size(); ++i)
