@@ -55,8 +55,8 @@ Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens, std::uint
     settings.placing.count = dots;
     const DrawingFile file{
         .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
-    const auto placed = dots_for(file, pipeline, pipeline.plan(settings));
-    DrawingToSave drawing = drawing_on(drawn_page(placed->plan.layout(placed->dots.scale)), *placed);
+    const auto placed = pipeline.drawing(pipeline.plan(settings));
+    DrawingToSave drawing = drawing_on(drawn_page(placed->layout()), *placed, file);
     drawing.saving.dpi = dpi_for(drawing.page, kDrawnSide);
     const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
     glm::dvec3 sum(0);

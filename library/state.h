@@ -1,7 +1,10 @@
 #pragma once
 // What is behind the library's edge of more than one of its files.
 
+#include <string_view>
+
 #include "core/drawing/settings.h"
+#include "core/tile/tile_file.h"
 #include "dapple/settings.h"
 
 namespace dapple {
@@ -10,5 +13,8 @@ struct Settings::State {
     DrawingSettings drawing;
     SavingChoice saving;
 };
+
+/// What the settings' tile names. Throws as tile_text() does.
+StoredTile stored_tile(std::string_view name);
 
 }  // namespace dapple

@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/drawing/drawing_figures.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/write_drawing.h"
 #include "core/placing/page_density.h"
-#include "core/tile/built_in_tiles.h"
 #include "dapple/drawing.h"
 #include "library/state.h"
 
@@ -38,11 +38,14 @@ DrawingFormat format_of(FileFormat format) {
     throw std::runtime_error("no such format of files");
 }
 
-StoredTile tile_of(const std::string& name) {
-    if (std::optional<StoredTile> built_in = built_in_tile(name)) return *std::move(built_in);
-    if (looks_like_tile_integers(name)) return ranked(parse_tile_integers(name), RankingMethod::energy);
-    throw std::runtime_error(
-        fmt::format("settings: drawing.tile is {}, a file; read it, and give its text to set_tile()", name));
+std::vector<DrawingPen> pens_of(const DrawingPlan& plan, const DrawingSettings& settings) {
+    const auto of = [](const std::string& name, glm::vec3 colour) {
+        return DrawingPen{name, colour.r, colour.g, colour.b};
+    };
+    std::vector<DrawingPen> pens;
+    for (const Pen& pen : plan.pens) pens.push_back(of(pen.name, pen.colour));
+    if (pens.empty()) pens.push_back(of(pen_name(settings.ink), settings.ink));
+    return pens;
 }
 
 Grid<float> grid_of(std::span<const float> values, int width, int height, const char* what) {
@@ -58,24 +61,26 @@ Grid<float> grid_of(std::span<const float> values, int width, int height, const 
 }  // namespace
 
 struct Drawing::State {
-    DotsForFile from;
+    PlannedDrawing drawing;
+    DrawingFile file;
     DrawnPage page;
     std::uint64_t count = 0;
     std::shared_ptr<const DotPieces> held;  // none: there are too many
 
     DotStream dots() const {
-        if (held) return stream_of(held, from.dots.scale);
-        return from.dots.on(page.whole.part, {});
+        if (held) return stream_of(held, drawing.scale);
+        return drawing.dots(page.whole.part, {});
     }
     // As the format has it, its dots as they were placed.
     DrawingToSave to_save(DrawingFormat format, const std::stop_token& stop = {}) const {
-        DotsForFile dots = from;
-        dots.file.format = format;
-        if (held)
-            dots.dots.on = [this](const PagePart&, const std::stop_token&) {
-                return stream_of(held, from.dots.scale);
-            };
-        return drawing_on(page, dots, stop);
+        PlannedDrawing same = drawing;
+        if (held) same.dots = [this](const PagePart&, const std::stop_token&) { return dots(); };
+        return drawing_on(page, same, in_format(format), stop);
+    }
+    DrawingFile in_format(DrawingFormat format) const {
+        DrawingFile result = file;
+        result.format = format;
+        return result;
     }
 };
 
@@ -92,19 +97,12 @@ double Drawing::page_height_mm() const {
 }
 
 std::vector<DrawingPen> Drawing::pens() const {
-    const auto of = [](const std::string& name, glm::vec3 colour) {
-        return DrawingPen{name, colour.r, colour.g, colour.b};
-    };
-    std::vector<DrawingPen> pens;
-    for (const Pen& pen : state_->from.plan.pens) pens.push_back(of(pen.name, pen.colour));
-    const glm::vec3 ink = state_->from.file.settings.ink;
-    if (pens.empty()) pens.push_back(of(pen_name(ink), ink));
-    return pens;
+    return pens_of(state_->drawing.plan, state_->file.settings);
 }
 
 bool Drawing::for_each(const std::function<bool(const DotSpan&)>& take) const {
     const auto mm = static_cast<float>(state_->page.layout.page.mm_per_page_unit);
-    const auto usual_radius = static_cast<float>(state_->from.radius_mm());
+    const auto usual_radius = static_cast<float>(state_->drawing.radius_mm());
     std::vector<float> x, y, radius;
     bool all = true;
     state_->dots().for_each_piece([&](const Dots& piece) {
@@ -123,7 +121,7 @@ bool Drawing::for_each(const std::function<bool(const DotSpan&)>& take) const {
 
 bool Drawing::write(std::ostream& out, FileFormat kind, const Watch& watch) const {
     const DrawingFormat format = format_of(kind);
-    const DrawingSettings& settings = state_->from.file.settings;
+    const DrawingSettings& settings = state_->file.settings;
     DrawingToSave drawing = state_->to_save(format, watch.stop);
     const DotOrder order = order_of(drawing, format, settings.style);
     const auto tell = [&](double share) {
@@ -150,10 +148,31 @@ bool Drawing::write(std::ostream& out, FileFormat kind, const Watch& watch) cons
     return true;
 }
 
+std::vector<Advice> Drawing::advice(FileFormat kind, const Watch& watch) const {
+    const DrawingFile file = state_->in_format(format_of(kind));
+    DrawingToSave drawing = state_->to_save(file.format, watch.stop);
+    DotPieces sorted;
+    if (state_->held) {
+        const DotOrder order = order_of(drawing, file.format, file.settings.style);
+        sorted = sorted_by_pen(drawing.dots, order, {.stop = watch.stop, .progress = watch.progress});
+        drawing.dots = stream_of(sorted, drawing.dots.scale);
+    }
+    if (watch.stop.stop_requested()) return {};
+    const DrawingFigures figures = figures_of({.plan = state_->drawing.plan,
+                                               .file = file,
+                                               .page = state_->page,
+                                               .drawing = drawing,
+                                               .by_pen = state_->held ? &sorted : nullptr});
+    std::vector<Advice> advice;
+    for (const Finding& finding : figures.findings)
+        advice.push_back({std::string(name_of(finding.kind)), sentence_of(finding), finding.amount});
+    return advice;
+}
+
 PagePixels Drawing::pixels(double dpi) const {
     DrawingToSave drawing = state_->to_save(DrawingFormat::png);
     drawing.saving.dpi = dpi;
-    const Grid<glm::u8vec3> pixels = page_pixels(state_->from.file.settings, drawing);
+    const Grid<glm::u8vec3> pixels = page_pixels(state_->file.settings, drawing);
     PagePixels result{pixels.width, pixels.height, {}};
     result.rgb.reserve(3 * pixels.values.size());
     for (const glm::u8vec3& pixel : pixels.values)
@@ -172,9 +191,18 @@ struct Stippler::State {
     void take_tile(const DrawingSettings& settings) {
         const std::string name = given ? "" : tile_in_use(settings);
         if (pipeline.has_tile() && tile == name && ranking == settings.ranking) return;
-        pipeline.set_tile(ranked_tile(given ? *given : tile_of(name), settings.ranking));
+        pipeline.set_tile(ranked_tile(given ? *given : stored_tile(name), settings.ranking));
         tile = name;
         ranking = settings.ranking;
+    }
+
+    DrawingPlan plan(DrawingSettings settings) {
+        if (!pipeline.has_picture())
+            throw std::runtime_error("there is no picture yet; give one to set_picture() or set_density()");
+        settings.placing.threads = threads;
+        settings.placing.thresholds = true;  // for tables, whatever is asked for later
+        take_tile(settings);
+        return pipeline.plan(settings);
     }
 };
 
@@ -221,23 +249,40 @@ void Stippler::set_tile(std::string_view text) {
     state_->pipeline.forget_tile();
 }
 
+Plan Stippler::plan(const Settings& settings) {
+    DrawingPlan plan = state_->plan(settings.state_->drawing);
+    const double scale = state_->pipeline.find_scale(plan);
+    const PageSize page = plan.layout(scale).page;
+    const Tone& tone = plan.tone;
+    return {.dots = plan.placing.count.value_or(std::llround(expected_dots(*plan.density, scale))),
+            .lowered = plan.lowered,
+            .steps = plan.steps,
+            .page_width_mm = page.width_mm,
+            .page_height_mm = page.height_mm,
+            .radius_mm = plan.radius_mm(scale),
+            .pens = pens_of(plan, settings.state_->drawing),
+            .exposure = tone.exposure,
+            .black_point = tone.black_point,
+            .white_point = tone.white_point,
+            .contrast = tone.contrast,
+            .brightness = tone.brightness,
+            .gamma = tone.gamma,
+            .black = tone.black.value_or(1)};
+}
+
 std::optional<Drawing> Stippler::draw(const Settings& settings, const Watch& watch) {
-    Pipeline& pipeline = state_->pipeline;
-    if (!pipeline.has_picture())
-        throw std::runtime_error("there is no picture yet; give one to set_picture() or set_density()");
     DrawingFile file;
     file.settings = settings.state_->drawing;
     file.saving = settings.state_->saving;
     file.embedded = settings.changed();
     file.settings.placing.threads = state_->threads;
-    file.settings.placing.thresholds = true;  // for tables, whatever is asked for later
-    state_->take_tile(file.settings);
-    std::optional<DotsForFile> from = dots_for(file, pipeline, pipeline.plan(file.settings), watch.stop);
-    if (!from) return std::nullopt;
+    std::optional<PlannedDrawing> drawing = state_->pipeline.drawing(state_->plan(file.settings), watch.stop);
+    if (!drawing) return std::nullopt;
     auto state = std::make_shared<Drawing::State>();
-    state->page = drawn_page(from->plan.layout(from->dots.scale));
-    state->from = *std::move(from);
-    const DotStream dots = state->from.dots.on(state->page.whole.part, watch.stop);
+    state->drawing = *std::move(drawing);
+    state->file = std::move(file);
+    state->page = drawn_page(state->drawing.layout());
+    const DotStream dots = state->drawing.dots(state->page.whole.part, watch.stop);
     state->count = dots.count;
     if (dots.count <= kMostSortedDots) {
         auto held = std::make_shared<DotPieces>();

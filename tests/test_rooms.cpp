@@ -120,6 +120,49 @@ TEST_CASE("each room of the program knows only the rooms below it") {
     CHECK(wrong.empty());
 }
 
+TEST_CASE("each room of the program knows of core no more than its subject needs") {
+    const Arrows arrows{
+        {"app", {"core/text"}},
+        // Options, calls and reports. The first four are what a drawing is asked by; of the others: `analyse`
+        // measures points, `lights` samples maps, `tile` shows tiles, and --relax and --order say their
+        // range.
+        {"app/commands",
+         {"core/drawing", "core/image", "core/settings", "core/text", "core/analysis", "core/lights",
+          "core/output", "core/placing", "core/relaxing", "core/tile"}},
+        // A decoder hands over pixels.
+        {"app/decoding", {"core/image", "core/text"}},
+        // What is written, and what is read; PDF, PNG and TIFF are written here, where their libraries are.
+        {"app/files",
+         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing",
+          "core/strokes", "core/text", "core/tile"}},
+        // A film shows dots and strokes come, in the order of a plot.
+        {"app/film",
+         {"core/drawing", "core/image", "core/output", "core/placing", "core/routing", "core/strokes",
+          "core/text"}},
+        {"app/settings", {"core/drawing", "core/output", "core/pens", "core/settings", "core/text"}},
+        {"app/viewer", {}},
+        // Dots, tiles and lights as they are drawn on the screen.
+        {"app/viewer/canvas",
+         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing"}},
+        // What a person has open: all that a drawing is made of, and what is measured of it.
+        {"app/viewer/model",
+         {"core/analysis", "core/drawing", "core/image", "core/lights", "core/output", "core/pens",
+          "core/placing", "core/routing", "core/settings", "core/strokes", "core/text", "core/tile"}},
+        // Rows of settings.
+        {"app/viewer/panels",
+         {"core/drawing", "core/image", "core/output", "core/pens", "core/placing", "core/relaxing",
+          "core/settings", "core/text"}},
+        {"app/viewer/shell", {"core/drawing", "core/image", "core/settings", "core/text"}},
+        {"app/viewer/widgets", {"core/image", "core/settings", "core/text"}},
+    };
+    std::vector<Include> includes = includes_below("app");
+    std::erase_if(includes, [](const Include& include) { return !include.to.starts_with("core/"); });
+    REQUIRE(includes.size() > 200);
+    const std::string wrong = against(arrows, includes);
+    CAPTURE(wrong);
+    CHECK(wrong.empty());
+}
+
 TEST_CASE("each room of the laboratory knows only the rooms below it, and only the commands know it") {
     const Arrows arrows{
         {"lab/search", {}},

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/render_figures.h"
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
@@ -29,6 +28,7 @@
 #include "app/settings/embedded_settings.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/pipeline.h"
+#include "core/image/ink_use.h"
 #include "core/output/raster.h"
 #include "core/text/shown_text.h"
 
@@ -169,7 +169,8 @@ namespace {
 // A picture's dots, ready to be drawn on any part of the page.
 struct PlacedPicture {
     glm::ivec2 picture;  // pixels
-    DotsForFile dots;
+    PlannedDrawing drawing;
+    DrawingFile file;
     RenderTimes times;
 };
 
@@ -188,28 +189,29 @@ PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
     const DrawnPage page = page_for(layout_for(picture, options), options);
     const DrawingFormat format = format_of(options);
     check_fits(format, page.part.size, 0, options.saving);
-    const DrawingFile file{.path = options.output,
-                           .format = format,
-                           .settings = settings,
-                           .saving = options.saving,
-                           .embedded = embedded_settings(options.output, settings, options.saving)};
+    DrawingFile file{.path = options.output,
+                     .format = format,
+                     .settings = settings,
+                     .saving = options.saving,
+                     .embedded = embedded_settings(options.output, settings, options.saving)};
     DrawingPlan plan = plan_for(pipeline, options, needs_thresholds(file));
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    return {picture, *dots_for(file, pipeline, std::move(plan)), times};
+    return {picture, *pipeline.drawing(std::move(plan)), std::move(file), times};
 }
 
 // Draws the part of the page that the options say.
 Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, Stages& stages,
                     const RenderWatch& watcher) {
     const DrawingSettings& settings = options.drawing;
-    const DrawingFormat format = placed.dots.file.format;
+    const DrawingFormat format = placed.file.format;
+    const DrawingPlan& plan = placed.drawing.plan;
     RenderTimes times = placed.times;
-    const DrawnPage page = page_for(placed.dots.plan.layout(placed.dots.dots.scale), options);
-    DrawingToSave drawing = drawing_on(page, placed.dots);
+    const DrawnPage page = page_for(placed.drawing.layout(), options);
+    DrawingToSave drawing = drawing_on(page, placed.drawing, placed.file);
     const DotStream dots = drawing.dots;
-    check_not_empty(placed.dots.plan, dots.count, options);
+    check_not_empty(plan, dots.count, options);
     check_fits(format, page.part.size, dots.count, options.saving);
     const DotOrder order = order_of(drawing, format, settings.style);
     std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
@@ -224,21 +226,20 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
         drawing.dots = stream_of(held, dots.scale);
     }
 
-    const auto pen_files = pen_files_of(options, format, placed.dots.plan.pens);
+    const auto pen_files = pen_files_of(options, format, plan.pens);
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes = measured ? estimated_bytes(format, settings, drawing)
                                   : estimated_bytes_at_once(format, settings, drawing);
     if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
-    const SavedDrawing saved{.picture = placed.picture,
-                             .from = placed.dots,
-                             .page = page,
-                             .drawing = drawing,
-                             .dots = dots,
-                             .by_pen = measured ? held.get() : nullptr};
+    const LaidOutDrawing laid_out{.plan = plan,
+                                  .file = placed.file,
+                                  .page = page,
+                                  .drawing = drawing,
+                                  .by_pen = measured ? held.get() : nullptr};
     // Writing waits for the disk, or for one thread that compresses.
-    std::future<Rendered> figures =
-        std::async(std::launch::async, [&] { return figures_of(saved, options); });
+    std::future<DrawingFigures> figures =
+        std::async(std::launch::async, [&] { return figures_of(laid_out); });
     save_ordered(options.output, settings, drawing,
                  {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
@@ -249,8 +250,28 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
         stages.say(fmt::format("{}: {}", has_pixels(format) ? "separations" : "a file for each pen",
                                fmt::join(names, ", ")));
 
-    Rendered rendered = figures.get();
+    Rendered rendered;
+    static_cast<DrawingFigures&>(rendered) = figures.get();
     times.check = stages.lap();
+    rendered.width = placed.picture.x;
+    rendered.height = placed.picture.y;
+    rendered.mean_density = plan.density->mean();
+    rendered.tone = plan.tone;
+    rendered.steps = plan.steps;
+    rendered.dots = dots.count;
+    rendered.scale = dots.scale;
+    // Where on the page Figure 8's duplicates lie is not known.
+    if (dots.duplicates == 0 || page.draws_whole()) rendered.duplicates = dots.duplicates;
+    rendered.page = page.part.size;
+    rendered.whole_page = page.layout.page;
+    rendered.picture = page.layout.picture;
+    rendered.radius_mm = drawing.dot_radius_mm;
+    rendered.mostly_black = mostly_black(*plan.histogram, plan.tone);
+    rendered.pens = plan.pens;
+    if (has_pixels(format)) {
+        const RasterSize size = raster_size(page.part.size, options.saving.dpi);
+        rendered.pixels = {size.width, size.height};
+    }
     rendered.order = order;
     if (curve_way) rendered.curve_way_m = *curve_way * page.part.size.mm_per_page_unit / 1000;
     rendered.times = times;

@@ -10,12 +10,8 @@
 #include <vector>
 
 #include "app/commands/render.h"
+#include "core/drawing/drawing_figures.h"
 #include "core/image/tone.h"
-#include "core/output/findings.h"
-#include "core/output/pen_figures.h"
-#include "core/output/plotting_time.h"
-#include "core/output/preflight.h"
-#include "core/output/stroke_figures.h"
 
 namespace dapple {
 
@@ -29,7 +25,7 @@ struct RenderTimes {
 };
 
 /// What was drawn.
-struct Rendered {
+struct Rendered : DrawingFigures {
     int width = 0, height = 0;  // of the picture
     double mean_density = 0;
     Tone tone;  // as drawn
@@ -43,16 +39,9 @@ struct Rendered {
     Rectangle<double> picture;  // on the whole page, in millimetres
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
-    std::optional<double> curve_way_m = {};   // of the pen, before it was shortened
-    bool mostly_black = false;                // light ink would draw the picture better
-    std::optional<Preflight> preflight = {};  // if its dots were in memory
-    std::vector<Finding> findings = {};       // what someone should know of it
-    Machine machine = {};                     // that would draw it
-    std::optional<PlottingTime> plotting = {};
-    std::optional<StrokeFigures> strokes = {};  // none where dots are circles or points
-    Palette pens = {};                          // several
-    std::vector<PenFigures> by_pen = {};        // of those that draw something
-    std::optional<PenEvenness> evenness = {};   // of a whole page
+    std::optional<double> curve_way_m = {};  // of the pen, before it was shortened
+    bool mostly_black = false;               // light ink would draw the picture better
+    Palette pens = {};                       // several
     RenderTimes times = {};
 };
 

@@ -7,25 +7,25 @@
 namespace dapple {
 namespace {
 
-bool save(const DrawnPage& page, const DotsForFile& dots, const std::filesystem::path& path,
-          const SavingWatch& watch) {
-    const DrawingToSave drawing = drawing_on(page, dots, watch.stop);
-    return !watch.stop.stop_requested() && save_drawing(path, dots.file.settings, drawing, watch);
+bool save(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
+          const std::filesystem::path& path, const SavingWatch& watch) {
+    const DrawingToSave part = drawing_on(page, drawing, file, watch.stop);
+    return !watch.stop.stop_requested() && save_drawing(path, file.settings, part, watch);
 }
 
 }  // namespace
 
-bool save_page(const DotsForFile& dots, const SavingWatch& watch) {
-    const DrawingFile& file = dots.file;
-    const PageLayout layout = dots.plan.layout(dots.dots.scale);
-    if (!is_several(file.settings.sheets)) return save(drawn_page(layout), dots, file.path, watch);
+bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const SavingWatch& watch) {
+    const PageLayout layout = drawing.layout();
+    if (!is_several(file.settings.sheets)) return save(drawn_page(layout), drawing, file, file.path, watch);
     const std::vector<Sheet> all = all_sheets(file.settings.sheets);
     double saved = 0;
     for (const Sheet& sheet : all) {
         const auto show = [&](double share) {
             if (watch.progress) watch.progress((saved + share) / static_cast<double>(all.size()));
         };
-        if (!save(drawn_page(layout, sheet), dots, sheet_file(file.path, name_of(sheet)), {watch.stop, show}))
+        if (!save(drawn_page(layout, sheet), drawing, file, sheet_file(file.path, name_of(sheet)),
+                  {watch.stop, show}))
             return false;
         ++saved;
     }

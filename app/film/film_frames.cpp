@@ -17,8 +17,6 @@ namespace {
 // The page, which lies still through a film.
 struct Stage {
     DrawingSettings settings;
-    DrawingRequest request;
-    DrawingTerms terms;
     DrawingPlan plan;  // of the whole drawing
     double scale = 0;
     Excerpt page;
@@ -35,12 +33,10 @@ struct Stage {
 Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice) {
     Stage stage;
     stage.settings = film_settings(settings, choice.kind);
-    stage.request = request_of(stage.settings);
-    stage.request.placing.thresholds = choice.kind == FilmKind::levels ||
-                                       (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
-    stage.terms = terms_of(stage.settings);
-    stage.terms.most_dots = kMostFilmDots;
-    stage.plan = pipeline.plan(stage.request, stage.terms);
+    DrawingRequest request = stage.settings;
+    request.placing.thresholds = choice.kind == FilmKind::levels ||
+                                 (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
+    stage.plan = pipeline.plan(request, kMostFilmDots);
     if (stage.plan.density->mean() == 0)
         throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);

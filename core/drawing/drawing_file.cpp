@@ -1,7 +1,6 @@
 #include "core/drawing/drawing_file.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace dapple {
 namespace {
@@ -50,42 +49,27 @@ bool needs_thresholds(const DrawingFile& file) {
            (has_order(file.format, file.settings.style) && file.saving.order == DotOrder::priority);
 }
 
-std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
-                                    const std::stop_token& stop) {
-    std::optional<PlannedDots> dots = pipeline.dots(plan, stop);
-    if (!dots) return std::nullopt;
-    DotsForFile result{.file = file,
-                       .plan = std::move(plan),
-                       .dots = std::move(*dots),
-                       .outlines = {},
-                       .tile_size = pipeline.tile().tile().size()};
-    if (file.settings.show_tiles) result.outlines = pipeline.outlines(result.plan, result.dots.scale);
-    return result;
-}
-
-DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const std::stop_token& stop) {
-    const DrawingFile& file = dots.file;
-    const DrawingPlan& plan = dots.plan;
+DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
+                         const std::stop_token& stop) {
+    const DrawingPlan& plan = drawing.plan;
     const PageSize& size = page.part.size;
     const glm::dvec2 corner = corner_of(page.part);
-    DrawingToSave drawing{
-        .dots = dots.dots.on(reached(page, file, plan.radius(dots.dots.scale)), stop),
-        .page = size,
-        .pens = plan.pens,
-        .dot_radius_mm = dots.radius_mm(),
-        .tiles = dots.outlines,
-        .cut_marks = page.cut_marks,
-        .picture = Rectangle<double>{-corner,
-                                     -corner + glm::dvec2(plan.pixels) / static_cast<double>(std::max(
-                                                                             plan.pixels.x, plan.pixels.y))},
-        .tile_size = dots.tile_size,
-        .saving = file.saving,
-        .format = file.format,
-        .settings = file.embedded};
-    move_to(page.part.part, drawing.tiles);
+    const double longer = std::max(plan.pixels.x, plan.pixels.y);
+    DrawingToSave result{.dots = drawing.dots(reached(page, file, plan.radius(drawing.scale)), stop),
+                         .page = size,
+                         .pens = plan.pens,
+                         .dot_radius_mm = drawing.radius_mm(),
+                         .cut_marks = page.cut_marks,
+                         .picture = Rectangle<double>{-corner, -corner + glm::dvec2(plan.pixels) / longer},
+                         .tile_size = drawing.tile_size,
+                         .saving = file.saving,
+                         .format = file.format,
+                         .settings = file.embedded};
+    if (file.settings.show_tiles) result.tiles = drawing.outlines();
+    move_to(page.part.part, result.tiles);
     if (draws_lines(file) && !page.draws_whole())
-        drawing.part_corner_mm = (corner - corner_of(page.whole)) * size.mm_per_page_unit;
-    return drawing;
+        result.part_corner_mm = (corner - corner_of(page.whole)) * size.mm_per_page_unit;
+    return result;
 }
 
 }  // namespace dapple

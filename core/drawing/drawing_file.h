@@ -1,13 +1,12 @@
 #pragma once
 // A plan's dots on their way into a file, or into those of its sheets, for the window and `dapple render`:
 //
-//     plan ──► its dots, not yet placed ──► those of the page, a sheet or a region ──► in order ──► file
+//     plan ──► drawing ──► the dots of its page, a sheet or a region ──► in order ──► file
 //
-// Only the first step, dots_for(), needs the pipeline, which may then go on with other drawings. It finds the
-// scale; dots are placed for each part anew, except for Figure 8's and those of several pens, which are kept.
+// Only the first step, Pipeline::drawing(), needs the pipeline, which may then go on with other drawings. It
+// finds the scale; dots are placed for each part anew, except for Figure 8's and those of several pens.
 
 #include <filesystem>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -54,23 +53,9 @@ const Excerpt& placed_on(const DrawnPage& page, const DrawingFile& file);
 /// Whether the dots have to tell when they appear.
 bool needs_thresholds(const DrawingFile& file);
 
-/// A drawing's dots on their way into its file, or into those of its sheets.
-struct DotsForFile {
-    DrawingFile file;
-    DrawingPlan plan;
-    PlannedDots dots;
-    std::vector<PlacedTile> outlines;  // of the whole page, if they are shown
-    std::size_t tile_size = 16;        // N
-
-    double radius_mm() const { return plan.radius_mm(dots.scale); }
-};
-
-/// The dots of a plan that was made for the file. Nothing if stopped. Throws as Pipeline::dots() does.
-std::optional<DotsForFile> dots_for(const DrawingFile& file, Pipeline& pipeline, DrawingPlan plan,
-                                    const std::stop_token& stop = {});
-
-/// What is to be saved of them, in the order that `file` asks for. Formats that are seen rather than plotted
+/// What goes into the file of a drawing whose plan was made for it. Formats that are seen rather than plotted
 /// also get the dots that reach over the part's edges from beside it. If stopped, some are missing.
-DrawingToSave drawing_on(const DrawnPage& page, const DotsForFile& dots, const std::stop_token& stop = {});
+DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
+                         const std::stop_token& stop = {});
 
 }  // namespace dapple

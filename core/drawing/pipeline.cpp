@@ -321,14 +321,33 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     dots_by_scale_.keep(scaled, dots);
 }
 
-DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& terms) {
+namespace {
+
+// As large as pens draw them.
+DrawingRequest with_pens_sizes(DrawingRequest request) {
+    const bool touches = draws_touches(request);
+    if (touches && !have_widths(request.pens) && request.dot_size.sizing != DotSizing::by_tone) {
+        request.dot_size.sizing = DotSizing::fixed;
+        request.dot_size.radius_mm = request.pen_width_mm / 2;
+    }
+    if (draws_strokes(request) && !touches) {
+        request.pens.width_mm = 0;
+        for (Pen& pen : request.pens.own) pen.width_mm = 0;
+    }
+    return request;
+}
+
+}  // namespace
+
+DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots) {
+    const DrawingRequest request = with_pens_sizes(asked);
     tone_ms_ = 0;
     DrawingPlan plan;
     frame(request.page);
     plan.tone = request.tone;
     plan.size = request.dot_size;
-    plan.joined = terms.joined;
-    plan.stroke_width_mm = terms.stroke_width_mm;
+    plan.joined = request.style != DrawingStyle::dots;
+    plan.stroke_width_mm = keeps_dots_inside(request.page) ? widest_stroke(asked) : 0;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
     if (!plain_) plan.pens = pens_for(request.pens, framed_colours(), plan.tone.exposure, request.paper);
     const std::optional<double> pens_width = width_of_pens(plan.pens);
@@ -350,7 +369,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& request, const DrawingTerms& te
     const double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
                                            : expected_dots(*plan.density, plan.placing.scale);
     const double most =
-        static_cast<double>(terms.most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
+        static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
@@ -419,29 +438,30 @@ double Pipeline::find_scale(DrawingPlan& plan) {
     return placing.cut ? placing.cut->last_scale() : placing.scale;
 }
 
-std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_token& stop) {
+std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::stop_token& stop) {
+    PlannedDrawing drawing;
+    drawing.tile_size = tile_->tile().size();
     if (plan.placer == PlacerKind::figure8 || !plan.pens.empty()) {
         // It needs all dots at once: it counts the duplicates among them. So do pens that share dots out.
         const auto drawn = std::make_shared<Stippling>();
         if (!draw(plan, *drawn, {.stop = stop, .step = {}})) return std::nullopt;
-        return PlannedDots{drawn->scale, [drawn](const PagePart& part, const std::stop_token&) {
-                               DotPieces own = drawn->dots;
-                               for (Dots& piece : own.pieces) cut_to(part, piece);
-                               DotStream dots =
-                                   stream_of(std::make_shared<const DotPieces>(std::move(own)), drawn->scale);
-                               dots.duplicates = drawn->duplicates;
-                               return dots;
-                           }};
-    }
-    const double scale = find_scale(plan);
-    const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
-    RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), scale);
-    if (plan.steps > relaxing.lloyd_steps)  // once for all parts
-        relaxing.blurred = std::make_shared<const BlurredDensity>(
-            blurred_for_kernels(*plan.density, scale, relaxing.kernel, relaxing.areas));
-    return PlannedDots{
-        scale, [table = tile_->placer().shared_table(), density = plan.density, request, steps = plan.steps,
-                relaxing](const PagePart& part, const std::stop_token& stopped) {
+        drawing.scale = drawn->scale;
+        drawing.dots = [drawn](const PagePart& part, const std::stop_token&) {
+            DotPieces own = drawn->dots;
+            for (Dots& piece : own.pieces) cut_to(part, piece);
+            DotStream dots = stream_of(std::make_shared<const DotPieces>(std::move(own)), drawn->scale);
+            dots.duplicates = drawn->duplicates;
+            return dots;
+        };
+    } else {
+        drawing.scale = find_scale(plan);
+        const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
+        RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawing.scale);
+        if (plan.steps > relaxing.lloyd_steps)  // once for all parts
+            relaxing.blurred = std::make_shared<const BlurredDensity>(
+                blurred_for_kernels(*plan.density, drawing.scale, relaxing.kernel, relaxing.areas));
+        drawing.dots = [table = tile_->placer().shared_table(), density = plan.density, request,
+                        steps = plan.steps, relaxing](const PagePart& part, const std::stop_token& stopped) {
             const auto placer = std::make_shared<Placer>(table);
             StreamRequest of_part = request;
             of_part.part = part;
@@ -451,13 +471,21 @@ std::optional<PlannedDots> Pipeline::dots(DrawingPlan plan, const std::stop_toke
             dots.for_each_piece = [placer, density, each = std::move(dots.for_each_piece)](
                                       const TakePiece& take) { each(take); };
             return dots;
-        }};
+        };
+    }
+    drawing.outlines = outlines_of(plan, drawing.scale);
+    drawing.plan = std::move(plan);
+    return drawing;
 }
 
-std::vector<PlacedTile> Pipeline::outlines(const DrawingPlan& plan, double scale) {
+std::function<std::vector<PlacedTile>()> Pipeline::outlines_of(const DrawingPlan& plan, double scale) const {
     if (plan.placer == PlacerKind::figure8)
-        return place_figure8(*plan.density, tile_->tile(), tile_->own_ranks(), scale).tiles;
-    return placed_tiles(tile_->placer().table(), *plan.density, {.scale = scale});
+        return [tile = tile_->tile(), ranks = tile_->own_ranks(), density = plan.density, scale] {
+            return place_figure8(*density, tile, ranks, scale).tiles;
+        };
+    return [table = tile_->placer().shared_table(), density = plan.density, scale] {
+        return placed_tiles(*table, *density, {.scale = scale});
+    };
 }
 
 }  // namespace dapple

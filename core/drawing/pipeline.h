@@ -16,7 +16,6 @@
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pen_plan.h"
 #include "core/drawing/request.h"
-#include "core/drawing/settings.h"
 #include "core/image/density.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
@@ -40,8 +39,8 @@ struct DrawingPlan {
     SettleFor settle_for = SettleFor::pictures;
     int usual_steps = 0;  // see usual_steps(); 0 of Figure 8
     DotSize size;
-    bool joined = false;         // by lines
-    double stroke_width_mm = 0;  // see DrawingTerms
+    bool joined = false;         // by lines: see InkedDots
+    double stroke_width_mm = 0;  // of lines that reach half as far beyond; 0: filled dots, or no margins
     PageSize page;               // of the picture
     double full_load = 0;        // see InkCurve
     Palette pens;                // several, in the order in which they draw; none: one
@@ -71,14 +70,21 @@ struct DrawingWatch {
     std::function<bool(const Stippling& drawn, const std::function<DotPieces()>& dots)> step;
 };
 
-/// The dots of a plan, for a file: those on any part of the page, placed in any thread while the pipeline
-/// draws others.
-struct PlannedDots {
-    double scale = 0;  // that the drawing came to
+/// A plan with its dots, which are placed for whichever part of the page is asked for, in any thread, while
+/// the pipeline goes on with other drawings. Never changes.
+struct PlannedDrawing {
+    DrawingPlan plan;
+    double scale = 0;  // that it came to
     /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, except
     /// for Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order.
     /// The stream owns what it needs. Throws as stream() does. If stopped, none.
-    std::function<DotStream(const PagePart& part, const std::stop_token& stop)> on;
+    std::function<DotStream(const PagePart& part, const std::stop_token& stop)> dots;
+    /// The tiles of the whole page that the placer goes through.
+    std::function<std::vector<PlacedTile>()> outlines;
+    std::size_t tile_size = 16;  // N
+
+    double radius_mm() const { return plan.radius_mm(scale); }
+    PageLayout layout() const { return plan.layout(scale); }
 };
 
 class Pipeline {
@@ -106,11 +112,10 @@ class Pipeline {
     RankedTile& tile() { return *tile_; }
 
     /// Needs a picture and a tile. Throws what density_of(), Density, framing_of() and layout_of() throw.
-    DrawingPlan plan(const DrawingRequest& request, const DrawingTerms& terms = {});
-    /// What settings ask for: request_of() and terms_of() them.
-    DrawingPlan plan(const DrawingSettings& settings) {
-        return plan(request_of(settings), terms_of(settings));
-    }
+    /// Touches are as large as the pen's line is wide. Where several pens draw lines or shapes, dots are as
+    /// large as one pen's would be; a pen's width is then its lines'. A count or a scale that asks for more
+    /// than `most_dots` is lowered.
+    DrawingPlan plan(const DrawingRequest& asked, std::uint64_t most_dots = kMostDots);
 
     /// The scale that stream() comes to; a count's end is found now and kept in the plan.
     double find_scale(DrawingPlan& plan);
@@ -120,18 +125,24 @@ class Pipeline {
     bool draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch = {});
 
     /// Where the dots are needed at once, they are drawn now. Nothing if stopped. Throws as stipple() does.
-    std::optional<PlannedDots> dots(DrawingPlan plan, const std::stop_token& stop = {});
-    /// The same, of one part.
-    DotStream stream(const DrawingPlan& plan, const PagePart& part = {}) { return dots(plan)->on(part, {}); }
+    std::optional<PlannedDrawing> drawing(DrawingPlan plan, const std::stop_token& stop = {});
+    /// The dots alone, of one part.
+    DotStream stream(const DrawingPlan& plan, const PagePart& part = {}) {
+        return drawing(plan)->dots(part, {});
+    }
 
     /// The tiles that the placer goes through at that scale: those that Figure 8 visits, or the exact
     /// placer's.
-    std::vector<PlacedTile> outlines(const DrawingPlan& plan, double scale);
+    std::vector<PlacedTile> outlines(const DrawingPlan& plan, double scale) const {
+        return outlines_of(plan, scale)();
+    }
 
     /// Wall time that the last plan() took for tone and density; 0 if they were still there.
     double tone_ms() const { return tone_ms_; }
 
  private:
+    std::function<std::vector<PlacedTile>()> outlines_of(const DrawingPlan& plan, double scale) const;
+
     // What each stage is made of, beside the picture.
     struct Usual {  // what automatic tone comes to
         Tone own;

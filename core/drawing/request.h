@@ -3,12 +3,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/drawing/page_setup.h"
 #include "core/image/mask.h"
 #include "core/image/tone.h"
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
+#include "core/strokes/dot_shape.h"
+#include "core/strokes/drawing_style.h"
 #include "core/text/names.h"
 
 namespace dapple {
@@ -66,18 +70,35 @@ struct DrawingRequest {
     PageSetup page = {};
     PenChoice pens = {};       // what several draw follows from the picture's colours
     glm::vec3 paper = kWhite;  // sRGB-encoded; has a say in that alone
+    DrawingStyle style = DrawingStyle::dots;
+    DotMark mark = {};          // each dot's shape, where the style is dots
+    double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
     bool operator==(const DrawingRequest&) const = default;
 };
 
-/// What else has a say: how dots are drawn, and how many of them there may be.
-struct DrawingTerms {
-    bool joined = false;         // by lines: see InkedDots
-    double stroke_width_mm = 0;  // of a pen's lines, which reach half as far beyond; 0: dots are filled
-    std::uint64_t most_dots = kMostDots;  // a count or a scale that asks for more is lowered
+/// Whether a pen draws lines, rather than dots being filled circles.
+bool draws_strokes(const DrawingRequest& request);
 
-    bool operator==(const DrawingTerms&) const = default;
-};
+/// What pens do: ink spreads about a dot where the pen rests, and not along a line.
+enum class PenUse { lines, touches };
+
+/// How wide the choice's pens draw lines, or dots by touching the paper, in millimetres: their own width,
+/// with the dot gain if they touch; or else pen_width_mm.
+std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
+                                  PenUse use);
+
+/// Whether several pens say how wide they are.
+bool have_widths(const PenChoice& pens);
+
+/// Whether each dot is a touch of the pen, and as large as what that leaves.
+bool draws_touches(const DrawingRequest& request);
+inline PenUse pen_use(const DrawingRequest& request) {
+    return draws_touches(request) ? PenUse::touches : PenUse::lines;
+}
+
+/// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
+double widest_stroke(const DrawingRequest& request);
 
 inline constexpr int kFewestUsualSteps = 8;
 

@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "core/drawing/page_setup.h"
 #include "core/drawing/request.h"
@@ -18,8 +16,6 @@
 #include "core/output/plotting_time.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
-#include "core/strokes/dot_shape.h"
-#include "core/strokes/drawing_style.h"
 #include "core/tile/ranking.h"
 
 namespace dapple {
@@ -43,7 +39,7 @@ inline constexpr double kShortestSideMm = 0.01;
 /// The range of a dot's radius.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
 
-/// Which tile dots are placed with, and how they are drawn.
+/// Which tile dots are placed with, and in which colours and parts they are drawn.
 struct DrawnWith {
     std::string tile = kDefaultTile;       // a name for tile_named()
     std::optional<RankingMethod> ranking;  // none: the tile's own
@@ -52,9 +48,6 @@ struct DrawnWith {
     glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1; several pens have colours of their own
     bool background = false;    // paint the paper under an SVG's dots
     bool show_tiles = false;    // the boundaries of the tiles, coloured by level
-    DrawingStyle style = DrawingStyle::dots;
-    DotMark mark = {};          // each dot's shape, where the style is dots
-    double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
     bool operator==(const DrawnWith&) const = default;
 };
@@ -100,33 +93,5 @@ struct SavingChoice {
 /// paper's own where the placer is the paper's, and the turned one of as many points where the ranking is for
 /// a tile of one kind.
 std::string tile_in_use(const DrawingSettings& settings);
-
-/// Whether a pen draws lines, rather than dots being filled circles.
-bool draws_strokes(const DrawingSettings& settings);
-
-/// What pens do: ink spreads about a dot where the pen rests, and not along a line.
-enum class PenUse { lines, touches };
-
-/// How wide the choice's pens draw lines, or dots by touching the paper, in millimetres: their own width,
-/// with the dot gain if they touch; or else pen_width_mm.
-std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
-                                  PenUse use);
-
-/// Whether several pens say how wide they are.
-bool have_widths(const PenChoice& pens);
-
-/// Whether each dot is a touch of the pen, and as large as what that leaves.
-bool draws_touches(const DrawingSettings& settings);
-inline PenUse pen_use(const DrawingSettings& settings) {
-    return draws_touches(settings) ? PenUse::touches : PenUse::lines;
-}
-
-/// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
-double widest_stroke(const DrawingSettings& settings);
-
-/// What is asked of the pipeline. Touches are as large as the pen's line is wide. Where several pens draw
-/// lines or shapes, dots are as large as one pen's would be; a pen's width is then its lines'.
-DrawingRequest request_of(const DrawingSettings& settings);
-DrawingTerms terms_of(const DrawingSettings& settings);
 
 }  // namespace dapple

@@ -40,6 +40,7 @@ class RankedTile {
     const Tile& tile() const { return tile_; }
     const std::vector<int>& own_ranks() const { return own_ranks_; }  // for Figure 8; none if it can't be
     Placer& placer() { return placer_; }
+    const Placer& placer() const { return placer_; }
 
  private:
     Tile tile_;

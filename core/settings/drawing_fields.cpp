@@ -71,8 +71,8 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, placer, placing, relax, settle_for,
-           dot_size, page, pens, paper] = static_cast<DrawingRequest&>(drawing);
-    auto& [tile, ranking, sheets, registration, ink, background, show_tiles, style, mark, pen_width_mm] =
+           dot_size, page, pens, paper, style, mark, pen_width_mm] = static_cast<DrawingRequest&>(drawing);
+    auto& [tile, ranking, sheets, registration, ink, background, show_tiles] =
         static_cast<DrawnWith&>(drawing);
     fields.flag(setting::automatic_tone, automatic_tone);
     fields.number(setting::tone_strength, tone_strength);

@@ -47,6 +47,25 @@ struct PagePixels {
     std::vector<std::uint8_t> rgb;  // sRGB-encoded, row after row from the top
 };
 
+/// What settings come to on a picture, before a dot is placed.
+struct Plan {
+    std::uint64_t dots = 0;                        // exactly, or about so many where none are asked for
+    bool lowered = false;                          // more were asked for than there may be
+    int steps = 0;                                 // in which they settle
+    double page_width_mm = 0, page_height_mm = 0;  // margins and all
+    double radius_mm = 0;                          // of all dots, or of the largest
+    std::vector<DrawingPen> pens = {};             // one: the ink
+    // The tone as drawn, with what was chosen automatically, in the units of the settings.
+    double exposure = 0, black_point = 0, white_point = 1, contrast = 0, brightness = 0, gamma = 1, black = 1;
+};
+
+/// What someone who is about to plot or print a drawing should know of it.
+struct Advice {
+    std::string kind;   // "overlap"
+    std::string text;   // "40 % of the dots run into others; fewer dots part them"
+    double amount = 0;  // that it speaks of: dots, millimetres or dots per inch; 0: none
+};
+
 enum class FileFormat { svg, gcode, hpgl, dxf, csv, json };
 
 /// Never changes, and is cheap to copy. Up to five million dots are held in memory; of more, each pass over
@@ -64,6 +83,10 @@ class DAPPLE_API Drawing {
     /// As a file of that kind, with the settings' order, shapes, strokes and pens. False if stopped: what is
     /// written by then is not whole. Throws std::runtime_error if such a file cannot hold the drawing.
     bool write(std::ostream& out, FileFormat format, const Watch& watch = {}) const;
+
+    /// What to know before such a file is plotted or printed, the most important first; nothing where all is
+    /// well, or if stopped. Takes as long as finding the pen's way.
+    std::vector<Advice> advice(FileFormat format, const Watch& watch = {}) const;
 
     /// As pixels, so many to the inch, with the settings' ink and paper. Throws std::runtime_error if there
     /// would be too many.
@@ -99,8 +122,11 @@ class DAPPLE_API Stippler {
     /// again. Throws std::runtime_error saying in which line it is wrong.
     void set_tile(std::string_view text);
 
-    /// Nothing if stopped. Throws std::runtime_error with one sentence if there is no picture, or if the
-    /// settings do not go together with it.
+    /// Throws std::runtime_error with one sentence if there is no picture, or if the settings do not go
+    /// together with it.
+    Plan plan(const Settings& settings);
+
+    /// Nothing if stopped. Throws as plan() does.
     std::optional<Drawing> draw(const Settings& settings, const Watch& watch = {});
 
  private:

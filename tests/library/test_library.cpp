@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include "dapple/dapple.h"
 #include "dapple/drawing.h"
 #include "dapple/lights.h"
+#include "dapple/tile.h"
 #include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
 
@@ -124,6 +126,73 @@ TEST_CASE("a drawing tells its dots in millimetres, and is the same for any numb
     }
     CHECK(xs[0].size() == 2000);
     CHECK(xs[0] == xs[1]);
+}
+
+TEST_CASE("a plan says what settings come to before a dot is placed") {
+    Stippler stippler;
+    stippler.set_picture(ramp());
+    const Settings settings(R"({"drawing": {"count": 2500, "page": {"width_mm": 90}, "pens": "cmyk"}})");
+    const Plan plan = stippler.plan(settings);
+    const auto drawing = stippler.draw(settings);
+    REQUIRE(drawing);
+    CHECK(plan.dots == drawing->count());
+    CHECK(plan.page_width_mm == drawing->page_width_mm());
+    CHECK(plan.page_height_mm == drawing->page_height_mm());
+    CHECK(plan.pens.size() == 4);
+    CHECK(plan.steps > 0);
+    float largest = 0;
+    drawing->for_each([&](const DotSpan& dots) {
+        for (const float radius : dots.radius) largest = std::max(largest, radius);
+        return true;
+    });
+    CHECK(largest == doctest::Approx(plan.radius_mm));
+    // By a scale it is about so many.
+    const Settings by_scale(R"({"drawing": {"count": null, "scale": 3000}})");
+    CHECK(double(stippler.draw(by_scale)->count()) ==
+          doctest::Approx(double(stippler.plan(by_scale).dots)).epsilon(0.02));
+    CHECK(stippler.plan(Settings(R"({"drawing": {"automatic_tone": false, "tone": {"gamma": 2}}})")).gamma ==
+          2);
+}
+
+TEST_CASE("what to know before plotting is told as the program tells it") {
+    Stippler stippler;
+    stippler.set_picture(ramp());
+    const auto kinds = [&](const char* settings, FileFormat format) {
+        std::string all;
+        for (const Advice& advice : stippler.draw(Settings(settings))->advice(format))
+            all += advice.kind + " ";
+        return all;
+    };
+    const std::string crowded = kinds(
+        R"({"drawing": {"count": 9000, "dot_size": {"sizing": "fixed", "radius_mm": 2}}})", FileFormat::svg);
+    CAPTURE(crowded);
+    CHECK(crowded.find("overlap ") != std::string::npos);
+    CHECK(crowded.find("tone ") != std::string::npos);
+    CHECK(kinds(R"({"drawing": {"count": 500}})", FileFormat::csv) == "");
+}
+
+TEST_CASE("tiles come as text and as points, and a drawing by a tile's text is that by its name") {
+    const std::vector<std::string> names = tile_names();
+    CHECK(std::ranges::count(names, "paper16") == 1);
+    const TilePoints points = tile_points(tile_text("paper16"));
+    CHECK(points.kinds == 1);
+    REQUIRE(points.x.size() == 16);
+    // Doubled, each is one of the others: the paper's tile is the cycle of 2x mod 1.
+    for (std::size_t i = 0; i < 16; ++i) {
+        double nearest = 1;
+        for (std::size_t k = 0; k < 16; ++k)
+            nearest = std::min(nearest, std::hypot(std::fmod(2 * points.x[i], 1) - points.x[k],
+                                                   std::fmod(2 * points.y[i], 1) - points.y[k]));
+        CHECK(nearest < 1e-12);
+    }
+    CHECK_THROWS_WITH(tile_text("paper17"), doctest::Contains("paper17 is no tile"));
+    Stippler named, given;
+    named.set_picture(ramp());
+    given.set_picture(ramp());
+    given.set_tile(tile_text("aperiodic64"));
+    CHECK(written(*named.draw(Settings(R"({"drawing": {"tile": "aperiodic64", "count": 800}})")),
+                  FileFormat::csv) ==
+          written(*given.draw(Settings(R"({"drawing": {"count": 800}})")), FileFormat::csv));
 }
 
 TEST_CASE("a density gives dots in proportion, and a white one none that would be drawn") {

@@ -3,8 +3,7 @@
 namespace dapple {
 
 DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
-    return {.drawing = request_of(settings),
-            .terms = terms_of(settings),
+    return {.drawing = settings,
             .tile = tile_in_use(settings),
             .ranking = settings.ranking,
             .outlines = settings.show_tiles,

@@ -22,7 +22,7 @@ struct CloseView {
 /// Those of the settings that dots depend on.
 struct DotsRequest {
     DrawingRequest drawing;
-    DrawingTerms terms;
+    std::uint64_t most_dots = kMostDots;
     std::string tile;
     std::optional<RankingMethod> ranking;
     bool outlines = false;                // the tiles too

@@ -29,7 +29,7 @@ DotsRequest film_request(const ViewerSettings& settings, const PlayedFilm& film)
         filmed.deepest_level = kDeepestStep;
     }
     DotsRequest request = dots_request(filmed);
-    request.terms.most_dots = kMostFilmDots;
+    request.most_dots = kMostFilmDots;
     return request;
 }
 

@@ -144,7 +144,7 @@ bool Session::would_lose_changes(const fs::path& file) const {
 
 DotsRequest Session::page_request() const {
     DotsRequest request = film ? film_request(settings, *film) : dots_request(settings);
-    request.terms.most_dots = std::min(request.terms.most_dots, most_dots_);
+    request.most_dots = std::min(request.most_dots, most_dots_);
     if (cropping.on) {
         // All of the picture: filling the paper would cut its edges off, and the frame's with them.
         request.drawing.page.crop.reset();
@@ -350,11 +350,11 @@ PrepareFile Session::file_to_write(const fs::path& path, const DrawingSettings& 
                                .saving = saving,
                                .embedded = embedded_settings(path, drawing, saving)};
         DotsRequest request = dots_request(file.settings, choice);
-        request.terms.most_dots = most;
+        request.most_dots = most;
         request.drawing.placing.thresholds = needs_thresholds(file);
-        auto dots = dots_for(file, bench.pipeline(), bench.plan(request), stop);
-        if (!dots) return {};
-        return [dots = std::move(*dots)](const SavingWatch& watch) { return save_page(dots, watch); };
+        const auto placed = bench.pipeline().drawing(bench.plan(request), stop);
+        if (!placed) return {};
+        return [placed, file](const SavingWatch& watch) { return save_page(*placed, file, watch); };
     };
 }
 

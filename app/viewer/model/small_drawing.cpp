@@ -29,15 +29,14 @@ SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings
     settings.relax = std::min(settings.relax.value_or(1), 1);
     Workbench bench;
     show_to(bench, picture);
-    DrawingFile file{
+    const DrawingFile file{
         .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
-    const auto placed = dots_for(file, bench.pipeline(), bench.plan(dots_request(settings)), stop);
+    const auto placed = bench.pipeline().drawing(bench.plan(dots_request(settings)), stop);
     if (!placed) return {};
-    DrawingToSave drawing = drawing_on(drawn_page(placed->plan.layout(placed->dots.scale)), *placed, stop);
+    DrawingToSave drawing = drawing_on(drawn_page(placed->layout()), *placed, file, stop);
     if (settings.style == DrawingStyle::line)
-        drawing.dots =
-            stream_of(std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)),
-                      placed->dots.scale);
+        drawing.dots = stream_of(
+            std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)), placed->scale);
     drawing.saving.dpi = dpi_for(drawing.page, longer_side);
     const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
     SmallPicture shown(pixels.width, pixels.height);

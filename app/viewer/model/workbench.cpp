@@ -47,7 +47,7 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
     }
     DrawingRequest drawing = request.drawing;
     if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
-    return pipeline_.plan(drawing, request.terms);
+    return pipeline_.plan(drawing, request.most_dots);
 }
 
 namespace {
@@ -67,7 +67,7 @@ bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest&
                  PlacedDrawing& drawing, const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
     // A window may be as small as 2^-41 of the page.
-    const double most = static_cast<double>(request.terms.most_dots);
+    const double most = static_cast<double>(request.most_dots);
     const double limit =
         most / (kDotsPerScale * std::max(density_in(*plan.density, request.close->window), 1e-200));
     const PlacingRequest placing{.scale = std::min(request.close->scale, limit),

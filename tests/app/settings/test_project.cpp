@@ -70,17 +70,17 @@ ViewerSettings nothing_usual() {
                 pens.ink = PenInk::opaque;
                 return pens;
             }(),
-        .paper = parse_colour("#f1faee")};
+        .paper = parse_colour("#f1faee"),
+        .style = DrawingStyle::nearest,
+        .mark = parse_dot_mark("M0,0 L1,1"),
+        .pen_width_mm = 0.7};
     static_cast<DrawnWith&>(all.drawing) = {.tile = "14217,2895/16",
                                             .ranking = RankingMethod::farthest,
                                             .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
                                             .registration = true,
                                             .ink = parse_colour("#1d3557"),
                                             .background = true,
-                                            .show_tiles = true,
-                                            .style = DrawingStyle::nearest,
-                                            .mark = parse_dot_mark("M0,0 L1,1"),
-                                            .pen_width_mm = 0.7};
+                                            .show_tiles = true};
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;

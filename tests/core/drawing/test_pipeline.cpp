@@ -96,8 +96,8 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
 TEST_CASE(
     "black is as solid as was asked, or as the number of dots allows; sizes by tone and lines decide it") {
     Pipeline pipeline = pipeline_of(ramp());
-    const auto black = [&](const DrawingRequest& request, const DrawingTerms& terms = {}) {
-        const DrawingPlan plan = pipeline.plan(request, terms);
+    const auto black = [&](const DrawingRequest& request) {
+        const DrawingPlan plan = pipeline.plan(request);
         return *plan.tone.black;
     };
     for (const std::uint64_t few : {500, 5'000}) CHECK(black({.placing = {.count = few}}) == 0.9);
@@ -111,7 +111,7 @@ TEST_CASE(
         CHECK(black({.automatic_tone = automatic, .tone = {.black = 0.7}, .placing = {.count = 5'000}}) ==
               0.7);
     CHECK(black({.tone = {.black = 0.7}, .dot_size = kByTone}) == 1);
-    CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}}, {.joined = true}) == 1);
+    CHECK(black({.tone = {.black = 0.7}, .placing = {.count = 5'000}, .style = DrawingStyle::line}) == 1);
 }
 
 TEST_CASE("a crop in pixels is one of the file's, of which several became one") {
@@ -443,7 +443,7 @@ TEST_CASE("a stream outlives the pipeline") {
 
 TEST_CASE("more dots than there may be are lowered to the most") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingTerms few{.most_dots = 5000};
+    constexpr std::uint64_t few = 5000;
     DrawingRequest request{.placing = {.count = 3000}, .relax = 3};
     CHECK_FALSE(pipeline.plan(request, few).lowered);
     request.placing.count = 5001;

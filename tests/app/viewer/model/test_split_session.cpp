@@ -99,7 +99,7 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
     const auto dots = [&](const DrawingSettings& drawing) {
         session.settings.drawing = drawing;
         DotsRequest request = dots_request(session.settings);
-        request.terms.most_dots = 5000;
+        request.most_dots = 5000;
         REQUIRE(wait_until([&] {
             session.take_events(std::chrono::milliseconds(0));
             session.request_dots(zoom);

@@ -1,0 +1,96 @@
+#include "core/drawing/drawing_figures.h"
+
+#include "core/drawing/drawing_facts.h"
+#include "core/drawing/gcode_choice.h"
+
+namespace dapple {
+namespace {
+
+std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double scale,
+                                               const DrawingSettings& settings) {
+    const bool discs = settings.style == DrawingStyle::dots && is_disc(settings.mark.shape);
+    if (plan.size.sizing != DotSizing::fixed || !discs) return std::nullopt;
+    return DrawingFacts::Tone{plan.dots_for_tone(),
+                              plan.radius_for_its_tone(scale) * plan.page.mm_per_page_unit};
+}
+
+// How long a machine takes for dots, or for what is drawn of them.
+PlottingTime time_of(const Dots& dots, const InkedDot& ink, const PageSize& page,
+                     const MachineSpeeds& speeds) {
+    if (ink.as == DotsAs::rings)
+        return plotting_time_of_rings(dots, page.mm_per_page_unit, ink.radius_mm, speeds);
+    return plotting_time(dots, page.mm_per_page_unit, speeds);
+}
+
+Dots one_after_the_other(const DotPieces& by_pen) {
+    Dots all;
+    for (const Dots& own : by_pen.pieces) append(all, own);
+    return all;
+}
+
+// The time that the machine takes, and the strokes if dots are drawn with some.
+void add_plotting(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing& laid_out) {
+    const DrawingFile& file = laid_out.file;
+    const PageSize& page = laid_out.page.part.size;
+    const MachineSpeeds speeds = speeds_for(figures.machine, file.format, file.saving);
+    if (!laid_out.by_pen) {
+        facts.plotting = expected_plotting_time(static_cast<double>(laid_out.drawing.dots.count),
+                                                page.width_mm * page.height_mm, speeds);
+    } else if (const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format)) {
+        figures.strokes = figures_of(*strokes, speeds);
+        facts.plotting = figures.strokes->time;
+        if (file.settings.style == DrawingStyle::line) facts.longest_link_mm = figures.strokes->longest_mm;
+    } else {
+        facts.plotting = time_of(one_after_the_other(*laid_out.by_pen), facts.ink, page, speeds);
+    }
+    figures.plotting = facts.plotting;
+}
+
+// The same for each of several pens, and how even their dots are.
+void add_pens(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing& laid_out) {
+    const DrawingFile& file = laid_out.file;
+    const PageSize& page = laid_out.page.part.size;
+    const Palette& pens = laid_out.plan.pens;
+    const MachineSpeeds speeds = speeds_for(figures.machine, file.format, file.saving);
+    figures.by_pen = pen_figures(*laid_out.by_pen, page, pens, speeds);
+    const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format);
+    for (std::size_t i = 0; i < figures.by_pen.size(); ++i) {
+        PenFigures& own = figures.by_pen[i];
+        own.time = strokes ? figures_of(only(*strokes, own.pen), speeds).time
+                           : time_of(laid_out.by_pen->pieces[i], facts.ink, page, speeds);
+        const Pen& pen = pens[static_cast<std::size_t>(own.pen)];
+        facts.pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
+    }
+    if (!laid_out.page.draws_whole()) return;
+    const PagePart& part = laid_out.page.part.part;
+    figures.evenness = pen_evenness(*laid_out.by_pen, {part.across.offset, part.down.offset},
+                                    laid_out.plan.by_pen, laid_out.drawing.dots.scale);
+}
+
+}  // namespace
+
+DrawingFigures figures_of(const LaidOutDrawing& laid_out) {
+    const auto& [plan, file, page, drawing, by_pen] = laid_out;
+    DrawingFigures figures;
+    DrawingFacts facts = facts_of(file.settings, file.saving, file.format, drawing);
+    facts.whole_page = page.draws_whole();
+    if (by_pen) {
+        const InkedDot& ink = facts.ink;
+        const Dots inked = inked_dots(stream_of(*by_pen), ink, page.part.size);
+        const Excerpt& excerpt = placed_on(page, file);
+        const PageLayout& layout = page.layout;
+        const Rectangle<double> paper{{0, 0}, {layout.page.width_mm, layout.page.height_mm}};
+        facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm, 0),
+                                   seen_from(excerpt, layout, layout.within_margins), glm::dvec2(0),
+                                   seen_from(excerpt, layout, paper));
+        figures.preflight = facts.measured;
+    }
+    figures.machine = facts.machine.value_or(figures.machine);
+    if (facts.machine) add_plotting(figures, facts, laid_out);
+    if (by_pen && !plan.pens.empty()) add_pens(figures, facts, laid_out);
+    if (const auto tone = tone_reached(plan, drawing.dots.scale, file.settings)) facts.for_tone = tone;
+    figures.findings = findings_of(facts);
+    return figures;
+}
+
+}  // namespace dapple

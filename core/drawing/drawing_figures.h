@@ -1,0 +1,40 @@
+#pragma once
+// What can be told of a drawing once its dots are there: measured, timed, and found worth knowing before it
+// is plotted.
+
+#include <optional>
+#include <vector>
+
+#include "core/drawing/drawing.h"
+#include "core/drawing/drawing_file.h"
+#include "core/drawing/pipeline.h"
+#include "core/output/findings.h"
+#include "core/output/pen_figures.h"
+#include "core/output/plotting_time.h"
+#include "core/output/preflight.h"
+#include "core/output/stroke_figures.h"
+
+namespace dapple {
+
+/// A drawing as it goes into its file.
+struct LaidOutDrawing {
+    const DrawingPlan& plan;
+    const DrawingFile& file;
+    const DrawnPage& page;
+    const DrawingToSave& drawing;
+    const DotPieces* by_pen = nullptr;  // its dots in memory, as they are drawn; none if they are too many
+};
+
+struct DrawingFigures {
+    std::optional<Preflight> preflight = {};  // if its dots are in memory
+    std::vector<Finding> findings = {};       // what someone should know of it
+    Machine machine = {};                     // that would draw it
+    std::optional<PlottingTime> plotting = {};
+    std::optional<StrokeFigures> strokes = {};  // none where dots are circles or points
+    std::vector<PenFigures> by_pen = {};        // of those that draw something
+    std::optional<PenEvenness> evenness = {};   // of a whole page
+};
+
+DrawingFigures figures_of(const LaidOutDrawing& laid_out);
+
+}  // namespace dapple
