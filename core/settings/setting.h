@@ -133,7 +133,7 @@ inline constexpr Setting count{.names = {"count", "Dots", "--dots"},
                                .value = "N",
                                .help = "Exactly this many dots on the page: 40000, 40,000 or 40k"};
 inline constexpr Setting scale{
-    .names = {"scale", "Fineness", "--scale"},
+    .names = {"scale", "Dots in black", "--scale"},
     .range = {.at_least = NumberRange::Least::excluded},
     .usual = 2500,
     .track = {10, 100'000, true},

@@ -76,17 +76,18 @@ TEST_CASE("dragging the scale slider with the mouse changes the number of dots, 
     REQUIRE(viewer.is_relaxed());
     const int placings = viewer.status()["placings"];
     viewer.click("tone");
-    REQUIRE(viewer.shows([&] { return viewer.has("Fineness") && viewer.status()["placings"] > placings; }));
+    REQUIRE(
+        viewer.shows([&] { return viewer.has("Dots in black") && viewer.status()["placings"] > placings; }));
     REQUIRE(viewer.is_relaxed());
     const double scale = viewer.status()["scale"];
     // A scale draws the dots above it, with detail for about as many.
     const std::uint64_t dots = viewer.dots();
     CHECK(dots == doctest::Approx(40'000).epsilon(0.0001));
 
-    viewer.point_at("Fineness", 0.5);
+    viewer.point_at("Dots in black", 0.5);
     viewer.press();
-    viewer.point_at("Fineness", 0.4);
-    viewer.point_at("Fineness", 0.3);
+    viewer.point_at("Dots in black", 0.4);
+    viewer.point_at("Dots in black", 0.3);
     // The dots follow while the button is still down.
     CHECK(viewer.shows([&] { return viewer.dots() < 10'000; }));
     viewer.release();
@@ -108,7 +109,7 @@ TEST_CASE("a project opens in the window and is saved again from there, with wha
     CHECK(viewer.dots() == 500);
     run({"xdotool", "search", "--name", "^small.dapple - Dapple$"});
     viewer.click("tone");
-    REQUIRE(viewer.shows([&] { return viewer.has("Fineness"); }));
+    REQUIRE(viewer.shows([&] { return viewer.has("Dots in black"); }));
     viewer.key("ctrl+shift+s");
     REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
     viewer.key("Return");
@@ -439,7 +440,7 @@ TEST_CASE("on the canvas a hidden pen's dots are gone, and of one looked at alon
     CHECK(viewer.shows([&] { return count(is_magenta) == 0; }));
     CHECK(count(is_yellow) > 300);
     CHECK(count(is_black) > 300);
-    viewer.click("Look at");
+    viewer.click("Pens shown");
     viewer.click("1 Yellow alone");
     viewer.move(300, 750);  // no tip of the row's lies over the canvas
     CHECK(viewer.shows([&] { return count(is_black) == 0; }));

@@ -69,9 +69,51 @@ TEST_CASE(
     REQUIRE(viewer.shows([&] { return viewer.has("Commands"); }));
     viewer.xdotool("type --delay 20 'compare photograph'");
     viewer.key("Return");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Commands"); }));  // of which a part is even, too
     CHECK(viewer.shows(is_even));
     viewer.key("Escape");
     CHECK(viewer.shows([&] { return !is_even(); }));
+}
+
+TEST_CASE("holding W shows the drawing as it was; by its name it stays until something is changed") {
+    const TemporaryFolder folder;
+    put_text(folder / "few.dapple", R"({"dapple": 1, "drawing": {"count": 4000, "relax": 0}})");
+    Display display;
+    RunningViewer viewer(folder.path(), {"few.dapple"});
+    const auto has = [&](std::uint64_t dots) { return viewer.shows([&] { return viewer.dots() == dots; }); };
+    const auto choose = [&](const char* words) {
+        viewer.move(300, 300);
+        viewer.key("ctrl+p");
+        REQUIRE(viewer.shows([&] { return viewer.has("Commands"); }));
+        viewer.xdotool(std::string("type --delay 20 '") + words + "'");
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return !viewer.has("Commands"); }));
+    };
+    const auto enter_dots = [&](const char* dots) {
+        viewer.click("Dots value");
+        REQUIRE(viewer.shows([&] { return viewer.has("Typing"); }));
+        viewer.xdotool(std::string("type --delay 20 ") + dots);
+        viewer.key("Return");
+        viewer.move(300, 300);
+    };
+    REQUIRE(has(4000));
+    enter_dots("500");
+    REQUIRE(has(500));
+    viewer.xdotool("keydown w");
+    CHECK(has(4000));
+    viewer.xdotool("keyup w");
+    CHECK(has(500));
+    choose("compare as it was");
+    CHECK(has(4000));
+    enter_dots("300");
+    CHECK(has(300));
+    choose("keep settings");
+    enter_dots("200");
+    REQUIRE(has(200));
+    choose("compare as it was");
+    CHECK(has(300));
+    viewer.key("Escape");
+    CHECK(has(200));
 }
 
 }  // namespace dapple

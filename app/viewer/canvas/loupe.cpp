@@ -114,7 +114,7 @@ const char* folding_in_words(double repetition) {
 }
 
 void Loupe::fold(const LoupeView& view, const LoupeSquare& square) {
-    const Key key{square, view.side, view.version, view.ink, view.paper};
+    const Key key{square, &view.shown, view.version, view.ink, view.paper};
     if (folded_ == key) return;
     folded_ = key;
     const Folding folding = folded(view.shown, square);

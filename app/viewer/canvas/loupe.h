@@ -14,7 +14,6 @@ namespace dapple {
 /// What the lens looks at: the dots of one side of the canvas and how they are drawn.
 struct LoupeView {
     const PlacedDrawing& shown;
-    Side side = Side::left;
     std::uint64_t version = 0;  // changes with the dots
     std::size_t tile_size = 16;
     int step = 0;  // levels, see loupe_square()
@@ -35,7 +34,7 @@ class Loupe {
  private:
     struct Key {
         LoupeSquare square;
-        Side side = Side::left;
+        const PlacedDrawing* shown = nullptr;
         std::uint64_t version = 0;
         glm::vec3 ink{0}, paper{1};
         bool operator==(const Key&) const = default;

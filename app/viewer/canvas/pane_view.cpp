@@ -37,10 +37,11 @@ PictureView view_of(const Framing& framing, glm::ivec2 picture) {
 
 CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale) {
     const ViewerSettings& settings = session.settings;
+    const DrawingSettings& drawing = session.settings_of(pane);
     CanvasLook look;
     look.desk = rgb_of(ThemeColour::surround);
-    look.paper = settings.drawing.paper;
-    look.ink = settings.drawing.ink;
+    look.paper = drawing.paper;
+    look.ink = drawing.ink;
     look.dot_radius = pane.page().dot_radius;
     if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
     look.sheet = sheet_around(pane.page().layout);
@@ -48,7 +49,7 @@ CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, f
         pane.page().framing.pixels != Rectangle<int>{})
         look.picture_view = view_of(pane.page().framing, pane.page().picture_pixels);
     look.picture_gain = std::exp2(pane.page().tone.exposure - session.picture().exposure);
-    look.tiles = settings.drawing.show_tiles;
+    look.tiles = drawing.show_tiles;
     look.fade_scale = pane.fade_scale(zoom);
     if (look.fade_scale > 0) look.dot_radius /= zoom.enlargement;
     look.pixel_scale = pixel_scale;

@@ -52,7 +52,7 @@ std::string row_of_pens(const PenChoice& before, const PenChoice& after) {
     if (before.automatic != after.automatic) return "How many";
     if (before.width_mm != after.width_mm) return "Tip width";
     if (before.gain_mm != after.gain_mm) return "Dot gain";
-    if (before.black != after.black) return "Black ink";
+    if (before.black != after.black) return "Black in greys";
     const Palette &from = before.own, &to = after.own;
     const auto [old_end, new_end] = std::ranges::mismatch(from, to);
     const auto i = static_cast<std::size_t>(old_end - from.begin());

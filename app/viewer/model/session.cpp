@@ -51,7 +51,10 @@ Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std
       wake_(std::move(wake)),
       most_dots_(most_dots),
       tiles_(drawing.tile),
-      pane_(wake_) {
+      pane_(wake_),
+      right_(wake_),
+      was_(wake_),
+      as_it_was_(drawing) {
     safe_ = drawing;
 }
 
@@ -143,7 +146,10 @@ bool Session::would_lose_changes(const fs::path& file) const {
 }
 
 DotsRequest Session::page_request() const {
-    DotsRequest request = film ? film_request(settings, *film) : dots_request(settings);
+    return as_shown(film ? film_request(settings, *film) : dots_request(settings));
+}
+
+DotsRequest Session::as_shown(DotsRequest request) const {
     request.most_dots = std::min(request.most_dots, most_dots_);
     if (cropping.on) {
         // All of the picture: filling the paper would cut its edges off, and the frame's with them.
@@ -426,10 +432,7 @@ void Session::request_dots(const Zoom& zoom) {
     const bool requested = pane_.request(page_request(), zoom, waits ? RequestAgain::when_changed : again);
     if (requested) requested_settings_ = settings;
     if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);
-    if (settings.comparison.on)
-        request_right(zoom, again);
-    else
-        forget_right();
+    request_beside(zoom, again);
 }
 
 void Session::stop_placing() {
@@ -438,45 +441,62 @@ void Session::stop_placing() {
     banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
 }
 
-void Session::forget_right() {
-    if (right_pictures_asked_ == 0) return;
-    right_->clear();
-    right_pictures_asked_ = right_pictures_ = 0;
+void Session::request_beside(const Zoom& zoom, RequestAgain again) {
+    const std::optional<DotsRequest>& left = pane_.page_request();
+    if (!settings.comparison.on)
+        right_.forget();
+    else if (left)
+        right_.request(picture_, pictures_, right_request(settings.comparison, *left, pane_.page()), zoom,
+                       again);
+    if (!left || !wants_as_it_was()) return;
+    ViewerSettings was = settings;
+    was.drawing = as_it_was_;
+    was_.request(picture_, pictures_, as_shown(dots_request(was)), zoom, again);
 }
 
-void Session::request_right(const Zoom& zoom, RequestAgain again) {
-    const std::optional<DotsRequest>& left = pane_.page_request();
-    if (!left) return;
-    if (!right_) right_.emplace(wake_);
-    // Its worker has a picture of its own, so that neither ever waits for the other.
-    if (right_pictures_asked_ != pictures_) right_->worker().open(picture_.name, picture_.read);
-    right_pictures_asked_ = pictures_;
-    right_->request(right_request(settings.comparison, *left, pane_.page()), zoom, again);
+// Without a change there is nothing else to see.
+bool Session::wants_as_it_was() const {
+    return shows_as_it_was && !film && as_it_was_ != settings.drawing;
 }
 
 const Pane* Session::right() const {
-    const bool there = settings.comparison.on && right_ && right_pictures_ == pictures_;
-    return there ? &*right_ : nullptr;
+    return settings.comparison.on ? right_.of_picture(pictures_) : nullptr;
+}
+
+const Pane& Session::seen() const {
+    const Pane* const was = wants_as_it_was() ? was_.of_picture(pictures_) : nullptr;
+    return was ? *was : pane_;
+}
+
+const DrawingSettings& Session::settings_of(const Pane& pane) const {
+    return &pane == was_.in_use() ? as_it_was_ : settings.drawing;
+}
+
+std::vector<const Pane*> Session::panes() const {
+    std::vector<const Pane*> panes{&pane_};
+    for (const Pane* const beside : {right_.in_use(), was_.in_use()})
+        if (beside) panes.push_back(beside);
+    return panes;
 }
 
 void Session::take_events(std::chrono::milliseconds patience) {
     for (WorkerEvent& event : pane_.worker().events(patience))
         std::visit([this](auto& n) { take(n); }, event);
-    if (!right_) return;
-    for (WorkerEvent& event : right_->worker().events()) {
-        if (auto* placed = std::get_if<DotsPlaced>(&event)) take_right(*placed);
+    take_beside(right_);
+    take_beside(was_);
+}
+
+void Session::take_beside(PaneBeside& beside) {
+    for (WorkerEvent& event : beside.events()) {
+        if (auto* placed = std::get_if<DotsPlaced>(&event)) {
+            if (!placed->error.empty()) say(placed->error);
+            beside.take(*placed);
+        }
         if (auto* failed = std::get_if<TaskFailed>(&event)) {
             failed->picture.reset();  // the left one's, read again
             take(*failed);
         }
     }
-}
-
-void Session::take_right(DotsPlaced& event) {
-    if (!settings.comparison.on) return;  // too late
-    if (event.picture) right_pictures_ = right_pictures_asked_;
-    if (!event.error.empty()) say(event.error);
-    right_->take(event);
 }
 
 void Session::take(DotsPlaced& event) {
@@ -487,6 +507,8 @@ void Session::take(DotsPlaced& event) {
         std::optional<Reading> read = end_reading(event.picture->file);
         picture_ = std::move(*event.picture);
         ++pictures_;
+        was_.forget();
+        as_it_was_ = settings.drawing;
         std::optional<DrawingSettings> safe =
             read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));

@@ -35,7 +35,7 @@ void describe(Fields& fields, ViewerSettings& settings) {
     describe_drawing(fields, drawing, saving);
     fields.group("density", density);
     fields.group("view", [&](Fields& view) {
-        view.number({"picture_opacity", "Photograph"}, settings.picture_opacity, {0, 1});
+        view.number({"picture_opacity", "Photo beneath"}, settings.picture_opacity, {0, 1});
         view.choice({"zoom_mode", "Zooming in"}, settings.zoom_mode);
         view.choice({"colouring", "Dots coloured"}, settings.colouring);
         view.whole({"deepest_level", "Divided up to"}, settings.deepest_level, {0, kDeepestStep});

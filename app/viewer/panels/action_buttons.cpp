@@ -79,8 +79,8 @@ bool icon_button(const char* label, DrawIcon draw, const char* about) {
     return item_keys(label).press || pressed;
 }
 
-constexpr Action kCanvasMenu[] = {Action::fit, Action::one_to_one, Action::photograph, Action::copy_picture,
-                                  Action::save_as};
+constexpr Action kCanvasMenu[] = {Action::fit,       Action::one_to_one,   Action::photograph,
+                                  Action::as_it_was, Action::copy_picture, Action::save_as};
 constexpr Action kMenu[] = {Action::palette, Action::help, Action::full_screen, Action::preferences,
                             Action::about};
 

@@ -11,6 +11,7 @@
 
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/image/density.h"
 #include "core/relaxing/relax.h"
 #include "core/text/shown_text.h"
 
@@ -22,8 +23,31 @@ void use_scale(PlacingRequest& request, const DrawnInfo& drawn) {
     request.count.reset();
 }
 
+// Shown as what it makes of black: so many dots on a square centimetre or inch.
+bool draw_scale(double& scale, const PageSize& page, const std::optional<double>& largest, LengthUnit unit) {
+    const bool inches = unit == LengthUnit::inch;
+    // Before the first drawing there is no page yet.
+    const double mm = page.mm_per_page_unit > 0 ? page.mm_per_page_unit : setting::width.usual;
+    const double side = mm / (inches ? kMmPerInch : 10);
+    const double dots = kDotsPerScale / (side * side);  // where the scale is 1
+    SliderRange range =
+        range_of(setting::scale,
+                 {.most = largest, .tip = "How many dots black gets; a darker picture has more of them."});
+    for (double* const end : {&range.min, &range.max, &range.neutral, &range.hard_min, &range.hard_max})
+        *end *= dots;
+    // On large pages they are few.
+    if (inches)
+        range.format = range.neutral < 10 ? "%.2f /in2" : "%.0f /in2";
+    else
+        range.format = range.neutral < 10 ? "%.2f /cm2" : "%.0f /cm2";
+    double shown = scale * dots;
+    if (!slider_row(setting::scale.names.row, shown, range)) return false;
+    scale = shown / dots;
+    return true;
+}
+
 // `follows`: how many there are follows from their sizes, which are chosen below.
-bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows) {
+bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, LengthUnit unit) {
     const Greyed greyed(follows ? "The number of dots sized by tone follows from their sizes and the tone."
                                 : nullptr);
     const auto most = static_cast<double>(drawn.most_dots);
@@ -31,7 +55,7 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows) 
         // Dots are in proportion to the scale.
         std::optional<double> largest;
         if (drawn.dots > 0) largest = most / static_cast<double>(drawn.dots) * drawn.scale;
-        return slider_row(setting::scale, request.scale, {.most = largest});
+        return draw_scale(request.scale, drawn.page, largest, unit);
     }
     const std::string why = fmt::format(
         "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
@@ -146,7 +170,7 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
     if (!section("Drawing")) return false;
     const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
-    bool changed = draw_amount(settings.placing, drawn, follows);
+    bool changed = draw_amount(settings.placing, drawn, follows, unit);
     changed |= draw_size(settings.dot_size, drawn, unit);
     changed |= draw_strokes(settings, unit);
     {

@@ -168,7 +168,7 @@ bool draw_pen_ink(PenChoice& pens) {
 bool draw_black_ink(PenChoice& pens) {
     const Absent absent(pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
     return slider_row(
-        "Black ink", pens.black,
+        "Black in greys", pens.black,
         {.min = 0,
          .max = 1,
          .neutral = kUsualBlack,
@@ -270,7 +270,7 @@ void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
     for (const std::string& name : names) entries.push_back(name.c_str());
     const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
     int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
-    if (choice_row("Look at", chosen, entries,
+    if (choice_row("Pens shown", chosen, entries,
                    "Shows the dots of all pens or of one alone, as its layer has them. Only a way of "
                    "looking: files have all pens."))
         shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;

@@ -99,7 +99,12 @@ constexpr Entry kEntries[] = {
     {In::drawing, {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"}},
     {In::drawing, {Action::larger_brush, "]", "A larger brush"}},
     {In::drawing,
-     {Action::photograph, "C, \\, P, held", "Compare: the photograph instead of its dots", "Compare"}},
+     {Action::photograph, "C, \\, P, held", "Compare: the photograph instead of its dots",
+      "Compare: the photograph"}},
+    {In::drawing,
+     {Action::as_it_was, "W, Shift+\\, held", "Compare: the drawing as it was opened, or kept",
+      "Compare: as it was"}},
+    {In::drawing, {Action::keep_to_compare, "", "Keep these settings to compare with"}},
     {In::drawing, {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"}},
     {In::map, {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"}},
     {In::both, {Action::full_screen, "F11", "Full screen", "Full screen"}},
@@ -215,6 +220,8 @@ ActionGroup group_of(Action action) {
         case Action::pan_up:
         case Action::pan_down:
         case Action::photograph:
+        case Action::as_it_was:
+        case Action::keep_to_compare:
         case Action::lighter:
         case Action::darker:
         case Action::toggle_panels:
@@ -255,10 +262,13 @@ std::string with_keys(std::string_view tip, Action action) {
     return *keys ? fmt::format("{}   {}", tip, keys) : std::string(tip);
 }
 
-bool photograph_key_down() {
+std::optional<Action> comparison_held() {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantCaptureKeyboard && !io.KeyCtrl && !io.KeySuper && !io.KeyShift &&
-           (key_down(Key::c) || key_down(Key::backslash) || key_down(Key::p));
+    if (io.WantCaptureKeyboard || io.KeyCtrl || io.KeySuper) return std::nullopt;
+    const bool backslash = key_down(Key::backslash);
+    if (io.KeyShift ? backslash : key_down(Key::w)) return Action::as_it_was;
+    if (!io.KeyShift && (key_down(Key::c) || backslash || key_down(Key::p))) return Action::photograph;
+    return std::nullopt;
 }
 
 bool escape_pressed() {
@@ -278,8 +288,9 @@ std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool ro
     std::vector<Action> actions;
     if (ImGui::GetIO().WantCaptureKeyboard) return actions;
     for (const Shortcut& shortcut : shortcuts)
-        // While that one's key is held it is so anyway.
-        if (shortcut.action != Action::photograph && are_pressed(shortcut.keys, row_has_keys))
+        // While a key of these two is held it is so anyway.
+        if (shortcut.action != Action::photograph && shortcut.action != Action::as_it_was &&
+            are_pressed(shortcut.keys, row_has_keys))
             actions.push_back(shortcut.action);
     return actions;
 }

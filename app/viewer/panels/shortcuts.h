@@ -2,6 +2,7 @@
 // All that can be asked for by a key, a button, the menu or the palette, in one table: what the help shows is
 // what the keys do. What an action then does is in Shell::act() and in each Document's.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,7 +47,9 @@ enum class Action {
     method,  // what students look at, likewise
     smaller_brush,
     larger_brush,
-    photograph,  // until it is asked for again, or while a key is held: see photograph_key_down()
+    photograph,  // in the drawing's place until it is asked for again, or while a key is held: see
+    as_it_was,   // comparison_held()
+    keep_to_compare,
     toggle_panels,
     full_screen,
     lighter,
@@ -86,8 +89,8 @@ std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool ro
 /// A key is held that moves or changes something again and again, so that frames have to follow one another.
 bool repeating_key_down();
 
-/// Whether a key is held that shows the photograph in the drawing's place.
-bool photograph_key_down();
+/// What a key that is held shows in the drawing's place: Action::photograph or Action::as_it_was.
+std::optional<Action> comparison_held();
 
 bool escape_pressed();
 

@@ -108,6 +108,20 @@ void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usua
     if (settings.automatic_tone && tone.black == usual.black) settings.tone.black.reset();
 }
 
+bool draw_photograph(float& opacity) {
+    double percent = 100 * double{opacity};
+    if (!slider_row("Photo beneath", percent,
+                    {.min = 0,
+                     .max = 100,
+                     .neutral = 0,
+                     .format = "%.0f %%",
+                     .tip = "How much of the photograph shows through under the dots; holding C shows all of "
+                            "it. Files have none of it."}))
+        return false;
+    opacity = static_cast<float>(percent / 100);
+    return true;
+}
+
 }  // namespace
 
 bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
@@ -130,14 +144,7 @@ bool draw_tone_panel(DrawingSettings& settings, const ToneInfo& info) {
         changed |= draw_black(settings, info);
         changed |= slider_row(setting::blur, settings.tone.blur);
         changed |= switch_row(setting::invert, settings.tone.invert);
-        if (info.photograph)
-            changed |= slider_row(
-                "Photograph", *info.photograph,
-                {.min = 0,
-                 .max = 1,
-                 .neutral = 0,
-                 .tip = "How much of the photograph shows through under the dots; holding C shows all of "
-                        "it. Files have none of it."});
+        if (info.photograph) changed |= draw_photograph(*info.photograph);
     }
     return changed || own;
 }

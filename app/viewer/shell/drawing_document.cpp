@@ -284,14 +284,35 @@ void DrawingDocument::act(Action action, const Frame&) {
         case Action::copy_picture:
             return session_.copy_picture();
         case Action::photograph:
-            toggle(photograph_);
-            if (photograph_)
-                session_.banner = {BannerKind::notice,
-                                   "This is the photograph; press C or Escape for the drawing"};
+        case Action::as_it_was:
+            return toggle_comparison(action);
+        case Action::keep_to_compare:
+            session_.keep_to_compare();
+            session_.banner = {BannerKind::notice, "Kept: hold W to see the drawing as it is now"};
             return;
         default:  // of environment maps
             return;
     }
+}
+
+void DrawingDocument::toggle_comparison(Action action) {
+    if (std::exchange(shown_instead_, std::nullopt) == action) return;
+    const DrawingSettings& now = session_.settings.drawing;
+    if (action == Action::as_it_was && session_.as_it_was() == now) {
+        session_.banner = {BannerKind::notice, "The drawing is as it was; there is nothing to compare yet"};
+        return;
+    }
+    shown_instead_ = action;
+    compared_ = now;
+    session_.banner = {BannerKind::notice,
+                       action == Action::photograph
+                           ? "This is the photograph; press C or Escape for the drawing"
+                           : "This is the drawing as it was; press W or Escape for the present one"};
+}
+
+std::optional<Action> DrawingDocument::shown_instead() const {
+    const std::optional<Action> held = comparison_held();
+    return held ? held : shown_instead_;
 }
 
 void DrawingDocument::show_lights() {
@@ -305,7 +326,7 @@ void DrawingDocument::show_lights() {
 void DrawingDocument::stop_what_takes_long() {
     Worker& worker = session_.pane().worker();
     const bool opening = worker.opening().has_value();
-    if (photograph_) return toggle(photograph_);
+    if (shown_instead_) return shown_instead_.reset();
     if (variations_) return toggle(variations_);
     if (worker.saving()) return worker.cancel_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
@@ -335,7 +356,10 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
-    if (photograph_key_down()) photograph_ = false;  // the drawing comes with its release
+    // The drawing comes with the key's release, and with its next change.
+    if (shown_instead_ && (comparison_held() || compared_ != session_.settings.drawing))
+        shown_instead_.reset();
+    session_.shows_as_it_was = shown_instead() == Action::as_it_was;
     session_.take_events(std::chrono::milliseconds(0));
     take_mask();
     film_player_.show();
@@ -390,17 +414,17 @@ void DrawingDocument::draw(const Frame& frame) {
     canvas_.show(place, look(place), redraw);
     // What it says of the view is of the one that is seen now.
     if (session_.placed_once())
-        paper_zoom_ = canvas_.camera().pixels_per_unit / session_.pane().page().layout.page.mm_per_page_unit *
+        paper_zoom_ = canvas_.camera().pixels_per_unit / session_.seen().page().layout.page.mm_per_page_unit *
                       kMmPerInch / frame.window.pixels_per_inch();
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
-    draw_margin_lines(session_.pane().page().layout, canvas_.camera(), place);
-    draw_sheet_lines(session_.pane().page().layout, session_.settings.drawing.sheets, canvas_.camera(),
-                     place);
+    const Pane& seen = session_.seen();
+    draw_margin_lines(seen.page().layout, canvas_.camera(), place);
+    draw_sheet_lines(seen.page().layout, session_.settings_of(seen).sheets, canvas_.camera(), place);
     if (const Pane* right = session_.right())
-        draw_side_captions({caption(session_.pane(), left_repetition_), caption(*right, right_repetition_)},
+        draw_side_captions({caption(seen, left_repetition_), caption(*right, right_repetition_)},
                            session_.settings.comparison.divider, {0, place.size.y + player.y}, captions);
     film_player_.draw_trail(place);
     draw_loupe(place);
@@ -438,7 +462,7 @@ void DrawingDocument::draw_split(const CanvasPlace& place) {
 }
 
 std::size_t DrawingDocument::compared_tile_size() const {
-    const std::size_t left = session_.pane().tile_size();
+    const std::size_t left = session_.seen().tile_size();
     const Pane* right = session_.right();
     return right ? std::min(left, right->tile_size()) : left;
 }
@@ -446,7 +470,7 @@ std::size_t DrawingDocument::compared_tile_size() const {
 const Pane& DrawingDocument::pane_under_pointer(const CanvasPlace& place) const {
     const Pane* const right = session_.right();
     const float divider = place.corner.x + place.size.x * session_.settings.comparison.divider;
-    return right && ImGui::GetIO().MousePos.x >= divider ? *right : session_.pane();
+    return right && ImGui::GetIO().MousePos.x >= divider ? *right : session_.seen();
 }
 
 void DrawingDocument::explain_dot(const CanvasPlace& place) const {
@@ -472,12 +496,11 @@ void DrawingDocument::draw_loupe(const CanvasPlace& place) {
     const Pane* const pane = &pane_under_pointer(place);
     const std::size_t size = compared_tile_size();
     loupe_.draw({.shown = pane->shown(),
-                 .side = pane == session_.right() ? Side::right : Side::left,
                  .version = pane->version(),
                  .tile_size = size,
                  .step = settings.loupe.step,
-                 .ink = settings.drawing.ink,
-                 .paper = settings.drawing.paper,
+                 .ink = session_.settings_of(*pane).ink,
+                 .paper = session_.settings_of(*pane).paper,
                  .mm_per_page_unit = pane->page().layout.page.mm_per_page_unit},
                 canvas_.camera(), place);
 }
@@ -485,13 +508,13 @@ void DrawingDocument::draw_loupe(const CanvasPlace& place) {
 SplitLook DrawingDocument::look(const CanvasPlace& place) const {
     const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
     SplitLook look;
-    look.sides[0] = look.sides[1] = look_of(session_, session_.pane(), zoom(), pixel_scale);
+    look.sides[0] = look.sides[1] = look_of(session_, session_.seen(), zoom(), pixel_scale);
     if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
     if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
-    look.sides[0].hidden_pens = hidden_among(session_.pane().shown().pens, session_.shown_pens);
+    look.sides[0].hidden_pens = hidden_among(session_.seen().shown().pens, session_.shown_pens);
     if (const Pane* right = session_.right())
         look.sides[1].hidden_pens = hidden_among(right->shown().pens, session_.shown_pens);
-    if (photograph_ || photograph_key_down()) {
+    if (shown_instead() == Action::photograph) {
         for (CanvasLook& side : look.sides) {
             side.picture_opacity = 1;
             side.dots = false;
@@ -509,7 +532,9 @@ SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) c
     caption.info = {dots_in_words({.dots = stippling.dots.size(),
                                    .duplicates = stippling.duplicates,
                                    .figure8 = request.drawing.placer == PlacerKind::figure8})};
-    if (const auto value = meter.periodicity())
+    // Of the drawing as it was it is not measured.
+    const bool measured = &session_.settings_of(pane) == &session_.settings.drawing;
+    if (const auto value = measured ? meter.periodicity() : std::nullopt)
         caption.info.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
                                            std::clamp(*value, 0.0, 1.0)));
     return caption;
@@ -523,7 +548,7 @@ void DrawingDocument::show_changes(Window& window) {
         if (column == Column::crop || column == Column::mask) side_panel_.turn_to(Column::drawing, session_);
     }
     if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
-    show_changes(Side::left, session_.placed_once() ? &session_.pane() : nullptr);
+    show_changes(Side::left, session_.placed_once() ? &session_.seen() : nullptr);
     show_changes(Side::right, session_.right());
 }
 
@@ -536,14 +561,14 @@ void DrawingDocument::show_changes(Side side, const Pane* pane) {
         seen.version = 0;  // the dots are to be shown after it
         return;
     }
-    if (std::exchange(seen.version, version) != version)
+    const bool other = std::exchange(seen.pane, pane) != pane;
+    if (std::exchange(seen.version, version) != version || other)
         canvas_.set_drawing(side, pane ? pane->shown() : nothing_);
 }
 
 double DrawingDocument::placing_seconds() const {
     std::chrono::duration<double> longest{0};
-    for (const Pane* pane : {&session_.pane(), session_.right()}) {
-        if (!pane) continue;
+    for (const Pane* pane : session_.panes()) {
         if (const auto since = pane->worker().placing_since())
             longest =
                 std::max<std::chrono::duration<double>>(longest, std::chrono::steady_clock::now() - *since);
@@ -554,8 +579,7 @@ double DrawingDocument::placing_seconds() const {
 // The share of the side that is behind.
 std::optional<double> DrawingDocument::placed_share() const {
     std::optional<double> least;
-    for (const Pane* pane : {&session_.pane(), session_.right()}) {
-        if (!pane) continue;
+    for (const Pane* pane : session_.panes()) {
         if (const auto share = pane->worker().placed_share())
             least = std::min<double>(least.value_or(1), *share);
     }
@@ -563,14 +587,14 @@ std::optional<double> DrawingDocument::placed_share() const {
 }
 
 StatusInfo DrawingDocument::info() const {
-    const Pane& pane = session_.pane();
+    const Pane& pane = session_.seen();
     const Stippling &stippling = pane.shown(), &page = pane.page();
     const double enlarged = canvas_.enlargement();
     const bool more_dots = pane.shows_close() && zoom().mode == ZoomMode::constant_density && enlarged > 1;
     return {.dots = page.dots.size(),
             .duplicates = page.duplicates,
             .as_dense_as = more_dots ? static_cast<double>(page.dots.size()) * enlarged * enlarged : 0,
-            .figure8 = session_.settings.drawing.placer == PlacerKind::figure8,
+            .figure8 = session_.settings_of(pane).placer == PlacerKind::figure8,
             .scale = stippling.scale,
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
             .place_ms = stippling.place_ms,
@@ -584,7 +608,7 @@ StatusInfo DrawingDocument::info() const {
             .paper = paper_in_words(pane.page().layout.page, session_.settings.unit),
             .zoom = paper_zoom_,
             .method = open_.method,
-            .plotting = plotting_,
+            .plotting = &pane == &session_.pane() ? plotting_ : "",
             .right = right_info(),
             .loupe = loupe_.info()};
 }

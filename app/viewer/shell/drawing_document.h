@@ -82,6 +82,9 @@ class DrawingDocument : public Document {
     };
     Layout layout(const Frame& frame) const;
     void show_lights();
+    void toggle_comparison(Action action);
+    /// What is shown in the drawing's place.
+    std::optional<Action> shown_instead() const;
     /// By Escape: what began last.
     void stop_what_takes_long();
     Zoom zoom() const;
@@ -136,11 +139,14 @@ class DrawingDocument : public Document {
 
     struct SeenSide {
         int pictures = 0;
+        const Pane* pane = nullptr;
         std::uint64_t version = 0;
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
-    bool photograph_ = false;  // in the drawing's place, without a key
+    // In the drawing's place without a key, as comparison_held() names it; the settings that it began with.
+    std::optional<Action> shown_instead_;
+    DrawingSettings compared_;
     bool variations_ = false;  // in the canvas's place
     std::unique_ptr<Document> successor_;
 };

@@ -48,8 +48,8 @@ struct LightStatus {
 nlohmann::ordered_json status_json(const LightStatus& status);
 
 /// Adds what both have: {"longest_frame_ms": .., "longest_work_ms": .., "gl_errors": .., "mouse": [x, y],
-/// "mouse_down": .., "row_with_keys": .., "widgets": {"Fineness": [x0, y0, x1, y1], ..}}, places in window
-/// coordinates. row_with_keys is a number of its own for each row, 0 for none.
+/// "mouse_down": .., "row_with_keys": .., "widgets": {"Dots in black": [x0, y0, x1, y1], ..}}, places in
+/// window coordinates. row_with_keys is a number of its own for each row, 0 for none.
 void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
                const WidgetNotes& widgets);
 

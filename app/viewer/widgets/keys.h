@@ -27,6 +27,7 @@ enum class Key {
     s,
     t,
     v,
+    w,
     x,
     y,
     z,
@@ -92,6 +93,8 @@ inline ImGuiKeyCode key_code(Key key) {
             return DAPPLE_KEY(T, T);
         case Key::v:
             return DAPPLE_KEY(V, V);
+        case Key::w:
+            return DAPPLE_KEY(W, W);
         case Key::x:
             return DAPPLE_KEY(X, X);
         case Key::y:

@@ -29,7 +29,7 @@ TEST_CASE("a change is told by the row that makes it") {
         return change_in_words(before, after);
     };
     CHECK(words([](ViewerSettings& s) { s.drawing.page.quarter_turns = 1; }) == "Rotate");
-    CHECK(words([](ViewerSettings& s) { s.picture_opacity = 0.5f; }) == "Photograph");
+    CHECK(words([](ViewerSettings& s) { s.picture_opacity = 0.5f; }) == "Photo beneath");
     CHECK(words([](ViewerSettings& s) { s.drawing.page.paper = Paper::a4; }) == "Paper size");
     CHECK(words([](ViewerSettings& s) { s.drawing.paper = kBlack; }) == "Paper");
     CHECK(words([](ViewerSettings& s) { s.drawing.placing.count = 5; }) == "Dots");
@@ -61,7 +61,7 @@ TEST_CASE("a change of several pens is told by its own row") {
     before.drawing.pens = parse_pens("cmyk:0.3");
     CHECK(words([](PenChoice& pens) { pens.width_mm = 0.4; }) == "Tip width");
     CHECK(words([](PenChoice& pens) { pens.gain_mm = 0.04; }) == "Dot gain");
-    CHECK(words([](PenChoice& pens) { pens.black = 0.8; }) == "Black ink");
+    CHECK(words([](PenChoice& pens) { pens.black = 0.8; }) == "Black in greys");
     before.drawing.pens = parse_pens("auto:4");
     CHECK(words([](PenChoice& pens) { pens.automatic = 5; }) == "How many");
     CHECK(words([](PenChoice& pens) { pens.own = palette_of({.set = PenSet::cmyk}), pens.automatic = 3; }) ==

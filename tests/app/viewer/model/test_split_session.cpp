@@ -36,6 +36,44 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
 
 }  // namespace
 
+TEST_CASE("the drawing as it was is the one that its picture was opened with, or the one that was kept") {
+    SplitSession split(500);
+    Session& session = split.session;
+    DrawingSettings& drawing = session.settings.drawing;
+    const DrawingSettings opened = drawing;
+    const std::vector<glm::dvec2> dots = places_of(session.pane().page());
+    const Pane& now = session.pane();
+    session.shows_as_it_was = true;
+    REQUIRE(split.brings([&] { return now.page().settled(); }));
+    CHECK(&session.seen() == &now);  // nothing has changed
+    drawing.placing.count = 800;
+    drawing.page.paper = Paper::a4;
+    REQUIRE(split.brings([&] { return &session.seen() != &now && now.page().dots.size() == 800; }));
+    CHECK(session.as_it_was() == opened);
+    CHECK(session.settings_of(session.seen()) == opened);
+    CHECK(session.settings_of(now) == drawing);
+    CHECK(places_of(session.seen().page()) == dots);
+    CHECK(session.right()->page().layout.page.width_mm == now.page().layout.page.width_mm);
+    // The next look finds it placed.
+    session.shows_as_it_was = false;
+    CHECK(&session.seen() == &now);
+    session.shows_as_it_was = true;
+    CHECK(places_of(session.seen().page()) == dots);
+    session.play(FilmKind::growth);
+    CHECK(&session.seen() == &now);
+    session.film.reset();
+
+    session.keep_to_compare();
+    CHECK(&session.seen() == &now);
+    drawing.placing.count = 900;
+    CHECK(split.brings([&] { return session.seen().page().dots.size() == 800; }));
+    REQUIRE(split.brings([&] { return now.page().dots.size() == 900; }));
+    session.open_sample();
+    REQUIRE(split.brings([&] { return session.pictures() == 2; }));
+    CHECK(session.as_it_was() == drawing);
+    CHECK(&session.seen() == &now);
+}
+
 TEST_CASE("zooming in with more dots, both sides show the dots that the page has at the larger scale") {
     SplitSession split(2000);
     const Session& session = split.session;

@@ -9,6 +9,7 @@
 
 #include "app/viewer/panels/dots_panel.h"
 #include "app/viewer/panels/method_panel.h"
+#include "core/settings/setting.h"
 #include "core/text/shown_text.h"
 #include "tests/headless_ui.h"
 
@@ -42,10 +43,26 @@ TEST_CASE("going from count to scale and back keeps the drawing") {
 TEST_CASE("the scale slider is logarithmic") {
     DotsUi f;
     f.ui.click("tone");
-    f.ui.drag("Fineness", 0.3f, 0.5f);
+    f.ui.drag("Dots in black", 0.3f, 0.5f);
     CHECK(f.settings.placing.scale == doctest::Approx(1000).epsilon(0.05));
-    f.ui.drag("Fineness", 0.5f, 1.0f);
+    f.ui.drag("Dots in black", 0.5f, 1.0f);
     CHECK(f.settings.placing.scale == 100'000);
+}
+
+TEST_CASE("the dots in black are so many on a square centimetre, or on a square inch") {
+    DrawingSettings settings;
+    settings.placing.count.reset();
+    LengthUnit unit = LengthUnit::mm;
+    HeadlessUi ui([&] { draw_dots_panel(settings, {.page = {400, 300, 400}}, unit); });
+    // At the scale of 2500 there are 40,000 of them in a square as wide as the page.
+    ui.enter("Dots in black", "25");
+    CHECK(settings.placing.scale == doctest::Approx(2500));
+    unit = LengthUnit::inch;
+    ui.frame();
+    ui.enter("Dots in black", "25*2.54*2.54");
+    CHECK(settings.placing.scale == doctest::Approx(2500));
+    ui.double_click("Dots in black name");
+    CHECK(settings.placing.scale == doctest::Approx(setting::scale.usual));
 }
 
 TEST_CASE("the count slider gives whole numbers") {
@@ -80,9 +97,9 @@ TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
     DotsUi f;
     f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
     f.ui.click("tone");
-    f.ui.enter("Fineness", "99999999999");
+    f.ui.enter("Dots in black", "99999999999");
     CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
-    f.ui.drag("Fineness", 0.5f, 1.0f);
+    f.ui.drag("Dots in black", 0.5f, 1.0f);
     CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
 }
 

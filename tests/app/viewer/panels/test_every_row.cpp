@@ -208,7 +208,7 @@ TEST_CASE("a row that is used keeps its place, whatever it changes") {
                     ui.key(Key::escape);
                 }
                 ui.frame();
-                // Under another name, perhaps: "Fineness" for "Dots".
+                // Under another name, perhaps: "Dots in black" for "Dots".
                 CHECK(
                     std::ranges::any_of(ui.places(), [&](const auto& each) { return each.second == place; }));
                 if (ui.has(label)) CHECK(ui.place(label) == place);

@@ -82,7 +82,7 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     CHECK(drawing.pens.width_mm == 0.4);
     ui.enter("Dot gain, mm", "0.04");
     CHECK(drawing.pens.gain_mm == 0.04);
-    ui.enter("Black ink", "0.9");
+    ui.enter("Black in greys", "0.9");
     CHECK(drawing.pens.black == 0.9);
     ui.click("Registration");
     CHECK(drawing.registration);
@@ -136,7 +136,7 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     sort_pens(pens, PenOrder::lightest);
     REQUIRE(pens[2].name == "Magenta");
     CHECK(hidden_among(pens, shown) == 0b0100);
-    ui.click("Look at");
+    ui.click("Pens shown");
     ui.click("1 Yellow alone");
     CHECK(hidden_among(pens, shown) == 0b1110);
     pens.erase(pens.begin());  // without it, there are all again that are not hidden
@@ -145,7 +145,7 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     ui.click("Show Magenta");
     CHECK(hidden_among(pens, shown) == 0);
     // An eye that is opened or shut ends the look at one alone.
-    ui.click("Look at");
+    ui.click("Pens shown");
     ui.click("1 Cyan alone");
     ui.click("Show Black");
     CHECK(hidden_among(pens, shown) == 0);

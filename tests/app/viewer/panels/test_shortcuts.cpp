@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/panels/shortcuts.h"
@@ -68,7 +70,7 @@ TEST_CASE("keys do what the help says, once a press") {
 TEST_CASE("C, the backslash and P show the photograph while they are held, and do nothing else") {
     bool shown = false;
     Keyboard keyboard;
-    keyboard.each_frame = [&] { shown = photograph_key_down(); };
+    keyboard.each_frame = [&] { shown = comparison_held() == Action::photograph; };
     for (const Key key : {Key::c, Key::backslash, Key::p}) {
         put_key(key, true);
         keyboard.actions.clear();
@@ -92,6 +94,30 @@ TEST_CASE("C, the backslash and P show the photograph while they are held, and d
     put_key(Key::c, true);
     keyboard.ui.frame();
     CHECK_FALSE(shown);
+}
+
+TEST_CASE(
+    "W and the backslash with Shift show the drawing as it was while they are held, and do nothing else") {
+    std::optional<Action> shown;
+    Keyboard keyboard;
+    keyboard.each_frame = [&] { shown = comparison_held(); };
+    for (const auto& [key, modifiers] : {std::pair{Key::w, 0}, std::pair{Key::backslash, GLFW_MOD_SHIFT}}) {
+        put_modifiers(modifiers);
+        put_key(key, true);
+        keyboard.actions.clear();
+        for (int frame = 0; frame < 3; ++frame) {
+            keyboard.ui.frame();
+            CHECK(shown == Action::as_it_was);
+        }
+        CHECK(keyboard.actions.empty());
+        put_modifiers(modifiers | GLFW_MOD_CONTROL);
+        keyboard.ui.frame();
+        CHECK_FALSE(shown);
+        put_modifiers(0);
+        put_key(key, false);
+        keyboard.ui.frame();
+        CHECK_FALSE(shown);
+    }
 }
 
 TEST_CASE("a question mark asks for help wherever the keyboard has it") {

@@ -220,4 +220,14 @@ TEST_CASE("a picture's arrival and a tone that is moved leave every row of the p
         CHECK(ui.place(row) == before.at(row));
 }
 
+TEST_CASE("how much of the photograph shows under the dots is a percentage") {
+    DrawingSettings settings;
+    float opacity = 0;
+    ToneUi ui([&] { draw_tone_panel(settings, {.photograph = &opacity}); });
+    ui.enter("Photo beneath", "30");
+    CHECK(opacity == 0.3f);
+    ui.enter("Photo beneath", "300");
+    CHECK(opacity == 1);
+}
+
 }  // namespace dapple
