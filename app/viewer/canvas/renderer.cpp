@@ -120,19 +120,10 @@ std::string with_define(std::string_view source, std::initializer_list<const cha
 // About so long is what is drawn between two looks at the clock.
 constexpr double kSliceSeconds = 0.008;
 constexpr std::size_t kFewestDots = DotCost::kFewestDots, kMostDotsAtOnce = 1 << 19;
-constexpr double kMostRasterMemory = 256e6;  // bytes
-constexpr double kRasterSlowness = 0.06;     // of the processor's dots beside those of OpenGL on it
-constexpr std::size_t kTilesAtOnce = 4096;   // and as many are drawn quickly
+constexpr double kRasterSlowness = 0.06;    // of the processor's dots beside those of OpenGL on it
+constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
 }  // namespace
-
-DotsBy usual_dots_by() {
-    const GLubyte* const text = glGetString(GL_RENDERER);
-    const std::string_view name = text ? reinterpret_cast<const char*>(text) : "";
-    for (const char* program : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"})
-        if (name.find(program) != name.npos) return DotsBy::processor;
-    return DotsBy::graphics_card;
-}
 
 Renderer::Renderer(DotsBy dots_by)
     : page_(shaders::page_vert(), shaders::page_frag()),
@@ -380,7 +371,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
-    if (job.raster && !job.uploaded) upload_raster(job);
+    if (job.raster && !job.uploaded) processor_dots_.upload(dots_of(job), by_pen());
     job.uploaded = true;
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
@@ -458,76 +449,28 @@ RasterView Renderer::raster_view(const Job& job) const {
 
 std::optional<RasterGrain> Renderer::raster_of(const Job& job) const {
     if (dots_by_ != DotsBy::processor || has_colours_) return std::nullopt;
-    const bool full = job.fineness == Fineness::full && !by_pen() &&
-                      DotRaster::memory(raster_view(job), RasterGrain::full) <= kMostRasterMemory;
-    return full ? RasterGrain::full : RasterGrain::quick;
+    // Of several pens each sample of the grid is drawn as quickly.
+    return raster_grain(raster_view(job), by_pen() ? Fineness::quick : job.fineness);
 }
 
 double Renderer::in_samples(const Job& job, double radius) const {
     return radius * job.grid.samples * (job.raster ? static_cast<int>(*job.raster) : 1);
 }
 
-// As draw_dots() has it.
-void Renderer::raster_dots(Job& job, std::size_t most) {
-    std::vector<RasterDots> some;
-    const float limit = job.every > 1 && !strokes_ && part().is_known()
-                            ? part().limit(static_cast<double>(job.every))
-                            : std::numeric_limits<float>::infinity();
-    RasterLook look{
-        .radius = job.look.dot_radius,
-        .largest_radius = largest_radius_,
-        // Those left away are made up for.
-        .grow = strokes_ ? static_cast<double>(job.every) : std::sqrt(static_cast<double>(job.every)),
-        .fade_scale = has_critical_ ? job.look.fade_scale : 0,
-        .hidden = job.look.hidden_pens};
-    std::size_t count = 0;
-    for (; job.next_block < job.blocks.size() && count < most; ++job.next_block) {
-        const DotBlock& block = blocks_[job.blocks[job.next_block]];
-        count += block.count;
-        if (strokes_) {
-            const auto of = [&](const auto& column) {
-                return column.empty() ? std::span(column)
-                                      : std::span(column).subspan(block.first, block.count);
-            };
-            raster_.add({.lines = of(strokes_->lines),
-                         .widths = of(strokes_->widths),
-                         .pens = of(strokes_->pens),
-                         .width = strokes_->width,
-                         .every = job.every},
-                        look);
-            continue;
-        }
-        RasterDots dots{.piece = &dots_shown_->pieces[block.piece],
-                        .first = block.first,
-                        .count = block.count,
-                        .every = job.every,
-                        .low = block.low.y,
-                        .high = block.high.y};
-        if (std::isfinite(limit)) dots.limit = limit;
-        some.push_back(dots);
-    }
-    if (!strokes_) raster_.add(some, look);
-}
-
-void Renderer::upload_raster(const Job& job) {
-    const GlFramebuffer& dots = dots_of(job);
-    const auto put = [&](const auto& pictures, GLenum format) {
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            dots.bind_texture(i);
-            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, pictures[i].width, pictures[i].height, format,
-                            GL_UNSIGNED_BYTE, pictures[i].values.data());
-        }
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    };
-    glActiveTexture(GL_TEXTURE0);
-    if (by_pen()) {
-        raster_.finish(raster_pens_);
-        put(raster_pens_, GL_RGBA);
-    } else {
-        raster_.finish(raster_cover_);
-        put(raster_cover_, GL_RED);
-    }
+InkToDraw Renderer::ink_to_draw(const Job& job) {
+    // Those left away are made up for.
+    const auto every = static_cast<double>(job.every);
+    InkToDraw ink{.dots = dots_shown_,
+                  .strokes = strokes_,
+                  .blocks = blocks_,
+                  .look = {.radius = job.look.dot_radius,
+                           .largest_radius = largest_radius_,
+                           .grow = strokes_ ? every : std::sqrt(every),
+                           .fade_scale = has_critical_ ? job.look.fade_scale : 0,
+                           .hidden = job.look.hidden_pens},
+                  .every = job.every};
+    if (job.every > 1 && !strokes_ && part().is_known()) ink.limit = part().limit(every);
+    return ink;
 }
 
 void Renderer::prepare_dots(const Job& job) {
@@ -535,7 +478,7 @@ void Renderer::prepare_dots(const Job& job) {
     GlFramebuffer& dots = dots_of(job);
     const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
     dots.resize(size, texels, pictures_of_dots());
-    if (job.raster) return raster_.begin(raster_view(job), *job.raster);
+    if (job.raster) return processor_dots_.begin(raster_view(job), *job.raster);
     dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -578,7 +521,11 @@ void Renderer::choose(const Job& job, const DotBlock& block) {
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
 // do: dots unite in any order.
 void Renderer::draw_dots(Job& job, std::size_t most) {
-    if (job.raster) return raster_dots(job, most);
+    if (job.raster) {
+        const auto left = std::span<const std::size_t>(job.blocks).subspan(job.next_block);
+        job.next_block += processor_dots_.add(ink_to_draw(job), left, most);
+        return;
+    }
     if (strokes_) return draw_lines(job, most);
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;

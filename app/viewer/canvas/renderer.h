@@ -6,8 +6,8 @@
 // For that the dots are first drawn by themselves, with more samples than the canvas has pixels where they
 // are small; how much of a sample each of several pens covers stands in a component of its own.
 //
-// Where OpenGL is a program, and so is slow, dots and lines are drawn by ours instead (dot_raster.h), but for
-// those that have colours of their own.
+// Where OpenGL is a program, and so is slow, dots and lines are drawn by ours instead (processor_dots.h), but
+// for those that have colours of their own.
 //
 // Nothing here takes longer for more dots unless it is told to: a drawing goes forward in steps, as long as
 // one likes, and dots are handed to OpenGL as they are drawn, through buffers of constant size.
@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/canvas/processor_dots.h"
 #include "app/viewer/model/camera.h"
 #include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/dot_raster.h"
 #include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/even_part.h"
 #include "app/viewer/model/frame_budget.h"
@@ -70,15 +70,6 @@ struct Columns {
 
 /// Shared with whoever made them: they are looked at until they are uploaded.
 using PictureLevels = std::shared_ptr<const std::vector<Grid<glm::u8vec4>>>;
-
-/// Who draws the dots.
-enum class DotsBy {
-    graphics_card,
-    processor,
-};
-
-/// Of the OpenGL that is current: the processor, where that is a program too.
-DotsBy usual_dots_by();
 
 class Renderer {
  public:
@@ -160,8 +151,7 @@ class Renderer {
     /// The radius of a dot of that many pixels in what it is drawn with.
     double in_samples(const Job& job, double radius) const;
     void prepare_dots(const Job& job);
-    void raster_dots(Job& job, std::size_t most);
-    void upload_raster(const Job& job);
+    InkToDraw ink_to_draw(const Job& job);
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
     const EvenPart& part();
@@ -205,9 +195,7 @@ class Renderer {
     std::optional<EvenPart> part_;    // of the dots; none: not asked for yet
     std::optional<Job> job_;
     DotsBy dots_by_;
-    DotRaster raster_;
-    std::vector<Grid<std::uint8_t>> raster_cover_;  // handed to OpenGL
-    std::vector<Grid<glm::u8vec4>> raster_pens_;
+    ProcessorDots processor_dots_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     DotCost quick_cost_;

@@ -1,0 +1,67 @@
+#pragma once
+// The canvas's dots and lines where the processor draws them (dot_raster.h): blocks of them become ink on the
+// pixels that are seen, and that goes to OpenGL.
+//
+//     begin() ──► add() blocks, as long as there is time ──► upload()
+//
+// With one ink the raster's pixels are the canvas's, each as many samples as its grain says. Of several pens
+// which dots lie on others has to be known where they do: the raster's pixels are then the samples that
+// OpenGL would draw, and the page's shader mixes them.
+
+#include <glm/gtc/type_precision.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/model/dot_blocks.h"
+#include "app/viewer/model/dot_raster.h"
+#include "app/viewer/model/dot_samples.h"
+#include "app/viewer/model/shown_strokes.h"
+#include "core/placing/dots.h"
+
+namespace dapple {
+
+/// Who draws the dots.
+enum class DotsBy {
+    graphics_card,
+    processor,
+};
+
+/// Of the OpenGL that is current: the processor, where that is a program too.
+DotsBy usual_dots_by();
+
+/// Bytes that the samples of the processor's dots may need.
+inline constexpr double kMostRasterMemory = 256e6;
+
+/// How finely the processor draws: fully, if that is wanted and fits into the memory.
+RasterGrain raster_grain(const RasterView& view, Fineness fineness);
+
+/// What is drawn: dots or, in their place, lines.
+struct InkToDraw {
+    const DotPieces* dots = nullptr;
+    const ShownStrokes* strokes = nullptr;
+    std::span<const DotBlock> blocks;  // of either
+    RasterLook look;
+    std::size_t every = 1;            // one in so many is drawn
+    std::optional<float> limit = {};  // of dots those with a critical scale up to this instead
+};
+
+class ProcessorDots {
+ public:
+    /// An empty picture.
+    void begin(const RasterView& view, RasterGrain grain) { raster_.begin(view, grain); }
+    /// Draws the first ones of the blocks with those numbers that have `most` dots or a few more together.
+    /// Returns how many.
+    std::size_t add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most);
+    /// Puts what pens cover into the pictures of `dots`: one's into its texels, as Texels::cover, or that of
+    /// four each into their components.
+    void upload(const GlFramebuffer& dots, bool by_pen);
+
+ private:
+    DotRaster raster_;
+    std::vector<Grid<std::uint8_t>> cover_;  // handed to OpenGL
+    std::vector<Grid<glm::u8vec4>> pens_;
+};
+
+}  // namespace dapple
