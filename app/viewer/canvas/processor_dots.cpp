@@ -1,7 +1,12 @@
 #include "app/viewer/canvas/processor_dots.h"
 
-#include <algorithm>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <glm/common.hpp>
 #include <string_view>
+
+#include "core/image/linear_colour.h"
 
 namespace dapple {
 
@@ -69,6 +74,28 @@ void ProcessorDots::upload(const GlFramebuffer& dots, bool by_pen) {
         raster_.finish(cover_);
         put(cover_, GL_RED);
     }
+}
+
+void ProcessorDots::put_colours(const GlFramebuffer& picture, const Rectangle<int>& box, glm::ivec2 corner,
+                                glm::vec3 paper, glm::vec3 ink) {
+    std::array<glm::u8vec4, 256> colour_of;  // a coverage; blue first, as windows have it
+    for (std::size_t covered = 0; covered < colour_of.size(); ++covered) {
+        const float share = static_cast<float>(covered) / 255;
+        const glm::u8vec3 bytes = srgb_bytes(glm::mix(linear_of(paper), linear_of(ink), share));
+        colour_of[covered] = {bytes.b, bytes.g, bytes.r, 255};
+    }
+    const glm::ivec2 size = box.size();
+    colours_.resize(static_cast<std::size_t>(size.x) * size.y);
+    tbb::parallel_for(0, size.y, [&](int y) {
+        const std::uint8_t* const from = cover_[0].row(box.low.y - corner.y + y) + (box.low.x - corner.x);
+        glm::u8vec4* const to = colours_.data() + static_cast<std::size_t>(y) * size.x;
+        for (int x = 0; x < size.x; ++x) to[x] = colour_of[from[x]];
+    });
+    glActiveTexture(GL_TEXTURE0);
+    picture.bind_texture();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, box.low.x, box.low.y, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE,
+                    colours_.data());
 }
 
 }  // namespace dapple

@@ -66,15 +66,10 @@ void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& 
     vector("picture_down", look.picture_view.down);
     glUniform2f(program.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
     glUniform2f(program.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
-    glUniform1f(program.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
 }
 
 void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
     glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
-}
-
-glm::vec3 light_of(glm::vec3 encoded) {
-    return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
 }
 
 void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor) {
@@ -125,11 +120,16 @@ constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
 }  // namespace
 
+bool have_same_desk(const CanvasLook& a, const CanvasLook& b) {
+    // Tiles' lines along the sheet's edges lie on it.
+    return a.desk == b.desk && a.page_size == b.page_size && a.sheet == b.sheet &&
+           a.pixel_scale == b.pixel_scale && !a.tiles && !b.tiles;
+}
+
 Renderer::Renderer(DotsBy dots_by)
     : page_(shaders::page_vert(), shaders::page_frag()),
       sheet_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET"})),
       sheet_with_picture_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PICTURE"})),
-      sheet_by_palette_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PALETTE"})),
       desk_(shaders::page_vert(), with_define(shaders::page_frag(), {"DESK"})),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
       line_(shaders::line_vert(), shaders::line_frag()),
@@ -191,7 +191,7 @@ void Renderer::set_pens(std::span<const Pen> pens) {
     job_.reset();
     pens_.clear();
     for (const Pen& pen : pens)
-        pens_.emplace_back(light_of(pen.colour), pen.ink == PenInk::transparent ? 1 : 0);
+        pens_.emplace_back(linear_of(pen.colour), pen.ink == PenInk::transparent ? 1 : 0);
 }
 
 void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
@@ -257,13 +257,14 @@ Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, cons
 }
 
 Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
-                                Columns columns, double seconds) {
+                                Columns columns, double seconds, Desk desk) {
     job_.reset();
     dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
     job.every = quick_cost_.every(job.in_view, in_samples(job, mean_radius(camera, look)), seconds);
     job.tiles = std::min(job.tiles, kTilesAtOnce);
+    job.desk = desk;
     const bool as_good = job.grid.samples == finest.grid.samples && job.raster == finest.raster &&
                          job.every == 1 && job.tiles == finest.tiles;
     go_on(job, picture, std::numeric_limits<double>::infinity());
@@ -381,7 +382,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         const int most =
             in_steps ? static_cast<int>(std::min(slice_seconds / seconds_per_row_, 1e6)) : height;
         const int rows = std::clamp(most, 1, height - job.next_row);
-        draw_page(job, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
+        draw_page(job, picture, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
         job.next_row += rows;
         if (!in_steps) continue;
         glFinish();
@@ -652,32 +653,24 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
 
 // The part of it that is wholly on the sheet, which is most of it, by a program that does only what is needed
 // there, and the rest about it.
-void Renderer::draw_page(const Job& job, const Rectangle<int>& box) {
-    const Camera& camera = job.camera;
-    const int height = static_cast<int>(camera.canvas.y);
-    const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
+void Renderer::draw_page(const Job& job, const GlFramebuffer& picture, const Rectangle<int>& box) {
+    const Rectangle<double> sheet = sheet_on_canvas(job.camera, job.look);
     const glm::vec2 page_low = sheet.low, page_high = sheet.high;
     // The page may reach further than integers do.
-    const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
-    const auto within = [&](int low_x, int low_y, int high_x, int high_y) {
-        return Rectangle<int>{glm::clamp(glm::ivec2(low_x, low_y), box.low, box.high),
-                              glm::clamp(glm::ivec2(high_x, high_y), box.low, box.high)};
+    const auto within = [&](glm::vec2 low, glm::vec2 high) {
+        return Rectangle<int>{glm::ivec2(glm::clamp(low, glm::vec2(box.low), glm::vec2(box.high))),
+                              glm::ivec2(glm::clamp(high, glm::vec2(box.low), glm::vec2(box.high)))};
     };
-    const Rectangle<int> inner =
-        within(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y)),
-               column(std::floor(page_high.x)), height - column(std::ceil(page_low.y)));
+    const Rectangle<int> inner = within(glm::ceil(page_low), glm::floor(page_high));
     // With those pixels that lie on its edges.
-    const Rectangle<int> outer =
-        within(column(std::floor(page_low.x)), height - column(std::ceil(page_high.y)),
-               column(std::ceil(page_high.x)), height - column(std::floor(page_low.y)));
+    const Rectangle<int> outer = within(glm::floor(page_low), glm::ceil(page_high));
     if (outer.low.x >= outer.high.x || outer.low.y >= outer.high.y) return draw_page(job, box, desk_);
-    draw_around(job, box, outer, desk_);
+    if (job.desk == Desk::drawn) draw_around(job, box, outer, desk_);
     if (inner.low.x >= inner.high.x || inner.low.y >= inner.high.y) return draw_page(job, outer, page_);
     draw_around(job, outer, inner, page_);
     if (has_picture_ && job.look.picture_opacity > 0) return draw_page(job, inner, sheet_with_picture_);
-    const bool by_palette = job.raster && !by_pen();
-    if (by_palette) prepare_palette(job.look);
-    draw_page(job, inner, by_palette ? sheet_by_palette_ : sheet_);
+    if (!job.raster || by_pen()) return draw_page(job, inner, sheet_);
+    processor_dots_.put_colours(picture, inner, job.grid.low, job.look.paper, job.look.ink);
 }
 
 void Renderer::draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
@@ -686,19 +679,6 @@ void Renderer::draw_around(const Job& job, const Rectangle<int>& box, const Rect
     draw_page(job, {{box.low.x, hole.high.y}, box.high}, program);
     draw_page(job, {{box.low.x, hole.low.y}, {hole.low.x, hole.high.y}}, program);
     draw_page(job, {{hole.high.x, hole.low.y}, {box.high.x, hole.high.y}}, program);
-}
-
-void Renderer::prepare_palette(const CanvasLook& look) {
-    if (std::exchange(palette_of_, std::pair(look.ink, look.paper)) == std::pair(look.ink, look.paper))
-        return;
-    Grid<glm::u8vec4> colours(256, 1);
-    for (int covered = 0; covered < 256; ++covered) {
-        const float share = static_cast<float>(covered) / 255;
-        colours.at(covered, 0) =
-            glm::u8vec4(srgb_bytes(glm::mix(light_of(look.paper), light_of(look.ink), share)), 255);
-    }
-    glActiveTexture(GL_TEXTURE0);
-    palette_.write(colours);
 }
 
 void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program) {
@@ -715,10 +695,6 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1f(program.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
     glUniform1f(program.uniform("picture_gain"), look.picture_gain);
     glUniform1i(program.uniform("picture"), 0);
-    constexpr int kPalette = 4;
-    glUniform1i(program.uniform("palette"), kPalette);
-    glActiveTexture(GL_TEXTURE0 + kPalette);
-    palette_.bind();
     constexpr std::array kDotPictures{"dots", "dots_of_pens_4_to_7", "dots_of_pens_8_to_11"};
     const GlFramebuffer& dots = dots_of(job);
     for (std::size_t i = 0; i < kDotPictures.size(); ++i) {
@@ -729,9 +705,7 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1i(program.uniform("pens"), by_pen() ? static_cast<GLint>(pens_.size()) : 0);
     if (by_pen()) glUniform4fv(program.uniform("pen_inks"), static_cast<GLsizei>(pens_.size()), &pens_[0].x);
     glUniform1i(program.uniform("samples"), grid.samples);
-    const int height = static_cast<int>(camera.canvas.y);
-    glUniform4i(program.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
-                height - grid.low.y);
+    glUniform4i(program.uniform("dots_box"), grid.low.x, grid.low.y, grid.high.x, grid.high.y);
     const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
     const auto sample = [&](glm::dvec2 point) {
         const glm::dvec2 at = (point - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
@@ -739,12 +713,11 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     };
     const Rectangle<double> sheet = sheet_on_canvas(camera, look);
     const glm::ivec2 first = sample(sheet.low), end = sample(sheet.high);
-    const int rows = static_cast<int>(samples.y);
-    glUniform4i(program.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
+    glUniform4i(program.uniform("page_samples"), first.x, first.y, end.x, end.y);
     set_colour(program, "desk", look.desk);
     set_colour(program, "paper", look.paper);
-    set_colour(program, "paper_light", light_of(look.paper));
-    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
+    set_colour(program, "paper_light", linear_of(look.paper));
+    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : linear_of(look.ink));
     glActiveTexture(GL_TEXTURE0);
     picture_.bind();
     empty_.bind();

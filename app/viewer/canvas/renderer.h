@@ -63,6 +63,15 @@ struct CanvasLook {
     bool operator==(const CanvasLook&) const = default;
 };
 
+/// What lies beside the sheet, with its shadow.
+enum class Desk {
+    drawn,
+    kept,  // it is in the picture already
+};
+
+/// Whether that, and where the sheets lie on it, is the same for the same camera.
+bool have_same_desk(const CanvasLook& a, const CanvasLook& b);
+
 /// Columns of the canvas, from the first to before the end.
 struct Columns {
     int first = 0, end = std::numeric_limits<int>::max();
@@ -96,7 +105,8 @@ class Renderer {
 
     std::size_t dot_count() const { return dot_count_; }
 
-    /// camera.canvas must be the picture's size. Returns full if drawn fully it would look the same.
+    /// camera.canvas must be the picture's size; its first row is the top one. Returns full if drawn fully it
+    /// would look the same.
     Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                   Fineness fineness = Fineness::full, Columns columns = {});
 
@@ -104,7 +114,7 @@ class Renderer {
     /// larger that the page is as dark as with all of them: an EvenPart, or every n-th where the dots do not
     /// say when they appear. All, where that is about as quick.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
-                          Columns columns, double seconds);
+                          Columns columns, double seconds, Desk desk = Desk::drawn);
 
     /// How long the dots of that took.
     double dots_seconds() const { return dots_seconds_; }
@@ -135,6 +145,7 @@ class Renderer {
         std::size_t next_block = 0;
         int next_row = 0;
         Fineness fineness = Fineness::full;
+        Desk desk = Desk::drawn;
         bool prepared = false;                   // there is an empty picture for the dots
         std::optional<RasterGrain> raster = {};  // the processor draws them, so finely
         bool uploaded = false;                   // and OpenGL has what it drew
@@ -159,25 +170,22 @@ class Renderer {
     bool by_pen() const { return !pens_.empty() && !has_colours_; }
     /// Pictures that have so many pens' dots.
     std::size_t pictures_of_dots() const { return by_pen() ? (pens_.size() + 3) / 4 : 1; }
-    // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
-    void draw_page(const Job& job, const Rectangle<int>& box);
+    // Pixels of the canvas from the low to before the high ones.
+    void draw_page(const Job& job, const GlFramebuffer& picture, const Rectangle<int>& box);
     void draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program);
     void draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
                      const GlProgram& program);
-    void prepare_palette(const CanvasLook& look);
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
-    // The first five: see page.frag.
-    GlProgram page_, sheet_, sheet_with_picture_, sheet_by_palette_, desk_, dot_, line_, tile_;
+    // The first four: see page.frag.
+    GlProgram page_, sheet_, sheet_with_picture_, desk_, dot_, line_, tile_;
     GlVertexArray empty_, dot_array_, dot_quad_array_, line_array_, tile_array_;
     GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, line_widths_, tiles_,
         tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
-    GlTexture palette_;                                          // 256 colours from paper to ink:
-    std::optional<std::pair<glm::vec3, glm::vec3>> palette_of_;  // of these
     PagePoint dot_origin_{0, 0};
     PageWindow tile_window_;
     std::size_t dot_count_ = 0;

@@ -184,7 +184,7 @@ class SampledView {
             for (int y = rows.begin(); y < rows.end(); ++y) {
                 const int down = on_page(y, page_.low.y, page_.high.y);
                 for (std::size_t i = 0; i < pictures.size(); ++i) {
-                    Pixel* const row = pictures[i].row(view_.size.y - 1 - y);
+                    Pixel* const row = pictures[i].row(y);
                     std::fill(row, row + view_.size.x, Pixel(0));
                     for (std::size_t k = 0; k < kPens && i * kPens + k < bands_.size(); ++k)
                         bands_[i * kPens + k].for_each_covered(

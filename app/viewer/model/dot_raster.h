@@ -72,8 +72,8 @@ class DotRaster {
     /// On all cores.
     void add(std::span<const RasterDots> dots, const RasterLook& look);
     void add(const RasterLines& lines, const RasterLook& look);
-    /// The share of each pixel that is ink, 0..255, rows from the bottom up as OpenGL has them: for up to
-    /// four pens in a picture's four components, as many pictures as that takes.
+    /// The share of each pixel that is ink, 0..255: for up to four pens in a picture's four components, as
+    /// many pictures as that takes.
     template <class Pixel>
     void finish(std::vector<Grid<Pixel>>& pictures) const;
 
