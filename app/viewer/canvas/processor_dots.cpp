@@ -18,12 +18,6 @@ DotsBy usual_dots_by() {
     return DotsBy::graphics_card;
 }
 
-RasterGrain raster_grain(const RasterView& view, Fineness fineness) {
-    const bool full =
-        fineness == Fineness::full && DotRaster::memory(view, RasterGrain::full) <= kMostRasterMemory;
-    return full ? RasterGrain::full : RasterGrain::quick;
-}
-
 // As Renderer::draw_dots() has it.
 std::size_t ProcessorDots::add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most) {
     std::vector<RasterDots> some;

@@ -17,7 +17,6 @@
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/dot_blocks.h"
 #include "app/viewer/model/dot_raster.h"
-#include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/shown_strokes.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
@@ -33,12 +32,6 @@ enum class DotsBy {
 /// Of the OpenGL that is current: the processor, where that is a program too.
 DotsBy usual_dots_by();
 
-/// Bytes that the samples of the processor's dots may need.
-inline constexpr double kMostRasterMemory = 256e6;
-
-/// How finely the processor draws: fully, if that is wanted and fits into the memory.
-RasterGrain raster_grain(const RasterView& view, Fineness fineness);
-
 /// What is drawn: dots or, in their place, lines.
 struct InkToDraw {
     const DotPieces* dots = nullptr;
@@ -52,7 +45,7 @@ struct InkToDraw {
 class ProcessorDots {
  public:
     /// An empty picture.
-    void begin(const RasterView& view, RasterGrain grain) { raster_.begin(view, grain); }
+    void begin(const RasterView& view, const RasterGrain& grain) { raster_.begin(view, grain); }
     /// Draws the first ones of the blocks with those numbers that have `most` dots or a few more together.
     /// Returns how many.
     std::size_t add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most);

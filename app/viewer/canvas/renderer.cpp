@@ -438,7 +438,7 @@ GlFramebuffer& Renderer::dots_of(const Job& job) {
 
 RasterView Renderer::raster_view(const Job& job) const {
     const Camera& camera = job.camera;
-    const double samples = job.raster && by_pen() ? job.grid.samples : 1;
+    const double samples = by_pen() ? job.grid.samples : 1;
     const glm::dvec2 corner(job.grid.low);
     const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
     return {.size = (job.grid.high - job.grid.low) * static_cast<int>(samples),
@@ -450,12 +450,14 @@ RasterView Renderer::raster_view(const Job& job) const {
 
 std::optional<RasterGrain> Renderer::raster_of(const Job& job) const {
     if (dots_by_ != DotsBy::processor || has_colours_) return std::nullopt;
+    const double radius = mean_radius(job.camera, job.look) / job.camera.pixels_per_unit;
     // Of several pens each sample of the grid is drawn as quickly.
-    return raster_grain(raster_view(job), by_pen() ? Fineness::quick : job.fineness);
+    return raster_grain(raster_view(job), by_pen() ? Fineness::quick : job.fineness, radius);
 }
 
 double Renderer::in_samples(const Job& job, double radius) const {
-    return radius * job.grid.samples * (job.raster ? static_cast<int>(*job.raster) : 1);
+    // The processor draws 8 x 8 of its samples at once.
+    return radius * job.grid.samples * (job.raster ? job.raster->samples() / 8.0 : 1);
 }
 
 InkToDraw Renderer::ink_to_draw(const Job& job) {
