@@ -1,6 +1,6 @@
 #version 330 core
 // A disc of ink.
-flat in vec2 centre;     // samples, y up
+flat in vec2 centre;     // samples
 flat in float radius;    // samples
 flat in float softness;  // width of the edge in samples
 flat in vec4 ink;        // linear light, times the alpha beside it

@@ -17,7 +17,7 @@ uniform bool by_pen;
 uniform bool sprite;
 uniform float point_step;  // sizes of points may be rounded by so much
 
-flat out vec2 centre;      // samples, y up
+flat out vec2 centre;      // samples
 flat out float radius;     // samples
 flat out float softness;   // width of the edge in samples
 flat out vec4 ink;         // linear light, times the alpha beside it
@@ -43,9 +43,8 @@ void main() {
     float reach = radius + 0.5 * softness;
 
     vec2 place = vec2(dot_x, dot_y) * page_scale + page_offset;
-    centre = vec2(place.x, canvas.y - place.y) - guard;
+    centre = place - guard;
     gl_PointSize = 2.0 * reach + point_step;
     if (!sprite) place += (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0) * reach;
-    vec2 corner = vec2(place.x / canvas.x * 2.0 - 1.0, 1.0 - place.y / canvas.y * 2.0);
-    gl_Position = vec4(presence > 0.0 ? corner : vec2(2.0), 0.0, 1.0);
+    gl_Position = vec4(presence > 0.0 ? place / canvas * 2.0 - 1.0 : vec2(2.0), 0.0, 1.0);
 }

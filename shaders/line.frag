@@ -1,6 +1,6 @@
 #version 330 core
 // All that lies within the pen's radius of a line.
-flat in vec2 from;       // samples, y up
+flat in vec2 from;       // samples
 flat in vec2 to;
 flat in float radius;    // samples
 flat in float softness;  // width of the edge in samples

@@ -10,7 +10,7 @@ uniform vec2 canvas;       // samples
 uniform float grow;        // of all widths
 uniform bool by_pen;       // or else the ink is left to the page
 
-flat out vec2 from;       // samples, y up
+flat out vec2 from;       // samples
 flat out vec2 to;
 flat out float radius;    // samples
 flat out float softness;  // width of the edge in samples
@@ -32,7 +32,7 @@ void main() {
     vec2 aside = vec2(-along.y, along.x);
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec2 place = mix(a - along * reach, b + along * reach, corner.x) + aside * (2.0 * corner.y - 1.0) * reach;
-    from = vec2(a.x, canvas.y - a.y);
-    to = vec2(b.x, canvas.y - b.y);
-    gl_Position = vec4(place.x / canvas.x * 2.0 - 1.0, 1.0 - place.y / canvas.y * 2.0, 0.0, 1.0);
+    from = a;
+    to = b;
+    gl_Position = vec4(place / canvas * 2.0 - 1.0, 0.0, 1.0);
 }

@@ -1,18 +1,17 @@
 #version 330 core
-// The desk, the sheet's shadow, the sheet, the picture faintly on it and the dots.
+// The desk, the sheet's shadow, the sheet, the picture faintly on it and the dots. All of it upside down to
+// OpenGL: y is 0 at the top.
 //
-// Compiled in five ways, as there are drivers that work out every branch for every pixel: as it is, which can
+// Compiled in four ways, as there are drivers that work out every branch for every pixel: as it is, which can
 // draw anything; with SHEET, for pixels wholly on the sheet; with SHEET and PICTURE, if the picture shows
-// there; with SHEET and PALETTE, where the dots' coverage alone says which colour it is; with DESK, for pixels
-// wholly beside the sheet.
-uniform vec2 page_min;  // pixels, y down
+// there; with DESK, for pixels wholly beside the sheet.
+uniform vec2 page_min;  // pixels
 uniform vec2 page_max;
-uniform vec2 picture_min;  // pixels, y down: where the picture lies on the page
+uniform vec2 picture_min;  // pixels: where the picture lies on the page
 uniform vec2 picture_max;
 uniform vec2 picture_corner;  // shares of the photograph: what is at the picture's upper left corner,
 uniform vec2 picture_across;  // and the ways from there along its upper
 uniform vec2 picture_down;    // and its left edge
-uniform float canvas_height;
 uniform float shadow;  // width in pixels
 uniform vec3 desk;     // these two sRGB-encoded
 uniform vec3 paper;
@@ -26,10 +25,9 @@ uniform sampler2D dots_of_pens_8_to_11;
 uniform int pens;          // 0: none
 uniform vec4 pen_inks[12]; // linear light; 1: multiplied by what lies below, 0: hides it
 uniform int samples;       // of a pixel's side
-uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; y up; empty: there are no dots
+uniform ivec4 dots_box;    // the pixels that have samples: low x, y, high x, y; empty: there are no dots
 uniform ivec4 page_samples; // those on the page: low x, y, end x, y
 uniform vec3 ink;          // linear light, to multiply the dots with
-uniform sampler2D palette; // of a coverage of 0 to 255
 
 out vec4 colour;
 
@@ -101,16 +99,11 @@ float shade_at(vec2 pixel) {
 
 #if defined(DESK)
 void main() {
-    colour = vec4(desk * (1.0 - shade_at(vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y))), 1.0);
-}
-#elif defined(PALETTE)
-void main() {
-    float covered = texelFetch(dots, ivec2(gl_FragCoord.xy) - dots_box.xy, 0).r;
-    colour = texelFetch(palette, ivec2(int(covered * 255.0 + 0.5), 0), 0);
+    colour = vec4(desk * (1.0 - shade_at(gl_FragCoord.xy)), 1.0);
 }
 #else
 void main() {
-    vec2 pixel = vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y);
+    vec2 pixel = gl_FragCoord.xy;
     vec3 sheet = paper_light;
 #ifdef PICTURE
     sheet = sheet_at(pixel);

@@ -3,16 +3,14 @@
 // halves of the lines along them.
 flat in vec4 line_colour;
 
-uniform vec2 page_min;  // pixels, y down
+uniform vec2 page_min;  // pixels
 uniform vec2 page_max;
-uniform float canvas_height;
 uniform float line_width;  // pixels
 
 out vec4 colour;
 
 void main() {
-    vec2 pixel = vec2(gl_FragCoord.x, canvas_height - gl_FragCoord.y);
-    vec2 outside = max(page_min - pixel, pixel - page_max);
+    vec2 outside = max(page_min - gl_FragCoord.xy, gl_FragCoord.xy - page_max);
     if (max(outside.x, outside.y) > line_width) discard;
     colour = line_colour;
 }

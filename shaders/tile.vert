@@ -54,6 +54,6 @@ void main() {
         if (look.z >= 0.0) colour = kind_colours[int(look.z + 0.5)];
     }
     vec2 pixel = mix(from - half_width, to + half_width, corner);
-    gl_Position = vec4(pixel.x / canvas.x * 2.0 - 1.0, 1.0 - pixel.y / canvas.y * 2.0, 0.0, 1.0);
+    gl_Position = vec4(pixel / canvas * 2.0 - 1.0, 0.0, 1.0);
     line_colour = vec4(colour, strength);
 }

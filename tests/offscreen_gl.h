@@ -41,13 +41,11 @@ class OffscreenContext {
     EGLContext context_ = nullptr;
 };
 
-/// The bound framebuffer's pixels, top row first.
+/// The bound framebuffer's pixels, in its order.
 inline Grid<glm::u8vec4> read_pixels(glm::ivec2 size) {
-    Grid<glm::u8vec4> upside_down(size.x, size.y), pixels(size.x, size.y);
+    Grid<glm::u8vec4> pixels(size.x, size.y);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.values.data());
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) pixels.at(x, y) = upside_down.at(x, size.y - 1 - y);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.values.data());
     return pixels;
 }
 

@@ -31,18 +31,11 @@ struct SampleWindow {
     std::int64_t first_column = 0, end_column = std::numeric_limits<std::int64_t>::max();
 };
 
-/// The samples of a band as bits, kSide by kSide (8 or 16) a pixel: sample row after sample row, the leftmost
-/// sample in the lowest bit. Threads may add to it at once whose limits have no row in common.
-template <int kSide>
-class SampleBandOf {
+/// Discs and lines as the samples whose middles lie in them. A Band says how many sample_rows() and columns()
+/// it has, and its add_span(row, first, last) sets the samples of a row from the first to the last one.
+template <class Band>
+class SampledShapes {
  public:
-    static constexpr int kPixelsAWord = 64 / kSide;
-
-    SampleBandOf(int width, int rows)
-        : words_((width + kPixelsAWord - 1) / kPixelsAWord),
-          sample_rows_(rows * kSide),
-          bits_(static_cast<std::size_t>(words_) * sample_rows_) {}
-
     /// A disc, in sample units from the band's corner; sample (i, j) lies at (i + 1/2, j + 1/2).
     void add_disc(double x, double y, double radius, const SampleWindow& limits = {}) {
         const Span rows = rows_between(y - radius, y + radius, limits);
@@ -84,52 +77,6 @@ class SampleBandOf {
         }
     }
 
-    /// The samples of a row from the first to the last one, all of which it has.
-    void add_span(std::int64_t row, std::int64_t first, std::int64_t last) {
-        std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
-        const std::int64_t from = first / 64, to = last / 64;
-        const std::uint64_t head = ~std::uint64_t{0} << (first % 64);
-        const std::uint64_t tail = ~std::uint64_t{0} >> (63 - last % 64);
-        if (from == to) {
-            line[from] |= head & tail;
-            return;
-        }
-        line[from] |= head;
-        // Few, as a rule: no call that fills memory.
-        for (std::int64_t word = from + 1; word < to; ++word) line[word] |= ~std::uint64_t{0};
-        line[to] |= tail;
-    }
-
-    std::int64_t columns() const { return words_ * std::int64_t{64}; }
-
-    void clear() { std::ranges::fill(bits_, 0); }
-
-    /// Calls visit(x, samples) for each pixel of a row that has any: how many of its samples are set.
-    template <class Visit>
-    void for_each_covered(int y, int width, std::vector<std::uint64_t>& counts, const Visit& visit) const {
-        counts.assign(words_, 0);
-        for (int row = y * kSide; row < (y + 1) * kSide; ++row) count(row, counts);
-        for (int word = 0; word < words_; ++word) {
-            if (counts[word] == 0) continue;  // bare paper
-            const int first = word * kPixelsAWord;
-            for (int x = first; x < std::min(first + kPixelsAWord, width); ++x) {
-                std::uint64_t bytes = counts[word] >> (x - first) * kSide;
-                if constexpr (kSide == 16) bytes = (bytes & 0xff) + (bytes >> 8 & 0xff);
-                visit(x, static_cast<int>(bytes & (kSide == 16 ? 0x1ff : 0xff)));
-            }
-        }
-    }
-
-    Grid<float> coverage(int width) const {
-        Grid<float> result(width, sample_rows_ / kSide);
-        std::vector<std::uint64_t> counts;
-        for (int y = 0; y < result.height; ++y)
-            for_each_covered(y, width, counts, [&](int x, int samples) {
-                result.at(x, y) = static_cast<float>(samples) / (kSide * kSide);
-            });
-        return result;
-    }
-
  private:
     struct Span {
         std::int64_t first, last;  // none if last < first
@@ -146,18 +93,84 @@ class SampleBandOf {
     }
 
     Span rows_between(double low, double high, const SampleWindow& limits) const {
-        return samples_between(low, high, limits.first_row, std::min(sample_rows_, limits.end_row));
+        return samples_between(low, high, limits.first_row, std::min(band().sample_rows(), limits.end_row));
     }
 
     void set(std::int64_t row, double left, double right, const SampleWindow& limits) {
-        const std::int64_t end = std::min(columns(), limits.end_column);
+        const std::int64_t end = std::min(band().columns(), limits.end_column);
         const Span span =
             samples_between(left, right, static_cast<double>(limits.first_column), static_cast<double>(end));
-        if (span.first <= span.last) add_span(row, span.first, span.last);
+        if (span.first <= span.last) band().add_span(row, span.first, span.last);
     }
 
-    // Adds to each byte of the counts how many bits that byte of the row has set. A byte is a pixel's samples
-    // in a row, or half of them, so it counts to 128 at most. Without branches and without the processor's
+    Band& band() { return static_cast<Band&>(*this); }
+    const Band& band() const { return static_cast<const Band&>(*this); }
+};
+
+/// The samples of a band as bits, kSamples by kSamples a pixel: sample row after sample row, the leftmost
+/// sample in the lowest bit. Threads may add to it at once whose limits have no row in common.
+class SampleBand : public SampledShapes<SampleBand> {
+ public:
+    static constexpr int kPixelsAWord = 64 / kSamples;
+
+    SampleBand(int width, int rows)
+        : words_((width + kPixelsAWord - 1) / kPixelsAWord),
+          sample_rows_(rows * kSamples),
+          bits_(static_cast<std::size_t>(words_) * sample_rows_) {}
+
+    /// The samples of a row from the first to the last one, all of which it has.
+    void add_span(std::int64_t row, std::int64_t first, std::int64_t last) {
+        std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
+        const std::int64_t from = first / 64, to = last / 64;
+        const std::uint64_t head = ~std::uint64_t{0} << (first % 64);
+        const std::uint64_t tail = ~std::uint64_t{0} >> (63 - last % 64);
+        if (from == to) {
+            line[from] |= head & tail;
+            return;
+        }
+        line[from] |= head;
+        // Few, as a rule: no call that fills memory.
+        for (std::int64_t word = from + 1; word < to; ++word) line[word] |= ~std::uint64_t{0};
+        line[to] |= tail;
+    }
+
+    int sample_rows() const { return sample_rows_; }
+    std::int64_t columns() const { return words_ * std::int64_t{64}; }
+
+    /// A row of pixels.
+    void clear_row(int y) {
+        const std::size_t words = static_cast<std::size_t>(words_) * kSamples;
+        std::fill_n(bits_.begin() + static_cast<std::ptrdiff_t>(words * y), words, 0);
+    }
+
+    /// Calls visit(x, samples) for each pixel of a row that has any: how many of its samples are set.
+    template <class Visit>
+    void for_each_covered(int y, int width, std::vector<std::uint64_t>& counts, const Visit& visit) const {
+        counts.assign(words_, 0);
+        for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) count(row, counts);
+        for (int word = 0; word < words_; ++word) {
+            if (counts[word] == 0) continue;  // bare paper
+            const int first = word * kPixelsAWord;
+            for (int x = first; x < std::min(first + kPixelsAWord, width); ++x) {
+                const std::uint64_t halves = counts[word] >> (x - first) * kSamples;
+                visit(x, static_cast<int>((halves & 0xff) + (halves >> 8 & 0xff)));
+            }
+        }
+    }
+
+    Grid<float> coverage(int width) const {
+        Grid<float> result(width, sample_rows_ / kSamples);
+        std::vector<std::uint64_t> counts;
+        for (int y = 0; y < result.height; ++y)
+            for_each_covered(y, width, counts, [&](int x, int samples) {
+                result.at(x, y) = static_cast<float>(samples) / (kSamples * kSamples);
+            });
+        return result;
+    }
+
+ private:
+    // Adds to each byte of the counts how many bits that byte of the row has set. A byte is half a
+    // pixel's samples in a row, so it counts to 128 at most. Without branches and without the processor's
     // own count, which the oldest ones lack: compilers do several words at a time.
     void count(int row, std::span<std::uint64_t> counts) const {
         const std::uint64_t* const line = bits_.data() + static_cast<std::size_t>(row) * words_;
@@ -172,8 +185,6 @@ class SampleBandOf {
     int words_, sample_rows_;
     std::vector<std::uint64_t> bits_;
 };
-
-using SampleBand = SampleBandOf<kSamples>;
 
 /// A stretch of bands, numbered from 0, of so many pens each.
 struct Bands {

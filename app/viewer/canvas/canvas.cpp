@@ -19,6 +19,11 @@ constexpr double kQuickSeconds = 0.025, kStepSeconds = 0.025;
 // What uploading a picture's pixels takes in a frame.
 constexpr double kUploadSeconds = 0.01;
 
+bool have_same_desk(const SplitLook& a, const SplitLook& b) {
+    return a.divider == b.divider && have_same_desk(a.sides[0], b.sides[0]) &&
+           have_same_desk(a.sides[1], b.sides[1]);
+}
+
 }  // namespace
 
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
@@ -95,16 +100,16 @@ Columns Canvas::columns_of(Side side, glm::ivec2 pixels) const {
     return side == Side::left ? Columns{0, middle} : Columns{middle, pixels.x};
 }
 
-void Canvas::draw_quickly(glm::ivec2 pixels) {
+void Canvas::draw_quickly(glm::ivec2 pixels, Desk desk) {
     const auto begin = Clock::now();
     job_side_.reset();
-    picture_.resize(pixels);
+    picture_.resize(pixels, Texels::shown);
     drawn_ = Fineness::full;
     const double all = budget_.seconds(kQuickSeconds), seconds = drawn_look_.divider < 1 ? all / 2 : all;
     for (const Side side : kSides) {
         const auto index = static_cast<std::size_t>(side);
         const Fineness drawn = renderers_[index].draw_quickly(picture_, camera_, drawn_look_.sides[index],
-                                                              columns_of(side, pixels), seconds);
+                                                              columns_of(side, pixels), seconds, desk);
         if (drawn == Fineness::quick) drawn_ = drawn;
         budgeted_ += renderers_[index].dots_seconds();
     }
@@ -116,7 +121,7 @@ void Canvas::draw_quickly(glm::ivec2 pixels) {
 void Canvas::go_on(glm::ivec2 pixels) {
     const auto begin = Clock::now();
     if (!job_side_) {
-        full_.resize(pixels);
+        full_.resize(pixels, Texels::shown);
         job_seconds_ = 0;
         job_side_ = 0;
         for (const Side side : kSides) {
@@ -151,17 +156,29 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     if (redraw == Redraw::later) return;
     upload();
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
-        drawn_camera_ = camera_;
+        const bool keeps_desk = desk_camera_ == camera_ && have_same_desk(drawn_look_, look);
+        drawn_camera_ = desk_camera_ = camera_;
         drawn_look_ = look;
-        draw_quickly(pixels);
+        draw_quickly(pixels, keeps_desk ? Desk::kept : Desk::drawn);
         changed_ = Clock::now();
     } else if (job_side_ || seconds_to_next_frame() == 0.0) {
         go_on(pixels);
     }
-    auto texture = texture_id(picture_.texture());
-    glm::vec2 far = place.corner + place.size;
-    ImGui::GetBackgroundDrawList()->AddImage(texture, {place.corner.x, place.corner.y}, {far.x, far.y},
-                                             {0, 1}, {1, 0});
+    const glm::ivec2 corner(glm::dvec2(place.corner) * place.pixels_per_point + 0.5);
+    const auto height = static_cast<int>(ImGui::GetIO().DisplaySize.y * place.pixels_per_point.y + 0.5);
+    shown_ = {&picture_, {corner.x, height - corner.y - pixels.y}, {corner.x + pixels.x, height - corner.y}};
+    ImGui::GetBackgroundDrawList()->AddCallback(copy_to_window, &shown_);
+}
+
+// Copied, with its first row at the top: to draw it takes OpenGL that is a program ten times as long.
+void Canvas::copy_to_window(const ImDrawList*, const ImDrawCmd* command) {
+    const Shown& shown = *static_cast<const Shown*>(command->UserCallbackData);
+    const glm::ivec2 size = shown.picture->size(), low = shown.low, high = shown.high;
+    glDisable(GL_SCISSOR_TEST);
+    shown.picture->bind_to_read();
+    glBlitFramebuffer(0, 0, size.x, size.y, low.x, high.y, high.x, low.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glEnable(GL_SCISSOR_TEST);
 }
 
 }  // namespace dapple

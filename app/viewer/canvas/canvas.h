@@ -14,6 +14,9 @@
 #include "app/viewer/model/frame_budget.h"
 #include "app/viewer/model/placed_drawing.h"
 
+struct ImDrawCmd;
+struct ImDrawList;
+
 namespace dapple {
 
 enum class Redraw {
@@ -61,7 +64,7 @@ class Canvas {
     /// The frame before took so many seconds, all in all: how long it may draw in the next goes by that.
     void learn(double last_frame);
 
-    /// Puts the drawing behind ImGui's windows.
+    /// Puts the drawing behind ImGui's windows; it has to be there until those are drawn.
     void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
     /// How long the newest drawing that is whole took, in milliseconds.
@@ -78,9 +81,17 @@ class Canvas {
     Camera fitted_to_sheet(glm::dvec2 canvas) const;
     Columns columns_of(Side side, glm::ivec2 pixels) const;
     void upload();
-    void draw_quickly(glm::ivec2 pixels);
+    void draw_quickly(glm::ivec2 pixels, Desk desk);
     void go_on(glm::ivec2 pixels);
 
+    /// What the window gets, y up as OpenGL counts.
+    struct Shown {
+        const GlFramebuffer* picture = nullptr;
+        glm::ivec2 low{0}, high{0};  // pixels of the window
+    };
+    static void copy_to_window(const ImDrawList* list, const ImDrawCmd* command);
+
+    Shown shown_;
     std::array<Renderer, 2> renderers_;
     GlFramebuffer picture_, full_;         // shown, and the one that is being drawn fully
     std::optional<std::size_t> job_side_;  // the side being drawn fully
@@ -95,6 +106,7 @@ class Canvas {
     CameraMouse mouse_;
     std::optional<Camera> drawn_camera_;  // none: the drawing changed
     SplitLook drawn_look_;
+    std::optional<Camera> desk_camera_;  // of what lies beside the sheet in `picture_`
     Fineness drawn_ = Fineness::full;
     Clock::time_point changed_;  // when it was drawn quickly last
     double draw_ms_ = 0;

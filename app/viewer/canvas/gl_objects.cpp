@@ -129,9 +129,12 @@ void GlFramebuffer::resize(glm::ivec2 size, Texels texels, std::size_t pictures)
     for (std::size_t i = pictures; i < pictures_.size(); ++i)
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + GLenum(i), GL_TEXTURE_2D, 0, 0);
     pictures_.resize(pictures);
+    // Without a size OpenGL may choose the order of the bytes, and goes by the one that is handed over.
     const GLint format = texels == Texels::as_given ? GL_RGBA8
+                         : texels == Texels::shown  ? GL_RGBA
                          : texels == Texels::light  ? GL_SRGB8_ALPHA8
                                                     : GL_R8;
+    const GLenum given = texels == Texels::shown ? GL_BGRA : GL_RGBA;
     const std::array<GLint, 4> as_it_is{GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
     const std::array<GLint, 4> all_red{GL_RED, GL_RED, GL_RED, GL_RED};
     std::vector<GLenum> outputs;
@@ -139,7 +142,7 @@ void GlFramebuffer::resize(glm::ivec2 size, Texels texels, std::size_t pictures)
         picture.bind();
         glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA,
                          (texels == Texels::cover ? all_red : as_it_is).data());
-        glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, given, GL_UNSIGNED_BYTE, nullptr);
         outputs.push_back(GL_COLOR_ATTACHMENT0 + GLenum(outputs.size()));
         glFramebufferTexture2D(GL_FRAMEBUFFER, outputs.back(), GL_TEXTURE_2D, picture.get(), 0);
     }

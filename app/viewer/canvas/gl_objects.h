@@ -97,6 +97,7 @@ class GlTexture {
 /// What a picture that is drawn into keeps of what a fragment shader says.
 enum class Texels {
     as_given,  // four bytes
+    shown,     // four bytes in the order of a window's, so that it takes a copy to show them
     light,     // linear light and alpha: four bytes that are sRGB-encoded, and mixed in linear light
     cover,     // red alone, in one byte; read, it stands in all four components
 };
@@ -109,6 +110,7 @@ class GlFramebuffer {
     void resize(glm::ivec2 size, Texels texels = Texels::as_given, std::size_t pictures = 1);
     glm::ivec2 size() const { return size_; }
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, name_.get()); }
+    void bind_to_read() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, name_.get()); }
     void bind_texture(std::size_t picture = 0) const { pictures_[picture].bind(); }
     GLuint texture() const { return pictures_[0].get(); }
     std::size_t pictures() const { return pictures_.size(); }

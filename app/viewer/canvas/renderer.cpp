@@ -66,15 +66,10 @@ void set_page(const GlProgram& program, const Camera& camera, const CanvasLook& 
     vector("picture_down", look.picture_view.down);
     glUniform2f(program.uniform("page_min"), static_cast<float>(low.x), static_cast<float>(low.y));
     glUniform2f(program.uniform("page_max"), static_cast<float>(high.x), static_cast<float>(high.y));
-    glUniform1f(program.uniform("canvas_height"), static_cast<float>(camera.canvas.y));
 }
 
 void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
     glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
-}
-
-glm::vec3 light_of(glm::vec3 encoded) {
-    return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
 }
 
 void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor) {
@@ -120,25 +115,21 @@ std::string with_define(std::string_view source, std::initializer_list<const cha
 // About so long is what is drawn between two looks at the clock.
 constexpr double kSliceSeconds = 0.008;
 constexpr std::size_t kFewestDots = DotCost::kFewestDots, kMostDotsAtOnce = 1 << 19;
-constexpr double kMostRasterMemory = 256e6;  // bytes
-constexpr double kRasterSlowness = 0.06;     // of the processor's dots beside those of OpenGL on it
-constexpr std::size_t kTilesAtOnce = 4096;   // and as many are drawn quickly
+constexpr double kRasterSlowness = 0.06;    // of the processor's dots beside those of OpenGL on it
+constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
 }  // namespace
 
-DotsBy usual_dots_by() {
-    const GLubyte* const text = glGetString(GL_RENDERER);
-    const std::string_view name = text ? reinterpret_cast<const char*>(text) : "";
-    for (const char* program : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"})
-        if (name.find(program) != name.npos) return DotsBy::processor;
-    return DotsBy::graphics_card;
+bool have_same_desk(const CanvasLook& a, const CanvasLook& b) {
+    // Tiles' lines along the sheet's edges lie on it.
+    return a.desk == b.desk && a.page_size == b.page_size && a.sheet == b.sheet &&
+           a.pixel_scale == b.pixel_scale && !a.tiles && !b.tiles;
 }
 
 Renderer::Renderer(DotsBy dots_by)
     : page_(shaders::page_vert(), shaders::page_frag()),
       sheet_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET"})),
       sheet_with_picture_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PICTURE"})),
-      sheet_by_palette_(shaders::page_vert(), with_define(shaders::page_frag(), {"SHEET", "PALETTE"})),
       desk_(shaders::page_vert(), with_define(shaders::page_frag(), {"DESK"})),
       dot_(shaders::dot_vert(), shaders::dot_frag()),
       line_(shaders::line_vert(), shaders::line_frag()),
@@ -200,7 +191,7 @@ void Renderer::set_pens(std::span<const Pen> pens) {
     job_.reset();
     pens_.clear();
     for (const Pen& pen : pens)
-        pens_.emplace_back(light_of(pen.colour), pen.ink == PenInk::transparent ? 1 : 0);
+        pens_.emplace_back(linear_of(pen.colour), pen.ink == PenInk::transparent ? 1 : 0);
 }
 
 void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
@@ -266,13 +257,14 @@ Fineness Renderer::draw(const GlFramebuffer& picture, const Camera& camera, cons
 }
 
 Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
-                                Columns columns, double seconds) {
+                                Columns columns, double seconds, Desk desk) {
     job_.reset();
     dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
     job.every = quick_cost_.every(job.in_view, in_samples(job, mean_radius(camera, look)), seconds);
     job.tiles = std::min(job.tiles, kTilesAtOnce);
+    job.desk = desk;
     const bool as_good = job.grid.samples == finest.grid.samples && job.raster == finest.raster &&
                          job.every == 1 && job.tiles == finest.tiles;
     go_on(job, picture, std::numeric_limits<double>::infinity());
@@ -380,7 +372,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
-    if (job.raster && !job.uploaded) upload_raster(job);
+    if (job.raster && !job.uploaded) processor_dots_.upload(dots_of(job), by_pen());
     job.uploaded = true;
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
@@ -390,7 +382,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         const int most =
             in_steps ? static_cast<int>(std::min(slice_seconds / seconds_per_row_, 1e6)) : height;
         const int rows = std::clamp(most, 1, height - job.next_row);
-        draw_page(job, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
+        draw_page(job, picture, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
         job.next_row += rows;
         if (!in_steps) continue;
         glFinish();
@@ -446,7 +438,7 @@ GlFramebuffer& Renderer::dots_of(const Job& job) {
 
 RasterView Renderer::raster_view(const Job& job) const {
     const Camera& camera = job.camera;
-    const double samples = job.raster && by_pen() ? job.grid.samples : 1;
+    const double samples = by_pen() ? job.grid.samples : 1;
     const glm::dvec2 corner(job.grid.low);
     const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
     return {.size = (job.grid.high - job.grid.low) * static_cast<int>(samples),
@@ -458,76 +450,30 @@ RasterView Renderer::raster_view(const Job& job) const {
 
 std::optional<RasterGrain> Renderer::raster_of(const Job& job) const {
     if (dots_by_ != DotsBy::processor || has_colours_) return std::nullopt;
-    const bool full = job.fineness == Fineness::full && !by_pen() &&
-                      DotRaster::memory(raster_view(job), RasterGrain::full) <= kMostRasterMemory;
-    return full ? RasterGrain::full : RasterGrain::quick;
+    const double radius = mean_radius(job.camera, job.look) / job.camera.pixels_per_unit;
+    // Of several pens each sample of the grid is drawn as quickly.
+    return raster_grain(raster_view(job), by_pen() ? Fineness::quick : job.fineness, radius);
 }
 
 double Renderer::in_samples(const Job& job, double radius) const {
-    return radius * job.grid.samples * (job.raster ? static_cast<int>(*job.raster) : 1);
+    // The processor draws 8 x 8 of its samples at once.
+    return radius * job.grid.samples * (job.raster ? job.raster->samples() / 8.0 : 1);
 }
 
-// As draw_dots() has it.
-void Renderer::raster_dots(Job& job, std::size_t most) {
-    std::vector<RasterDots> some;
-    const float limit = job.every > 1 && !strokes_ && part().is_known()
-                            ? part().limit(static_cast<double>(job.every))
-                            : std::numeric_limits<float>::infinity();
-    RasterLook look{
-        .radius = job.look.dot_radius,
-        .largest_radius = largest_radius_,
-        // Those left away are made up for.
-        .grow = strokes_ ? static_cast<double>(job.every) : std::sqrt(static_cast<double>(job.every)),
-        .fade_scale = has_critical_ ? job.look.fade_scale : 0,
-        .hidden = job.look.hidden_pens};
-    std::size_t count = 0;
-    for (; job.next_block < job.blocks.size() && count < most; ++job.next_block) {
-        const DotBlock& block = blocks_[job.blocks[job.next_block]];
-        count += block.count;
-        if (strokes_) {
-            const auto of = [&](const auto& column) {
-                return column.empty() ? std::span(column)
-                                      : std::span(column).subspan(block.first, block.count);
-            };
-            raster_.add({.lines = of(strokes_->lines),
-                         .widths = of(strokes_->widths),
-                         .pens = of(strokes_->pens),
-                         .width = strokes_->width,
-                         .every = job.every},
-                        look);
-            continue;
-        }
-        RasterDots dots{.piece = &dots_shown_->pieces[block.piece],
-                        .first = block.first,
-                        .count = block.count,
-                        .every = job.every,
-                        .low = block.low.y,
-                        .high = block.high.y};
-        if (std::isfinite(limit)) dots.limit = limit;
-        some.push_back(dots);
-    }
-    if (!strokes_) raster_.add(some, look);
-}
-
-void Renderer::upload_raster(const Job& job) {
-    const GlFramebuffer& dots = dots_of(job);
-    const auto put = [&](const auto& pictures, GLenum format) {
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            dots.bind_texture(i);
-            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, pictures[i].width, pictures[i].height, format,
-                            GL_UNSIGNED_BYTE, pictures[i].values.data());
-        }
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    };
-    glActiveTexture(GL_TEXTURE0);
-    if (by_pen()) {
-        raster_.finish(raster_pens_);
-        put(raster_pens_, GL_RGBA);
-    } else {
-        raster_.finish(raster_cover_);
-        put(raster_cover_, GL_RED);
-    }
+InkToDraw Renderer::ink_to_draw(const Job& job) {
+    // Those left away are made up for.
+    const auto every = static_cast<double>(job.every);
+    InkToDraw ink{.dots = dots_shown_,
+                  .strokes = strokes_,
+                  .blocks = blocks_,
+                  .look = {.radius = job.look.dot_radius,
+                           .largest_radius = largest_radius_,
+                           .grow = strokes_ ? every : std::sqrt(every),
+                           .fade_scale = has_critical_ ? job.look.fade_scale : 0,
+                           .hidden = job.look.hidden_pens},
+                  .every = job.every};
+    if (job.every > 1 && !strokes_ && part().is_known()) ink.limit = part().limit(every);
+    return ink;
 }
 
 void Renderer::prepare_dots(const Job& job) {
@@ -535,7 +481,7 @@ void Renderer::prepare_dots(const Job& job) {
     GlFramebuffer& dots = dots_of(job);
     const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
     dots.resize(size, texels, pictures_of_dots());
-    if (job.raster) return raster_.begin(raster_view(job), *job.raster);
+    if (job.raster) return processor_dots_.begin(raster_view(job), *job.raster);
     dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -578,7 +524,11 @@ void Renderer::choose(const Job& job, const DotBlock& block) {
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
 // do: dots unite in any order.
 void Renderer::draw_dots(Job& job, std::size_t most) {
-    if (job.raster) return raster_dots(job, most);
+    if (job.raster) {
+        const auto left = std::span<const std::size_t>(job.blocks).subspan(job.next_block);
+        job.next_block += processor_dots_.add(ink_to_draw(job), left, most);
+        return;
+    }
     if (strokes_) return draw_lines(job, most);
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
@@ -705,32 +655,24 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
 
 // The part of it that is wholly on the sheet, which is most of it, by a program that does only what is needed
 // there, and the rest about it.
-void Renderer::draw_page(const Job& job, const Rectangle<int>& box) {
-    const Camera& camera = job.camera;
-    const int height = static_cast<int>(camera.canvas.y);
-    const Rectangle<double> sheet = sheet_on_canvas(camera, job.look);
+void Renderer::draw_page(const Job& job, const GlFramebuffer& picture, const Rectangle<int>& box) {
+    const Rectangle<double> sheet = sheet_on_canvas(job.camera, job.look);
     const glm::vec2 page_low = sheet.low, page_high = sheet.high;
     // The page may reach further than integers do.
-    const auto column = [&](float x) { return static_cast<int>(std::clamp<float>(x, 0, 1 << 20)); };
-    const auto within = [&](int low_x, int low_y, int high_x, int high_y) {
-        return Rectangle<int>{glm::clamp(glm::ivec2(low_x, low_y), box.low, box.high),
-                              glm::clamp(glm::ivec2(high_x, high_y), box.low, box.high)};
+    const auto within = [&](glm::vec2 low, glm::vec2 high) {
+        return Rectangle<int>{glm::ivec2(glm::clamp(low, glm::vec2(box.low), glm::vec2(box.high))),
+                              glm::ivec2(glm::clamp(high, glm::vec2(box.low), glm::vec2(box.high)))};
     };
-    const Rectangle<int> inner =
-        within(column(std::ceil(page_low.x)), height - column(std::floor(page_high.y)),
-               column(std::floor(page_high.x)), height - column(std::ceil(page_low.y)));
+    const Rectangle<int> inner = within(glm::ceil(page_low), glm::floor(page_high));
     // With those pixels that lie on its edges.
-    const Rectangle<int> outer =
-        within(column(std::floor(page_low.x)), height - column(std::ceil(page_high.y)),
-               column(std::ceil(page_high.x)), height - column(std::floor(page_low.y)));
+    const Rectangle<int> outer = within(glm::floor(page_low), glm::ceil(page_high));
     if (outer.low.x >= outer.high.x || outer.low.y >= outer.high.y) return draw_page(job, box, desk_);
-    draw_around(job, box, outer, desk_);
+    if (job.desk == Desk::drawn) draw_around(job, box, outer, desk_);
     if (inner.low.x >= inner.high.x || inner.low.y >= inner.high.y) return draw_page(job, outer, page_);
     draw_around(job, outer, inner, page_);
     if (has_picture_ && job.look.picture_opacity > 0) return draw_page(job, inner, sheet_with_picture_);
-    const bool by_palette = job.raster && !by_pen();
-    if (by_palette) prepare_palette(job.look);
-    draw_page(job, inner, by_palette ? sheet_by_palette_ : sheet_);
+    if (!job.raster || by_pen()) return draw_page(job, inner, sheet_);
+    processor_dots_.put_colours(picture, inner, job.grid.low, job.look.paper, job.look.ink);
 }
 
 void Renderer::draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
@@ -739,19 +681,6 @@ void Renderer::draw_around(const Job& job, const Rectangle<int>& box, const Rect
     draw_page(job, {{box.low.x, hole.high.y}, box.high}, program);
     draw_page(job, {{box.low.x, hole.low.y}, {hole.low.x, hole.high.y}}, program);
     draw_page(job, {{hole.high.x, hole.low.y}, {box.high.x, hole.high.y}}, program);
-}
-
-void Renderer::prepare_palette(const CanvasLook& look) {
-    if (std::exchange(palette_of_, std::pair(look.ink, look.paper)) == std::pair(look.ink, look.paper))
-        return;
-    Grid<glm::u8vec4> colours(256, 1);
-    for (int covered = 0; covered < 256; ++covered) {
-        const float share = static_cast<float>(covered) / 255;
-        colours.at(covered, 0) =
-            glm::u8vec4(srgb_bytes(glm::mix(light_of(look.paper), light_of(look.ink), share)), 255);
-    }
-    glActiveTexture(GL_TEXTURE0);
-    palette_.write(colours);
 }
 
 void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program) {
@@ -768,10 +697,6 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1f(program.uniform("picture_opacity"), has_picture_ ? look.picture_opacity : 0);
     glUniform1f(program.uniform("picture_gain"), look.picture_gain);
     glUniform1i(program.uniform("picture"), 0);
-    constexpr int kPalette = 4;
-    glUniform1i(program.uniform("palette"), kPalette);
-    glActiveTexture(GL_TEXTURE0 + kPalette);
-    palette_.bind();
     constexpr std::array kDotPictures{"dots", "dots_of_pens_4_to_7", "dots_of_pens_8_to_11"};
     const GlFramebuffer& dots = dots_of(job);
     for (std::size_t i = 0; i < kDotPictures.size(); ++i) {
@@ -782,9 +707,7 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     glUniform1i(program.uniform("pens"), by_pen() ? static_cast<GLint>(pens_.size()) : 0);
     if (by_pen()) glUniform4fv(program.uniform("pen_inks"), static_cast<GLsizei>(pens_.size()), &pens_[0].x);
     glUniform1i(program.uniform("samples"), grid.samples);
-    const int height = static_cast<int>(camera.canvas.y);
-    glUniform4i(program.uniform("dots_box"), grid.low.x, height - grid.high.y, grid.high.x,
-                height - grid.low.y);
+    glUniform4i(program.uniform("dots_box"), grid.low.x, grid.low.y, grid.high.x, grid.high.y);
     const glm::dvec2 samples((grid.high - grid.low) * grid.samples);
     const auto sample = [&](glm::dvec2 point) {
         const glm::dvec2 at = (point - glm::dvec2(grid.low)) * static_cast<double>(grid.samples);
@@ -792,12 +715,11 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     };
     const Rectangle<double> sheet = sheet_on_canvas(camera, look);
     const glm::ivec2 first = sample(sheet.low), end = sample(sheet.high);
-    const int rows = static_cast<int>(samples.y);
-    glUniform4i(program.uniform("page_samples"), first.x, rows - end.y, end.x, rows - first.y);
+    glUniform4i(program.uniform("page_samples"), first.x, first.y, end.x, end.y);
     set_colour(program, "desk", look.desk);
     set_colour(program, "paper", look.paper);
-    set_colour(program, "paper_light", light_of(look.paper));
-    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : light_of(look.ink));
+    set_colour(program, "paper_light", linear_of(look.paper));
+    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : linear_of(look.ink));
     glActiveTexture(GL_TEXTURE0);
     picture_.bind();
     empty_.bind();

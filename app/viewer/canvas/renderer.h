@@ -6,8 +6,8 @@
 // For that the dots are first drawn by themselves, with more samples than the canvas has pixels where they
 // are small; how much of a sample each of several pens covers stands in a component of its own.
 //
-// Where OpenGL is a program, and so is slow, dots and lines are drawn by ours instead (dot_raster.h), but for
-// those that have colours of their own.
+// Where OpenGL is a program, and so is slow, dots and lines are drawn by ours instead (processor_dots.h), but
+// for those that have colours of their own.
 //
 // Nothing here takes longer for more dots unless it is told to: a drawing goes forward in steps, as long as
 // one likes, and dots are handed to OpenGL as they are drawn, through buffers of constant size.
@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/canvas/processor_dots.h"
 #include "app/viewer/model/camera.h"
 #include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/dot_raster.h"
 #include "app/viewer/model/dot_samples.h"
 #include "app/viewer/model/even_part.h"
 #include "app/viewer/model/frame_budget.h"
@@ -63,6 +63,15 @@ struct CanvasLook {
     bool operator==(const CanvasLook&) const = default;
 };
 
+/// What lies beside the sheet, with its shadow.
+enum class Desk {
+    drawn,
+    kept,  // it is in the picture already
+};
+
+/// Whether that, and where the sheets lie on it, is the same for the same camera.
+bool have_same_desk(const CanvasLook& a, const CanvasLook& b);
+
 /// Columns of the canvas, from the first to before the end.
 struct Columns {
     int first = 0, end = std::numeric_limits<int>::max();
@@ -70,15 +79,6 @@ struct Columns {
 
 /// Shared with whoever made them: they are looked at until they are uploaded.
 using PictureLevels = std::shared_ptr<const std::vector<Grid<glm::u8vec4>>>;
-
-/// Who draws the dots.
-enum class DotsBy {
-    graphics_card,
-    processor,
-};
-
-/// Of the OpenGL that is current: the processor, where that is a program too.
-DotsBy usual_dots_by();
 
 class Renderer {
  public:
@@ -105,7 +105,8 @@ class Renderer {
 
     std::size_t dot_count() const { return dot_count_; }
 
-    /// camera.canvas must be the picture's size. Returns full if drawn fully it would look the same.
+    /// camera.canvas must be the picture's size; its first row is the top one. Returns full if drawn fully it
+    /// would look the same.
     Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                   Fineness fineness = Fineness::full, Columns columns = {});
 
@@ -113,7 +114,7 @@ class Renderer {
     /// larger that the page is as dark as with all of them: an EvenPart, or every n-th where the dots do not
     /// say when they appear. All, where that is about as quick.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
-                          Columns columns, double seconds);
+                          Columns columns, double seconds, Desk desk = Desk::drawn);
 
     /// How long the dots of that took.
     double dots_seconds() const { return dots_seconds_; }
@@ -144,6 +145,7 @@ class Renderer {
         std::size_t next_block = 0;
         int next_row = 0;
         Fineness fineness = Fineness::full;
+        Desk desk = Desk::drawn;
         bool prepared = false;                   // there is an empty picture for the dots
         std::optional<RasterGrain> raster = {};  // the processor draws them, so finely
         bool uploaded = false;                   // and OpenGL has what it drew
@@ -160,8 +162,7 @@ class Renderer {
     /// The radius of a dot of that many pixels in what it is drawn with.
     double in_samples(const Job& job, double radius) const;
     void prepare_dots(const Job& job);
-    void raster_dots(Job& job, std::size_t most);
-    void upload_raster(const Job& job);
+    InkToDraw ink_to_draw(const Job& job);
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
     const EvenPart& part();
@@ -169,25 +170,22 @@ class Renderer {
     bool by_pen() const { return !pens_.empty() && !has_colours_; }
     /// Pictures that have so many pens' dots.
     std::size_t pictures_of_dots() const { return by_pen() ? (pens_.size() + 3) / 4 : 1; }
-    // Pixels of the canvas from the low to before the high ones, y up as OpenGL counts.
-    void draw_page(const Job& job, const Rectangle<int>& box);
+    // Pixels of the canvas from the low to before the high ones.
+    void draw_page(const Job& job, const GlFramebuffer& picture, const Rectangle<int>& box);
     void draw_page(const Job& job, const Rectangle<int>& box, const GlProgram& program);
     void draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
                      const GlProgram& program);
-    void prepare_palette(const CanvasLook& look);
     void draw_tiles(Job& job, std::size_t most);
     void attach_columns();
 
-    // The first five: see page.frag.
-    GlProgram page_, sheet_, sheet_with_picture_, sheet_by_palette_, desk_, dot_, line_, tile_;
+    // The first four: see page.frag.
+    GlProgram page_, sheet_, sheet_with_picture_, desk_, dot_, line_, tile_;
     GlVertexArray empty_, dot_array_, dot_quad_array_, line_array_, tile_array_;
     GlStreamBuffer dot_x_, dot_y_, dot_critical_, dot_colour_, dot_radius_, line_ends_, line_widths_, tiles_,
         tile_looks_;
     // One for each fineness: to make room for the fine one's samples takes longer than a frame may.
     GlFramebuffer quick_dots_, full_dots_;
     GlTexture picture_;
-    GlTexture palette_;                                          // 256 colours from paper to ink:
-    std::optional<std::pair<glm::vec3, glm::vec3>> palette_of_;  // of these
     PagePoint dot_origin_{0, 0};
     PageWindow tile_window_;
     std::size_t dot_count_ = 0;
@@ -205,9 +203,7 @@ class Renderer {
     std::optional<EvenPart> part_;    // of the dots; none: not asked for yet
     std::optional<Job> job_;
     DotsBy dots_by_;
-    DotRaster raster_;
-    std::vector<Grid<std::uint8_t>> raster_cover_;  // handed to OpenGL
-    std::vector<Grid<glm::u8vec4>> raster_pens_;
+    ProcessorDots processor_dots_;
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     DotCost quick_cost_;

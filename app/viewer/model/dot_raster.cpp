@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
 
+#include "app/viewer/model/sampled_pixels.h"
 #include "core/output/sample_band.h"
 
 namespace dapple {
@@ -29,7 +30,8 @@ double presence(double fade_scale, float critical) {
 class DiscRows {
  public:
     static constexpr int kPlaces = 8;
-    static constexpr double kSmallest = 4, kLargest = 400;  // samples
+
+    static bool are_there_of(double radius) { return radius >= 4 && radius <= 400; }
 
     explicit DiscRows(double radius) : reach_(static_cast<std::int64_t>(radius) + 2) {
         const int rows = static_cast<int>(std::ceil(radius)) + 1;
@@ -52,8 +54,7 @@ class DiscRows {
     }
 
     // Of a middle that lies no further than its radius beyond the window.
-    template <class Band>
-    void add(Band& band, double x, double y, const SampleWindow& window) const {
+    void add(SampleBand& band, double x, double y, const SampleWindow& window) const {
         // Cut off towards 0, which takes no call as rounding down does.
         constexpr int kBeyond = 1024;
         const auto column = static_cast<std::int64_t>(x + kBeyond) - kBeyond,
@@ -93,23 +94,43 @@ class DiscRows {
     std::array<Shape, kPlaces * kPlaces> shapes_;
 };
 
-template <int kSide>
+// How many samples of each of a row's pixels are ink.
+void count_row(const SampleBand& band, int y, std::span<std::uint16_t> counts) {
+    std::vector<std::uint64_t> words;
+    std::ranges::fill(counts, std::uint16_t{0});
+    band.for_each_covered(y, static_cast<int>(counts.size()), words,
+                          [&](int x, int samples) { counts[x] = static_cast<std::uint16_t>(samples); });
+}
+void count_row(const SampledPixels& pixels, int y, std::span<std::uint16_t> counts) {
+    pixels.count(y, counts);
+}
+
+// Its pixels are the parts of the picture's.
+template <class Band, int kSide, class Discs>
 class SampledView {
  public:
     // Empty, in the memory that there is if it fits.
-    void begin(const RasterView& view) {
-        if (view.size == view_.size && view.pens == bands_.size()) {
-            tbb::parallel_for(std::size_t{0}, bands_.size(), [&](std::size_t pen) { bands_[pen].clear(); });
-        } else {
+    void begin(const RasterView& view, int parts) {
+        parts_ = parts;
+        picture_ = view.size;
+        const glm::ivec2 size = view.size * parts;
+        if (size != view_.size || view.pens != bands_.size()) {
             bands_.clear();
-            for (std::size_t pen = 0; pen < view.pens; ++pen) bands_.emplace_back(view.size.x, view.size.y);
+            for (std::size_t pen = 0; pen < view.pens; ++pen) bands_.emplace_back(size.x, size.y);
+        } else {
+            tbb::parallel_for(0, size.y, [&](int y) {
+                for (Band& band : bands_) band.clear_row(y);
+            });
         }
         view_ = view;
-        const auto sample = [](double pixel, int pixels) {
-            return static_cast<int>(std::lround(std::clamp(pixel, 0.0, double(pixels)) * kSide));
+        view_.size = size;
+        view_.origin *= parts;
+        view_.pixels_per_unit *= parts;
+        const auto sample = [&](double pixel, int pixels) {
+            return static_cast<int>(std::lround(std::clamp(pixel * parts, 0.0, double(pixels)) * kSide));
         };
-        page_ = {{sample(view.page.low.x, view.size.x), sample(view.page.low.y, view.size.y)},
-                 {sample(view.page.high.x, view.size.x), sample(view.page.high.y, view.size.y)}};
+        page_ = {{sample(view.page.low.x, size.x), sample(view.page.low.y, size.y)},
+                 {sample(view.page.high.x, size.x), sample(view.page.high.y, size.y)}};
     }
 
     void add(std::span<const RasterDots> dots, const RasterLook& look) {
@@ -117,8 +138,8 @@ class SampledView {
         const glm::dvec2 origin = view_.origin * double{kSide};
         const double reach = std::max(look.radius, look.largest_radius) * look.grow * scale;
         const double usual = look.radius * look.grow * scale;
-        std::optional<DiscRows> usual_disc;
-        if (usual >= DiscRows::kSmallest && usual <= DiscRows::kLargest) usual_disc.emplace(usual);
+        std::optional<Discs> usual_disc;
+        if (Discs::are_there_of(usual)) usual_disc.emplace(usual);
         for_each_stretch([&](const SampleWindow& window) {
             for (const RasterDots& some : dots) {
                 const Dots& piece = *some.piece;
@@ -127,7 +148,7 @@ class SampledView {
                     origin.y + double(some.low) * scale - reach > window.end_row)
                     continue;
                 const auto pen = static_cast<std::size_t>(piece.pen);
-                SampleBandOf<kSide>& band = bands_[pen < bands_.size() ? pen : 0];
+                Band& band = bands_[pen < bands_.size() ? pen : 0];
                 const bool own_radii = !piece.radius.empty();
                 const bool fades = look.fade_scale > 0 && !piece.critical.empty();
                 const std::size_t end = some.first + some.count;
@@ -173,31 +194,29 @@ class SampledView {
         constexpr std::size_t kPens = sizeof(Pixel);
         pictures.resize((bands_.size() + kPens - 1) / kPens);
         for (Grid<Pixel>& picture : pictures)
-            if (picture.width != view_.size.x || picture.height != view_.size.y)
-                picture = Grid<Pixel>(view_.size.x, view_.size.y);
-        // Where a pixel lies partly beyond the page, what lies on it is all there is.
-        const auto on_page = [](int pixel, int first, int end) {
-            return std::clamp(end - pixel * kSide, 0, kSide) - std::clamp(first - pixel * kSide, 0, kSide);
-        };
-        tbb::parallel_for(tbb::blocked_range<int>(0, view_.size.y, kRowsAtOnce), [&](const auto& rows) {
-            std::vector<std::uint64_t> counts;
+            if (picture.width != picture_.x || picture.height != picture_.y)
+                picture = Grid<Pixel>(picture_.x, picture_.y);
+        std::vector<float> across;  // how much of a full byte one sample is
+        for (int x = 0; x < picture_.x; ++x)
+            across.push_back(255.0f / static_cast<float>(std::max(on_page(x, page_.low.x, page_.high.x), 1)));
+        tbb::parallel_for(tbb::blocked_range<int>(0, picture_.y, kRowsAtOnce), [&](const auto& rows) {
+            std::vector<std::uint16_t> counts(view_.size.x);
+            std::vector<int> sums(picture_.x);
             for (int y = rows.begin(); y < rows.end(); ++y) {
-                const int down = on_page(y, page_.low.y, page_.high.y);
-                for (std::size_t i = 0; i < pictures.size(); ++i) {
-                    Pixel* const row = pictures[i].row(view_.size.y - 1 - y);
-                    std::fill(row, row + view_.size.x, Pixel(0));
-                    for (std::size_t k = 0; k < kPens && i * kPens + k < bands_.size(); ++k)
-                        bands_[i * kPens + k].for_each_covered(
-                            y, view_.size.x, counts, [&](int x, int samples) {
-                                int all = kSide * kSide;
-                                if (down < kSide || x * kSide < page_.low.x || (x + 1) * kSide > page_.high.x)
-                                    all = std::max(down * on_page(x, page_.low.x, page_.high.x), 1);
-                                const auto byte = static_cast<std::uint8_t>((samples * 255 + all / 2) / all);
-                                if constexpr (kPens == 1)
-                                    row[x] = byte;
-                                else
-                                    row[x][static_cast<int>(k)] = byte;
-                            });
+                const float down =
+                    1.0f / static_cast<float>(std::max(on_page(y, page_.low.y, page_.high.y), 1));
+                for (std::size_t pen = 0; pen < pictures.size() * kPens; ++pen) {
+                    std::ranges::fill(sums, 0);
+                    if (pen < bands_.size()) sum_parts(bands_[pen], y, counts, sums);
+                    Pixel* const row = pictures[pen / kPens].row(y);
+                    for (int x = 0; x < picture_.x; ++x) {
+                        const auto byte = static_cast<std::uint8_t>(
+                            static_cast<int>(static_cast<float>(sums[x]) * across[x] * down + 0.5f));
+                        if constexpr (kPens == 1)
+                            row[x] = byte;
+                        else
+                            row[x][static_cast<int>(pen % kPens)] = byte;
+                    }
                 }
             }
         });
@@ -216,21 +235,41 @@ class SampledView {
         });
     }
 
-    RasterView view_;
-    Rectangle<int> page_{{0, 0}, {0, 0}};     // samples
-    std::vector<SampleBandOf<kSide>> bands_;  // a pen each
+    void sum_parts(const Band& band, int y, std::span<std::uint16_t> counts, std::span<int> sums) const {
+        for (int part = 0; part < parts_; ++part) {
+            count_row(band, y * parts_ + part, counts);
+            if (parts_ == 1) {
+                std::ranges::copy(counts, sums.begin());
+                continue;
+            }
+            for (std::size_t x = 0; x < sums.size(); ++x)
+                for (const std::uint16_t count : counts.subspan(x * parts_, parts_)) sums[x] += count;
+        }
+    }
+
+    // Of a pixel's samples in one direction those between; what lies on the page is all there is.
+    int on_page(int pixel, int first, int end) const {
+        const int side = kSide * parts_;
+        return std::clamp(end - pixel * side, 0, side) - std::clamp(first - pixel * side, 0, side);
+    }
+
+    RasterView view_;           // in parts of pixels
+    glm::ivec2 picture_{0, 0};  // pixels
+    int parts_ = 1;
+    Rectangle<int> page_{{0, 0}, {0, 0}};  // samples
+    std::vector<Band> bands_;              // a pen each
 };
 
 }  // namespace
 
 // Both are kept, as a view that moves is drawn quickly and one that rests fully.
 struct DotRaster::Samples {
-    SampledView<8> quick;
-    SampledView<16> full;
-    RasterGrain grain = RasterGrain::quick;
+    SampledView<SampledPixels, SampledPixels::kSide, DiscStamps> quick;
+    SampledView<SampleBand, kSamples, DiscRows> full;
+    Fineness fineness = Fineness::quick;
 
     void visit(const auto& work) {
-        if (grain == RasterGrain::quick)
+        if (fineness == Fineness::quick)
             work(quick);
         else
             work(full);
@@ -240,14 +279,26 @@ struct DotRaster::Samples {
 DotRaster::DotRaster() : samples_(std::make_unique<Samples>()) {}
 DotRaster::~DotRaster() = default;
 
-double DotRaster::memory(const RasterView& view, RasterGrain grain) {
-    const double side = static_cast<int>(grain);
-    return side * side / 8 * view.size.x * view.size.y * static_cast<double>(view.pens);
+RasterGrain raster_grain(const RasterView& view, Fineness fineness, double radius) {
+    // Which samples a dot meets is chance where it is no larger than they lie apart, and not even that: the
+    // same tile's points lie on many of its squares.
+    constexpr double kSmallestRadius = 4;  // samples
+    constexpr double kMostSamples = 256e6, kMostQuickSamples = 48e6;
+    const auto samples = [&](const RasterGrain& grain) {
+        return std::pow(grain.samples(), 2) * view.size.x * view.size.y * static_cast<double>(view.pens);
+    };
+    RasterGrain grain{fineness};
+    if (samples(grain) > 8 * kMostRasterMemory) grain.fineness = Fineness::quick;
+    const double most = fineness == Fineness::quick ? kMostQuickSamples : kMostSamples;
+    const double wanted = std::ceil(kSmallestRadius / (radius * view.pixels_per_unit * grain.samples()));
+    const double allowed = std::floor(std::sqrt(most / samples(grain)));
+    grain.parts = static_cast<int>(std::clamp(wanted, 1.0, std::max(allowed, 1.0)));
+    return grain;
 }
 
-void DotRaster::begin(const RasterView& view, RasterGrain grain) {
-    samples_->grain = grain;
-    samples_->visit([&](auto& sampled) { sampled.begin(view); });
+void DotRaster::begin(const RasterView& view, const RasterGrain& grain) {
+    samples_->fineness = grain.fineness;
+    samples_->visit([&](auto& sampled) { sampled.begin(view, grain.parts); });
 }
 
 void DotRaster::add(std::span<const RasterDots> dots, const RasterLook& look) {

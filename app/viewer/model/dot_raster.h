@@ -5,7 +5,8 @@
 //     begin() ──► add() blocks of them, as long as there is time ──► finish(): how much of each pixel is ink
 //
 // By sample points, as files are drawn (core/output/sample_band.h): what overlaps unites, each pen's by
-// itself, and what lies beyond the page's edges is cut off.
+// itself, and what lies beyond the page's edges is cut off. So it is as light as the file, however small the
+// dots are: the smaller, the more sample points.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -15,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "app/viewer/model/dot_samples.h"
 #include "core/image/grid.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
@@ -56,24 +58,38 @@ struct RasterLines {
     std::size_t every = 1;  // one in so many
 };
 
-/// How finely: sample points along a pixel's side.
-enum class RasterGrain { quick = 8, full = 16 };
+/// How finely: a pixel is so many parts by as many, and each part 8 x 8 sample points if it is drawn quickly,
+/// or 16 x 16.
+struct RasterGrain {
+    Fineness fineness = Fineness::quick;
+    int parts = 1;
+
+    /// Along a pixel's side.
+    int samples() const { return (fineness == Fineness::quick ? 8 : 16) * parts; }
+
+    bool operator==(const RasterGrain&) const = default;
+};
+
+/// Bytes that sample points may need.
+inline constexpr double kMostRasterMemory = 256e6;
+
+/// What dots of that mean radius, or lines of twice that width (page units), need to be as light as they are:
+/// sample points a few of which lie in each, as far as there is time for them. Full only if that fits into
+/// the memory.
+RasterGrain raster_grain(const RasterView& view, Fineness fineness, double radius);
 
 class DotRaster {
  public:
     DotRaster();
     ~DotRaster();
 
-    /// What a view needs, in bytes.
-    static double memory(const RasterView& view, RasterGrain grain);
-
     /// An empty picture.
-    void begin(const RasterView& view, RasterGrain grain);
+    void begin(const RasterView& view, const RasterGrain& grain);
     /// On all cores.
     void add(std::span<const RasterDots> dots, const RasterLook& look);
     void add(const RasterLines& lines, const RasterLook& look);
-    /// The share of each pixel that is ink, 0..255, rows from the bottom up as OpenGL has them: for up to
-    /// four pens in a picture's four components, as many pictures as that takes.
+    /// The share of each pixel that is ink, 0..255: for up to four pens in a picture's four components, as
+    /// many pictures as that takes.
     template <class Pixel>
     void finish(std::vector<Grid<Pixel>>& pictures) const;
 
