@@ -122,6 +122,7 @@ TEST_CASE("each room of the program knows only the rooms below it") {
 
 TEST_CASE("each room of the program knows of core no more than its subject needs") {
     const Arrows arrows{
+        {"main", {"core/text"}},
         {"app", {"core/text"}},
         // Options, calls and reports. The first four are what a drawing is asked by; of the others: `analyse`
         // measures points, `lights` samples maps, `tile` shows tiles, and --relax and --order say their
