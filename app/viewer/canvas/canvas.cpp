@@ -144,7 +144,7 @@ void Canvas::go_on(glm::ivec2 pixels) {
     draw_ms_ = 1e3 * job_seconds_;
 }
 
-void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
+Rectangle<int> Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     glm::ivec2 pixels = glm::max(glm::ivec2(glm::dvec2(place.size) * place.pixels_per_point + 0.5), 1);
     // The left side's, whichever is drawn.
     sheet_ = look.sides[0].sheet;
@@ -153,7 +153,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
         side.page_size = page_size_;
         side.sheet = sheet_;
     }
-    if (redraw == Redraw::later) return;
+    if (redraw == Redraw::later) return {{0, 0}, {0, 0}};
     upload();
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         const bool keeps_desk = desk_camera_ == camera_ && have_same_desk(drawn_look_, look);
@@ -168,6 +168,7 @@ void Canvas::show(const CanvasPlace& place, SplitLook look, Redraw redraw) {
     const auto height = static_cast<int>(ImGui::GetIO().DisplaySize.y * place.pixels_per_point.y + 0.5);
     shown_ = {&picture_, {corner.x, height - corner.y - pixels.y}, {corner.x + pixels.x, height - corner.y}};
     ImGui::GetBackgroundDrawList()->AddCallback(copy_to_window, &shown_);
+    return {corner, corner + pixels};
 }
 
 // Copied, with its first row at the top: to draw it takes OpenGL that is a program ten times as long.

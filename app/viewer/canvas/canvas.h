@@ -64,8 +64,9 @@ class Canvas {
     /// The frame before took so many seconds, all in all: how long it may draw in the next goes by that.
     void learn(double last_frame);
 
-    /// Puts the drawing behind ImGui's windows; it has to be there until those are drawn.
-    void show(const CanvasPlace& place, SplitLook look, Redraw redraw);
+    /// Puts the drawing behind ImGui's windows; it has to be there until those are drawn. Returns the pixels
+    /// of the window, from the upper left corner, that it covers.
+    Rectangle<int> show(const CanvasPlace& place, SplitLook look, Redraw redraw);
 
     /// How long the newest drawing that is whole took, in milliseconds.
     double draw_ms() const { return draw_ms_; }

@@ -18,36 +18,53 @@ DotsBy usual_dots_by() {
     return DotsBy::graphics_card;
 }
 
-// As Renderer::draw_dots() has it.
+// Adds a block to what is drawn.
+static void add_block(RasterInk& raster, const InkToDraw& ink, const DotBlock& block) {
+    if (!ink.strokes) {
+        raster.dots.push_back({.piece = &ink.dots->pieces[block.piece],
+                               .first = block.first,
+                               .count = block.count,
+                               .limit = ink.limit,
+                               .every = ink.every,
+                               .low = block.low.y,
+                               .high = block.high.y});
+        return;
+    }
+    const auto of = [&](const auto& column) {
+        return column.empty() ? std::span(column) : std::span(column).subspan(block.first, block.count);
+    };
+    raster.lines.push_back({.lines = of(ink.strokes->lines),
+                            .widths = of(ink.strokes->widths),
+                            .pens = of(ink.strokes->pens),
+                            .width = ink.strokes->width,
+                            .every = ink.every});
+}
+
 std::size_t ProcessorDots::add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most) {
-    std::vector<RasterDots> some;
+    RasterInk raster;
     std::size_t count = 0, blocks = 0;
     for (; blocks < numbers.size() && count < most; ++blocks) {
-        const DotBlock& block = ink.blocks[numbers[blocks]];
-        count += block.count;
-        if (ink.strokes) {
-            const auto of = [&](const auto& column) {
-                return column.empty() ? std::span(column)
-                                      : std::span(column).subspan(block.first, block.count);
-            };
-            raster_.add({.lines = of(ink.strokes->lines),
-                         .widths = of(ink.strokes->widths),
-                         .pens = of(ink.strokes->pens),
-                         .width = ink.strokes->width,
-                         .every = ink.every},
-                        ink.look);
-            continue;
-        }
-        some.push_back({.piece = &ink.dots->pieces[block.piece],
-                        .first = block.first,
-                        .count = block.count,
-                        .limit = ink.limit,
-                        .every = ink.every,
-                        .low = block.low.y,
-                        .high = block.high.y});
+        add_block(raster, ink, ink.blocks[numbers[blocks]]);
+        count += ink.blocks[numbers[blocks]].count;
     }
-    if (!ink.strokes) raster_.add(some, ink.look);
+    raster_.add(raster.dots, ink.look);
+    for (const RasterLines& lines : raster.lines) raster_.add(lines, ink.look);
     return blocks;
+}
+
+void ProcessorDots::finish(bool by_pen) {
+    if (by_pen)
+        raster_.finish(pens_);
+    else
+        raster_.finish(cover_);
+}
+
+double ProcessorDots::draw(const RasterView& view, const RasterGrain& grain, const InkToDraw& ink,
+                           std::span<const std::size_t> numbers, bool by_pen) {
+    RasterInk raster;
+    for (const std::size_t number : numbers) add_block(raster, ink, ink.blocks[number]);
+    return by_pen ? raster_.draw(view, grain, raster, ink.look, pens_)
+                  : raster_.draw(view, grain, raster, ink.look, cover_);
 }
 
 void ProcessorDots::upload(const GlFramebuffer& dots, bool by_pen) {
@@ -61,13 +78,10 @@ void ProcessorDots::upload(const GlFramebuffer& dots, bool by_pen) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     };
     glActiveTexture(GL_TEXTURE0);
-    if (by_pen) {
-        raster_.finish(pens_);
+    if (by_pen)
         put(pens_, GL_RGBA);
-    } else {
-        raster_.finish(cover_);
+    else
         put(cover_, GL_RED);
-    }
 }
 
 void ProcessorDots::put_colours(const GlFramebuffer& picture, const Rectangle<int>& box, glm::ivec2 corner,

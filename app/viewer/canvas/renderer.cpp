@@ -343,6 +343,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     };
     if (job.grid.samples > 0 && !job.prepared) {
         prepare_dots(job);
+        if (job.raster && in_steps) processor_dots_.begin(raster_view(job), *job.raster);
         if (in_steps) {
             glFinish();
             spent();
@@ -351,6 +352,12 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     job.prepared = true;
     const std::size_t from = job.next_block;
     const auto dots_begin = Clock::now();
+    double share_of_dots = 1;  // of the time
+    if (job.raster && !in_steps) {
+        share_of_dots =
+            processor_dots_.draw(raster_view(job), *job.raster, ink_to_draw(job), job.blocks, by_pen());
+        job.next_block = job.blocks.size();
+    }
     while (goes_on && job.next_block < job.blocks.size()) {
         const auto slice = Clock::now();
         const std::size_t before = job.next_block;
@@ -365,14 +372,17 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     }
     if (!in_steps && job.next_block > from) {
         glFinish();
-        dots_seconds_ = passed(dots_begin);
+        dots_seconds_ = share_of_dots * passed(dots_begin);
         const auto every = static_cast<double>(job.every);
         const double drawn = static_cast<double>(job.in_view) / every,
                      radius = in_samples(job, mean_radius(job.camera, job.look)) * std::sqrt(every);
         if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
     }
     if (job.next_block < job.blocks.size()) return leave(false);
-    if (job.raster && !job.uploaded) processor_dots_.upload(dots_of(job), by_pen());
+    if (job.raster && !job.uploaded) {
+        if (in_steps) processor_dots_.finish(by_pen());
+        processor_dots_.upload(dots_of(job), by_pen());
+    }
     job.uploaded = true;
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
@@ -481,7 +491,7 @@ void Renderer::prepare_dots(const Job& job) {
     GlFramebuffer& dots = dots_of(job);
     const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
     dots.resize(size, texels, pictures_of_dots());
-    if (job.raster) return processor_dots_.begin(raster_view(job), *job.raster);
+    if (job.raster) return;
     dots.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -1,10 +1,11 @@
 #include "app/viewer/model/dot_raster.h"
 
-#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -111,133 +112,216 @@ class SampledView {
  public:
     // Empty, in the memory that there is if it fits.
     void begin(const RasterView& view, int parts) {
-        parts_ = parts;
-        picture_ = view.size;
-        const glm::ivec2 size = view.size * parts;
-        if (size != view_.size || view.pens != bands_.size()) {
-            bands_.clear();
-            for (std::size_t pen = 0; pen < view.pens; ++pen) bands_.emplace_back(size.x, size.y);
-        } else {
-            tbb::parallel_for(0, size.y, [&](int y) {
-                for (Band& band : bands_) band.clear_row(y);
-            });
-        }
-        view_ = view;
-        view_.size = size;
-        view_.origin *= parts;
-        view_.pixels_per_unit *= parts;
-        const auto sample = [&](double pixel, int pixels) {
-            return static_cast<int>(std::lround(std::clamp(pixel * parts, 0.0, double(pixels)) * kSide));
-        };
-        page_ = {{sample(view.page.low.x, size.x), sample(view.page.low.y, size.y)},
-                 {sample(view.page.high.x, size.x), sample(view.page.high.y, size.y)}};
+        look_at(view, parts);
+        if (bands_size_ != view_.size || bands_.size() != view_.pens) bands_ = empty_bands(view_.size);
+        bands_size_ = view_.size;
+        for_each_stretch(kRowsAtOnce, [&](int first, int end) { clear({bands_, 0, first, end}); });
     }
 
     void add(std::span<const RasterDots> dots, const RasterLook& look) {
-        const double scale = view_.pixels_per_unit * kSide;
-        const glm::dvec2 origin = view_.origin * double{kSide};
-        const double reach = std::max(look.radius, look.largest_radius) * look.grow * scale;
-        const double usual = look.radius * look.grow * scale;
-        std::optional<Discs> usual_disc;
-        if (Discs::are_there_of(usual)) usual_disc.emplace(usual);
-        for_each_stretch([&](const SampleWindow& window) {
-            for (const RasterDots& some : dots) {
-                const Dots& piece = *some.piece;
-                if (look.hidden >> piece.pen & 1) continue;
-                if (origin.y + double(some.high) * scale + reach < window.first_row ||
-                    origin.y + double(some.low) * scale - reach > window.end_row)
-                    continue;
-                const auto pen = static_cast<std::size_t>(piece.pen);
-                Band& band = bands_[pen < bands_.size() ? pen : 0];
-                const bool own_radii = !piece.radius.empty();
-                const bool fades = look.fade_scale > 0 && !piece.critical.empty();
-                const std::size_t end = some.first + some.count;
-                for (std::size_t i = some.first; i < end; i += some.limit ? 1 : some.every) {
-                    if (some.limit && !(piece.critical[i] <= *some.limit)) continue;
-                    const double y = origin.y + double(piece.y[i]) * scale;
-                    const double radius = own_radii ? double(piece.radius[i]) * look.grow * scale : usual;
-                    if (!(y + radius >= window.first_row && y - radius <= window.end_row)) continue;
-                    const double x = origin.x + double(piece.x[i]) * scale;
-                    const double there = fades ? presence(look.fade_scale, piece.critical[i]) : 1;
-                    if (there <= 0) continue;
-                    if (there < 1 || own_radii || !usual_disc)
-                        band.add_disc(x, y, radius * std::sqrt(there), window);
-                    else if (x + radius >= 0 && x - radius <= view_.size.x * double{kSide})
-                        usual_disc->add(band, x, y, window);
-                }
-            }
+        const std::optional<Discs> discs = usual_discs(look);
+        for_each_stretch(kRowsAtOnce, [&](int first, int end) {
+            add({bands_, 0, first, end}, dots, look, discs);
         });
     }
 
     void add(const RasterLines& lines, const RasterLook& look) {
-        const double scale = view_.pixels_per_unit * kSide;
-        const glm::dvec2 origin = view_.origin * double{kSide};
-        for_each_stretch([&](const SampleWindow& window) {
-            for (std::size_t i = 0; i < lines.lines.size(); i += lines.every) {
-                const std::size_t pen = lines.pens.empty() ? 0 : lines.pens[i];
-                if (look.hidden >> pen & 1) continue;
-                const glm::dvec4 line = glm::dvec4(lines.lines[i]) * scale;
-                const glm::dvec2 from = origin + glm::dvec2(line.x, line.y),
-                                 to = origin + glm::dvec2(line.z, line.w);
-                const double width = lines.widths.empty() ? lines.width : lines.widths[i];
-                const double radius = width / 2 * look.grow * scale;
-                if (!(std::max(from.y, to.y) + radius >= window.first_row &&
-                      std::min(from.y, to.y) - radius <= window.end_row))
-                    continue;
-                bands_[pen < bands_.size() ? pen : 0].add_capsule(from, to, radius, window);
-            }
-        });
+        for_each_stretch(kRowsAtOnce, [&](int first, int end) { add({bands_, 0, first, end}, lines, look); });
     }
 
     template <class Pixel>
-    void finish(std::vector<Grid<Pixel>>& pictures) const {
-        constexpr std::size_t kPens = sizeof(Pixel);
-        pictures.resize((bands_.size() + kPens - 1) / kPens);
-        for (Grid<Pixel>& picture : pictures)
-            if (picture.width != picture_.x || picture.height != picture_.y)
-                picture = Grid<Pixel>(picture_.x, picture_.y);
-        std::vector<float> across;  // how much of a full byte one sample is
-        for (int x = 0; x < picture_.x; ++x)
-            across.push_back(255.0f / static_cast<float>(std::max(on_page(x, page_.low.x, page_.high.x), 1)));
-        tbb::parallel_for(tbb::blocked_range<int>(0, picture_.y, kRowsAtOnce), [&](const auto& rows) {
-            std::vector<std::uint16_t> counts(view_.size.x);
-            std::vector<int> sums(picture_.x);
-            for (int y = rows.begin(); y < rows.end(); ++y) {
-                const float down =
-                    1.0f / static_cast<float>(std::max(on_page(y, page_.low.y, page_.high.y), 1));
-                for (std::size_t pen = 0; pen < pictures.size() * kPens; ++pen) {
-                    std::ranges::fill(sums, 0);
-                    if (pen < bands_.size()) sum_parts(bands_[pen], y, counts, sums);
-                    Pixel* const row = pictures[pen / kPens].row(y);
-                    for (int x = 0; x < picture_.x; ++x) {
-                        const auto byte = static_cast<std::uint8_t>(
-                            static_cast<int>(static_cast<float>(sums[x]) * across[x] * down + 0.5f));
-                        if constexpr (kPens == 1)
-                            row[x] = byte;
-                        else
-                            row[x][static_cast<int>(pen % kPens)] = byte;
-                    }
-                }
-            }
+    void finish(std::vector<Grid<Pixel>>& pictures) {
+        make_room(pictures);
+        for_each_stretch(kRowsAtOnce, [&](int first, int end) { write({bands_, 0, first, end}, pictures); });
+    }
+
+    // Stretch by stretch in memory that stays near the processor.
+    template <class Pixel>
+    double draw(const RasterView& view, int parts, const RasterInk& ink, const RasterLook& look,
+                std::vector<Grid<Pixel>>& pictures) {
+        look_at(view, parts);
+        make_room(pictures);
+        constexpr double kStretchBytes = 384e3;
+        const double row_bytes = kSide * kSide / 8.0 * parts * view_.size.x * static_cast<double>(view.pens);
+        const int rows = std::clamp(static_cast<int>(kStretchBytes / row_bytes), 4, kRowsAtOnce);
+        const std::optional<Discs> discs = usual_discs(look);
+        struct Thread {
+            std::vector<Band> bands;
+            double ink = 0, all = 0;  // seconds
+        };
+        tbb::enumerable_thread_specific<Thread> threads;
+        for_each_stretch(rows, [&](int first, int end) {
+            using Clock = std::chrono::steady_clock;
+            Thread& thread = threads.local();
+            const auto begin = Clock::now();
+            if (thread.bands.empty()) thread.bands = empty_bands({view_.size.x, rows * parts});
+            const Stretch stretch{thread.bands, first, first, end};
+            clear(stretch);
+            const auto clean = Clock::now();
+            add(stretch, ink.dots, look, discs);
+            for (const RasterLines& lines : ink.lines) add(stretch, lines, look);
+            thread.ink += std::chrono::duration<double>(Clock::now() - clean).count();
+            write(stretch, pictures);
+            thread.all += std::chrono::duration<double>(Clock::now() - begin).count();
         });
+        double ink_seconds = 0, all_seconds = 1e-9;
+        for (const Thread& thread : threads) ink_seconds += thread.ink, all_seconds += thread.all;
+        return ink_seconds / all_seconds;
     }
 
  private:
-    void for_each_stretch(const auto& draw) {
-        const int rows = view_.size.y;
-        tbb::parallel_for(0, (rows + kRowsAtOnce - 1) / kRowsAtOnce, [&](int i) {
-            const SampleWindow window{
-                .first_row = std::max(i * kRowsAtOnce * kSide, page_.low.y),
-                .end_row = std::min(std::min((i + 1) * kRowsAtOnce, rows) * kSide, page_.high.y),
-                .first_column = page_.low.x,
-                .end_column = page_.high.x};
-            if (window.first_row < window.end_row) draw(window);
-        });
+    // Rows of the picture whose samples stand in bands, one for each pen, that begin with one of its rows.
+    struct Stretch {
+        std::vector<Band>& bands;
+        int bands_begin, first, end;
+    };
+
+    void look_at(const RasterView& view, int parts) {
+        parts_ = parts;
+        picture_ = view.size;
+        view_ = view;
+        view_.size *= parts;
+        view_.origin *= parts;
+        view_.pixels_per_unit *= parts;
+        const auto sample = [&](double pixel, int pixels) {
+            return static_cast<int>(std::lround(std::clamp(pixel, 0.0, double(pixels)) * side()));
+        };
+        page_ = {{sample(view.page.low.x, picture_.x), sample(view.page.low.y, picture_.y)},
+                 {sample(view.page.high.x, picture_.x), sample(view.page.high.y, picture_.y)}};
     }
 
-    void sum_parts(const Band& band, int y, std::span<std::uint16_t> counts, std::span<int> sums) const {
+    // Of a pixel of the picture.
+    int side() const { return kSide * parts_; }
+
+    std::vector<Band> empty_bands(glm::ivec2 size) const {
+        std::vector<Band> bands;
+        for (std::size_t pen = 0; pen < view_.pens; ++pen) bands.emplace_back(size.x, size.y);
+        return bands;
+    }
+
+    template <class Pixel>
+    void make_room(std::vector<Grid<Pixel>>& pictures) const {
+        pictures.resize((view_.pens + sizeof(Pixel) - 1) / sizeof(Pixel));
+        for (Grid<Pixel>& picture : pictures)
+            if (picture.width != picture_.x || picture.height != picture_.y)
+                picture = Grid<Pixel>(picture_.x, picture_.y);
+    }
+
+    void for_each_stretch(int rows, const auto& work) const {
+        tbb::parallel_for(0, (picture_.y + rows - 1) / rows,
+                          [&](int i) { work(i * rows, std::min((i + 1) * rows, picture_.y)); });
+    }
+
+    void clear(const Stretch& stretch) const {
+        for (Band& band : stretch.bands)
+            for (int row = stretch.first * parts_; row < stretch.end * parts_; ++row)
+                band.clear_row(row - stretch.bands_begin * parts_);
+    }
+
+    // Of the bands; those that lie on the page.
+    SampleWindow window_of(const Stretch& stretch) const {
+        const int begin = stretch.bands_begin * side();
+        return {.first_row = std::max(stretch.first * side(), page_.low.y) - begin,
+                .end_row = std::min(stretch.end * side(), page_.high.y) - begin,
+                .first_column = page_.low.x,
+                .end_column = page_.high.x};
+    }
+
+    glm::dvec2 origin_of(const Stretch& stretch) const {
+        return view_.origin * double{kSide} - glm::dvec2(0, stretch.bands_begin * side());
+    }
+
+    double scale() const { return view_.pixels_per_unit * kSide; }
+
+    std::optional<Discs> usual_discs(const RasterLook& look) const {
+        const double radius = look.radius * look.grow * scale();
+        return Discs::are_there_of(radius) ? std::optional<Discs>(radius) : std::nullopt;
+    }
+
+    void add(const Stretch& stretch, std::span<const RasterDots> dots, const RasterLook& look,
+             const std::optional<Discs>& discs) const {
+        const SampleWindow window = window_of(stretch);
+        if (window.first_row >= window.end_row) return;
+        const glm::dvec2 origin = origin_of(stretch);
+        const double scale = this->scale();
+        const double reach = std::max(look.radius, look.largest_radius) * look.grow * scale;
+        const double usual = look.radius * look.grow * scale;
+        for (const RasterDots& some : dots) {
+            const Dots& piece = *some.piece;
+            if (look.hidden >> piece.pen & 1) continue;
+            if (origin.y + double(some.high) * scale + reach < window.first_row ||
+                origin.y + double(some.low) * scale - reach > window.end_row)
+                continue;
+            const auto pen = static_cast<std::size_t>(piece.pen);
+            Band& band = stretch.bands[pen < view_.pens ? pen : 0];
+            const bool own_radii = !piece.radius.empty();
+            const bool fades = look.fade_scale > 0 && !piece.critical.empty();
+            const std::size_t end = some.first + some.count;
+            for (std::size_t i = some.first; i < end; i += some.limit ? 1 : some.every) {
+                if (some.limit && !(piece.critical[i] <= *some.limit)) continue;
+                const double y = origin.y + double(piece.y[i]) * scale;
+                const double radius = own_radii ? double(piece.radius[i]) * look.grow * scale : usual;
+                if (!(y + radius >= window.first_row && y - radius <= window.end_row)) continue;
+                const double x = origin.x + double(piece.x[i]) * scale;
+                const double there = fades ? presence(look.fade_scale, piece.critical[i]) : 1;
+                if (there <= 0) continue;
+                if (there < 1 || own_radii || !discs)
+                    band.add_disc(x, y, radius * std::sqrt(there), window);
+                else if (x + radius >= 0 && x - radius <= view_.size.x * double{kSide})
+                    discs->add(band, x, y, window);
+            }
+        }
+    }
+
+    void add(const Stretch& stretch, const RasterLines& lines, const RasterLook& look) const {
+        const SampleWindow window = window_of(stretch);
+        if (window.first_row >= window.end_row) return;
+        const glm::dvec2 origin = origin_of(stretch);
+        const double scale = this->scale();
+        for (std::size_t i = 0; i < lines.lines.size(); i += lines.every) {
+            const std::size_t pen = lines.pens.empty() ? 0 : lines.pens[i];
+            if (look.hidden >> pen & 1) continue;
+            const glm::dvec4 line = glm::dvec4(lines.lines[i]) * scale;
+            const glm::dvec2 from = origin + glm::dvec2(line.x, line.y),
+                             to = origin + glm::dvec2(line.z, line.w);
+            const double width = lines.widths.empty() ? lines.width : lines.widths[i];
+            const double radius = width / 2 * look.grow * scale;
+            if (!(std::max(from.y, to.y) + radius >= window.first_row &&
+                  std::min(from.y, to.y) - radius <= window.end_row))
+                continue;
+            stretch.bands[pen < view_.pens ? pen : 0].add_capsule(from, to, radius, window);
+        }
+    }
+
+    template <class Pixel>
+    void write(const Stretch& stretch, std::vector<Grid<Pixel>>& pictures) const {
+        constexpr std::size_t kPens = sizeof(Pixel);
+        std::vector<float> across;  // how much of a full byte one sample is
+        for (int x = 0; x < picture_.x; ++x)
+            across.push_back(255.0f / static_cast<float>(std::max(on_page(x, page_.low.x, page_.high.x), 1)));
+        std::vector<std::uint16_t> counts(view_.size.x);
+        std::vector<int> sums(picture_.x);
+        for (int y = stretch.first; y < stretch.end; ++y) {
+            const float down = 1.0f / static_cast<float>(std::max(on_page(y, page_.low.y, page_.high.y), 1));
+            for (std::size_t pen = 0; pen < pictures.size() * kPens; ++pen) {
+                std::ranges::fill(sums, 0);
+                if (pen < view_.pens) sum_parts(stretch.bands[pen], y - stretch.bands_begin, counts, sums);
+                Pixel* const row = pictures[pen / kPens].row(y);
+                for (int x = 0; x < picture_.x; ++x) {
+                    const auto byte = static_cast<std::uint8_t>(
+                        static_cast<int>(static_cast<float>(sums[x]) * across[x] * down + 0.5f));
+                    if constexpr (kPens == 1)
+                        row[x] = byte;
+                    else
+                        row[x][static_cast<int>(pen % kPens)] = byte;
+                }
+            }
+        }
+    }
+
+    void sum_parts(const Band& band, int row, std::span<std::uint16_t> counts, std::span<int> sums) const {
         for (int part = 0; part < parts_; ++part) {
-            count_row(band, y * parts_ + part, counts);
+            count_row(band, row * parts_ + part, counts);
             if (parts_ == 1) {
                 std::ranges::copy(counts, sums.begin());
                 continue;
@@ -249,15 +333,15 @@ class SampledView {
 
     // Of a pixel's samples in one direction those between; what lies on the page is all there is.
     int on_page(int pixel, int first, int end) const {
-        const int side = kSide * parts_;
-        return std::clamp(end - pixel * side, 0, side) - std::clamp(first - pixel * side, 0, side);
+        return std::clamp(end - pixel * side(), 0, side()) - std::clamp(first - pixel * side(), 0, side());
     }
 
     RasterView view_;           // in parts of pixels
     glm::ivec2 picture_{0, 0};  // pixels
     int parts_ = 1;
     Rectangle<int> page_{{0, 0}, {0, 0}};  // samples
-    std::vector<Band> bands_;              // a pen each
+    std::vector<Band> bands_;              // a pen each, for all of the picture
+    glm::ivec2 bands_size_{0, 0};
 };
 
 }  // namespace
@@ -310,11 +394,24 @@ void DotRaster::add(const RasterLines& lines, const RasterLook& look) {
 }
 
 template <class Pixel>
-void DotRaster::finish(std::vector<Grid<Pixel>>& pictures) const {
-    samples_->visit([&](const auto& sampled) { sampled.finish(pictures); });
+void DotRaster::finish(std::vector<Grid<Pixel>>& pictures) {
+    samples_->visit([&](auto& sampled) { sampled.finish(pictures); });
 }
 
-template void DotRaster::finish(std::vector<Grid<std::uint8_t>>&) const;
-template void DotRaster::finish(std::vector<Grid<glm::u8vec4>>&) const;
+template <class Pixel>
+double DotRaster::draw(const RasterView& view, const RasterGrain& grain, const RasterInk& ink,
+                       const RasterLook& look, std::vector<Grid<Pixel>>& pictures) {
+    samples_->fineness = grain.fineness;
+    double share = 0;
+    samples_->visit([&](auto& sampled) { share = sampled.draw(view, grain.parts, ink, look, pictures); });
+    return share;
+}
+
+template void DotRaster::finish(std::vector<Grid<std::uint8_t>>&);
+template void DotRaster::finish(std::vector<Grid<glm::u8vec4>>&);
+template double DotRaster::draw(const RasterView&, const RasterGrain&, const RasterInk&, const RasterLook&,
+                                std::vector<Grid<std::uint8_t>>&);
+template double DotRaster::draw(const RasterView&, const RasterGrain&, const RasterInk&, const RasterLook&,
+                                std::vector<Grid<glm::u8vec4>>&);
 
 }  // namespace dapple

@@ -411,7 +411,7 @@ void DrawingDocument::draw(const Frame& frame) {
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
     canvas_.learn(frame.last_seconds);
-    canvas_.show(place, look(place), redraw);
+    frame.window.leave_out(canvas_.show(place, look(place), redraw));
     // What it says of the view is of the one that is seen now.
     if (session_.placed_once())
         paper_zoom_ = canvas_.camera().pixels_per_unit / session_.seen().page().layout.page.mm_per_page_unit *

@@ -95,6 +95,24 @@ GLFWmonitor* monitor_under(GLFWwindow* window) {
     return screens.empty() ? nullptr : monitors()[screen_under(rectangle(x, y, width, height), screens)];
 }
 
+void clear_around(const Rectangle<int>& hole, glm::ivec2 window) {
+    const glm::vec3 colour = rgb_of(ThemeColour::surround);
+    glClearColor(colour.r, colour.g, colour.b, 1);
+    const glm::ivec2 low = glm::clamp(hole.low, glm::ivec2(0), window),
+                     high = glm::clamp(hole.high, low, window);
+    glEnable(GL_SCISSOR_TEST);
+    for (const Rectangle<int>& part : {rectangle(0, 0, window.x, low.y),
+                                       {{0, high.y}, window},
+                                       {{0, low.y}, {low.x, high.y}},
+                                       {{high.x, low.y}, {window.x, high.y}}}) {
+        const glm::ivec2 size = part.size();
+        if (size.x <= 0 || size.y <= 0) continue;
+        glScissor(part.low.x, window.y - part.high.y, size.x, size.y);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void put_where_it_was(GLFWwindow* window, const WindowPlace& place) {
     if (place.width < kSmallestWidth || place.height < kSmallestHeight ||
         !is_within_reach(rectangle(place.x, place.y, place.width, place.height), work_areas()))
@@ -367,9 +385,7 @@ void Window::end_frame() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glm::ivec2 size = pixels();
     glViewport(0, 0, size.x, size.y);
-    glm::vec3 desk = rgb_of(ThemeColour::surround);
-    glClearColor(desk.r, desk.g, desk.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
+    clear_around(std::exchange(left_out_, {}), size);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
     seen_ = std::chrono::steady_clock::now();

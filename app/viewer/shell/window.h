@@ -12,6 +12,7 @@
 #include "app/viewer/shell/input_queue.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/theme.h"
+#include "core/image/rectangle.h"
 
 struct GLFWwindow;
 
@@ -57,6 +58,9 @@ class Window {
     std::string clipboard_text() const;
 
     void begin_frame();
+    /// All these pixels of this frame, from the upper left corner, come from somebody else: they get no
+    /// colour before, which where OpenGL is a program takes as long as the rest of the window.
+    void leave_out(const Rectangle<int>& pixels) { left_out_ = pixels; }
     /// Draws ImGui's part and shows the frame, unless it is one that need not be seen.
     void end_frame();
 
@@ -88,8 +92,9 @@ class Window {
     std::array<bool, 8> buttons_{};  // as many as GLFW has
     bool unseen_ = false;
     std::chrono::steady_clock::time_point seen_{};  // the last frame that was
-    bool damaged_ = false;                          // to be drawn again, whatever the reason
-    mutable WindowPlace place_;                     // while it was neither full screen nor maximised
+    Rectangle<int> left_out_{};
+    bool damaged_ = false;       // to be drawn again, whatever the reason
+    mutable WindowPlace place_;  // while it was neither full screen nor maximised
     float content_scale_ = 0;
     Appearance appearance_, applied_;
     glm::ivec2 windowed_corner_{0}, windowed_size_{0};

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "app/viewer/model/sampled_pixels.h"
@@ -123,6 +124,50 @@ TEST_CASE("dots however small cover what they have to: scattered at random, all 
             CHECK(std::abs(mean_coverage(dots, radius, Fineness::full) - expected) < chance);
             CHECK(std::abs(mean_coverage(dots, radius, Fineness::quick) - expected) < chance);
         }
+    }
+}
+
+TEST_CASE(
+    "drawn at once and in steps it is the same: dots and lines, of several pens, on a page cut off "
+    "anywhere") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(0, 1);
+    std::vector<Dots> pieces(3);
+    for (std::size_t i = 0; i < 3000; ++i) {
+        Dots& piece = pieces[i % 3];
+        piece.pen = static_cast<int>(i % 3);
+        piece.x.push_back(place(random));
+        piece.y.push_back(place(random));
+    }
+    const std::vector<glm::vec4> lines{{0.1f, 0.1f, 0.9f, 0.7f}, {0.2f, 0.9f, 0.2f, 0.9f}};
+    const std::vector<float> widths{0.01f, 0.03f};
+    const std::vector<std::uint8_t> pens{1, 2};
+    for (const RasterGrain grain :
+         {RasterGrain{Fineness::quick, 1}, {Fineness::quick, 3}, {Fineness::full, 2}}) {
+        const RasterView view{.size = {301, 211},
+                              .origin = {2.3, 5.6},
+                              .pixels_per_unit = 200,
+                              .page = {{3.4, 7.1}, {280.9, 199.3}},
+                              .pens = 3};
+        const RasterLook look{.radius = 0.007, .hidden = 0};
+        RasterInk ink{.lines = {{.lines = lines, .widths = widths, .pens = pens}}};
+        for (const Dots& piece : pieces)
+            ink.dots.push_back({.piece = &piece, .count = piece.size(), .high = 1});
+        DotRaster raster;
+        std::vector<Grid<glm::u8vec4>> in_steps, at_once;
+        raster.begin(view, grain);
+        for (const RasterDots& dots : ink.dots) raster.add(std::span(&dots, 1), look);
+        raster.add(ink.lines[0], look);
+        raster.finish(in_steps);
+        const double share = raster.draw(view, grain, ink, look, at_once);
+        CHECK(share > 0);
+        CHECK(share < 1);
+        REQUIRE(at_once.size() == 1);
+        CHECK(at_once[0].values == in_steps.at(0).values);
+        // What lies beyond the page stays bare.
+        CHECK(at_once[0].at(1, 100) == glm::u8vec4(0));
+        CHECK(at_once[0].at(290, 100) == glm::u8vec4(0));
+        CHECK(at_once[0].at(100, 205) == glm::u8vec4(0));
     }
 }
 
