@@ -165,7 +165,10 @@ class SampledView {
             thread.all += std::chrono::duration<double>(Clock::now() - begin).count();
         });
         double ink_seconds = 0, all_seconds = 1e-9;
-        for (const Thread& thread : threads) ink_seconds += thread.ink, all_seconds += thread.all;
+        threads.combine_each([&](const Thread& thread) {
+            ink_seconds += thread.ink;
+            all_seconds += thread.all;
+        });
         return ink_seconds / all_seconds;
     }
 

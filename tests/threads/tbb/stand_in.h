@@ -181,6 +181,7 @@ inline int max_concurrency() {
 template <class Value>
 class enumerable_thread_specific {
  public:
+    enumerable_thread_specific() : make_(std::make_unique<Value>) {}
     /// From a function that makes one, or from what each is made of.
     template <class Maker>
     explicit enumerable_thread_specific(const Maker& maker) {
@@ -195,6 +196,9 @@ class enumerable_thread_specific {
         std::unique_ptr<Value>& own = values_[std::this_thread::get_id()];
         if (!own) own = make_();
         return *own;
+    }
+    void combine_each(const auto& take) {
+        for (const auto& [thread, own] : values_) take(*own);
     }
 
  private:
