@@ -358,7 +358,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     });
     add_text(app, setting::margin,
              reading("--margin", [&page](const std::string& text) { page.margins = parse_margins(text); }))
-        ->default_str("0mm");
+        ->default_str(page.margins ? text_of(*page.margins) + "mm" : "auto");
     add_choice(app, setting::fit, page.fit);
     add_text(
         app, "--crop", "X,Y,WxH",

@@ -224,9 +224,12 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
                                       {"detail", drawn.tone.detail},
                                       {"black", drawn.tone.black.value_or(1)},
                                       {"invert", drawn.tone.invert}};
-    const auto [top, right, bottom, left] = settings.page.margins;
+    const auto [top, right, bottom, left] = settings.page.margins.value_or(Margins{});
     nlohmann::ordered_json margin = top;
-    if (settings.page.margins != Margins{top, top, top, top}) margin = {top, right, bottom, left};
+    if (!settings.page.margins)
+        margin = "auto";
+    else if (settings.page.margins != Margins{top, top, top, top})
+        margin = {top, right, bottom, left};
     const nlohmann::ordered_json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", drawn.width},

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 PageSetup upright_page(Paper paper, double margin_mm) {
     PageSetup page;
     page.paper = paper;
-    page.margins = {margin_mm, margin_mm, margin_mm, margin_mm};
+    page.margins = Margins{margin_mm, margin_mm, margin_mm, margin_mm};
     return page;
 }
 

@@ -41,7 +41,7 @@ DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& savin
     DrawingFacts facts{.dots = drawing.dots.count,
                        .ink = inked_dot(settings, format, drawing),
                        .is_svg = format == DrawingFormat::svg,
-                       .has_margins = settings.page.margins != Margins{},
+                       .has_margins = settings.page.margins.value_or(Margins{}) != Margins{},
                        .page = drawing.page};
     if (has_pixels(format)) facts.dpi = drawing.saving.dpi;
     if (format == DrawingFormat::hpgl) facts.reach_mm = kHpglReachMm;

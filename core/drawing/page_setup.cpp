@@ -137,7 +137,7 @@ Framing framing_of(const PageSetup& setup, glm::ivec2 picture) {
     if (setup.crop) framing.pixels = cropped(*setup.crop, picture);
     const std::optional<glm::dvec2> page = own_size(setup, framing.size());
     if (!page || setup.fit != PageFit::fill) return framing;
-    glm::dvec2 room = room_on(*page, setup.margins);
+    glm::dvec2 room = room_on(*page, setup.margins.value_or(Margins{}));
     if (setup.quarter_turns % 2) room = {room.y, room.x};
     const glm::dvec2 size = framing.pixels.size();
     const double scale = std::min(size.x / room.x, size.y / room.y);
@@ -149,7 +149,7 @@ Framing framing_of(const PageSetup& setup, glm::ivec2 picture) {
 }
 
 PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const DotReach& reach) {
-    const Margins& margins = setup.margins;
+    const Margins margins = setup.margins.value_or(Margins{});
     const glm::dvec2 pixels(framed_picture), bare(margins.left + margins.right, margins.top + margins.bottom);
     const double longer = std::max(pixels.x, pixels.y);
     glm::dvec2 size, room;
@@ -181,7 +181,8 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
     }
     const glm::dvec2 drawn = pixels * mm_per_pixel;
     const glm::dvec2 corner = within.low + glm::max((room - drawn) / 2.0, 0.0);
-    return {{size.x, size.y, longer * mm_per_pixel}, {corner, corner + drawn}, within};
+    const double reach_mm = std::max(reach.mm, reach.picture_units * longer * mm_per_pixel);
+    return {{size.x, size.y, longer * mm_per_pixel}, {corner, corner + drawn}, within, reach_mm};
 }
 
 void read_paper(std::string_view text, PageSetup& setup) {
@@ -216,15 +217,16 @@ void read_paper(std::string_view text, PageSetup& setup) {
     setup.height_mm = *height;
 }
 
-Margins parse_margins(std::string_view text) {
+std::optional<Margins> parse_margins(std::string_view text) {
+    if (text == "auto") return std::nullopt;
     std::vector<double> lengths;
     for (std::string_view rest = text;;) {
         const std::size_t comma = rest.find(',');
         const std::optional<double> length = millimetres_of(rest.substr(0, comma));
         if (!length || !std::isfinite(*length))
             throw std::runtime_error(
-                fmt::format("{} is not a length in mm, cm, in or pt, nor four with commas between them: top, "
-                            "right, bottom, left",
+                fmt::format("{} is not auto, nor a length in mm, cm, in or pt, nor four with commas between "
+                            "them: top, right, bottom, left",
                             text));
         if (*length < 0 || *length > kLongestPageMm)
             throw std::runtime_error(fmt::format(
@@ -234,8 +236,8 @@ Margins parse_margins(std::string_view text) {
         if (comma == std::string_view::npos) break;
         rest.remove_prefix(comma + 1);
     }
-    if (lengths.size() == 1) return {lengths[0], lengths[0], lengths[0], lengths[0]};
-    if (lengths.size() == 4) return {lengths[0], lengths[1], lengths[2], lengths[3]};
+    if (lengths.size() == 1) return Margins{lengths[0], lengths[0], lengths[0], lengths[0]};
+    if (lengths.size() == 4) return Margins{lengths[0], lengths[1], lengths[2], lengths[3]};
     throw std::runtime_error(fmt::format(
         "{}: give one margin for all sides, or four: top, right, bottom, left, as in 10,15,20,15", text));
 }

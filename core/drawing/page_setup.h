@@ -10,8 +10,8 @@
 //     │  └─────────────────────────┘ │   change their number.
 //     └──────────────────────────────┘
 //
-// Only a page of the picture's own shape without margins is filled to its edges with the dots' centres, so
-// that sheets and drawings that were always made so stay as they are.
+// Only a page of the picture's own shape whose margins are said to be 0 is filled to its edges with the dots'
+// centres, and cuts those that lie there.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -103,15 +103,16 @@ struct PageSetup {
     double width_mm = 200;  // of a custom page and of one of the picture's shape
     std::optional<double> height_mm =
         {};  // of a custom page; of one of the picture's shape instead of its width
-    Margins margins = {};
-    PageFit fit = PageFit::inside;  // no say in a page of the picture's shape
+    std::optional<Margins> margins = {};  // none: as wide as a dot reaches
+    PageFit fit = PageFit::inside;        // no say in a page of the picture's shape
     std::optional<Crop> crop = {};
     int quarter_turns = 0;  // of the picture, clockwise, after the crop: 0..3
 
     bool operator==(const PageSetup&) const = default;
 };
 
-/// Whether all of every dot is kept within the margins: not on a page of the picture's shape without margins.
+/// Whether all of every dot is kept within the margins: not on a page of the picture's shape with margins of
+/// 0.
 bool keeps_dots_inside(const PageSetup& setup);
 
 /// What is drawn of a picture of so many pixels. Throws std::runtime_error if the crop reaches beyond it.
@@ -126,8 +127,9 @@ struct DotReach {
 /// In millimetres from the page's upper left corner.
 struct PageLayout {
     PageSize page;  // the page unit is the picture's longer side
-    Rectangle<double> picture;
-    Rectangle<double> within_margins;
+    Rectangle<double> picture = {};
+    Rectangle<double> within_margins = {};
+    double reach_mm = 0;  // of a dot: the usual margin
 };
 
 /// The page of a picture that is so many pixels large once it is framed. Its size does not depend on the
@@ -138,8 +140,8 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
 /// height. Throws std::runtime_error saying what is wrong.
 void read_paper(std::string_view text, PageSetup& setup);
 
-/// "15mm", all around; "10,15,20,15": top, right, bottom, left. Throws std::runtime_error.
-Margins parse_margins(std::string_view text);
+/// "15mm", all around; "10,15,20,15": top, right, bottom, left; "auto": none. Throws std::runtime_error.
+std::optional<Margins> parse_margins(std::string_view text);
 /// The same, in millimetres: "15" or "10,15,20,15".
 std::string text_of(const Margins& margins);
 

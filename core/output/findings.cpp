@@ -135,7 +135,8 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (measured.over_edge > 0)
         found.push_back({FindingKind::over_edge,
                          dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
-                         fmt::format("a margin of {:.1f} mm keeps them on it", reach), reach});
+                         fmt::format("a margin of {:.1f} mm or an automatic one keeps them on it", reach),
+                         reach});
     if (facts.has_margins && measured.outside_margins > 0)
         found.push_back({FindingKind::in_margins,
                          dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",

@@ -329,6 +329,13 @@ void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<
     chosen = static_cast<std::size_t>(at - names.begin());
 }
 
+void Fields::presence(FieldName name, bool& some) {
+    if (way_ == Way::write && !some)
+        written(name) = Json();
+    else if (const Json* const found = read(name))
+        some = !found->is_null();
+}
+
 void Fields::group(FieldName name, const std::function<void(Fields&)>& describe_it) {
     if (way_ == Way::read && !has(name)) return;
     Json& inner = written(name);

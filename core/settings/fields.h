@@ -137,6 +137,15 @@ class Fields {
         group(name, [&](Fields& fields) { describe(fields, settings); });
     }
     void group(FieldName name, const std::function<void(Fields&)>& describe_it);
+    /// The same of settings that may be none, which is null.
+    template <class Settings>
+    void optional_group(FieldName name, std::optional<Settings>& settings) {
+        bool some = settings.has_value();
+        presence(name, some);
+        if (!some) return settings.reset();
+        if (!settings) settings.emplace();
+        group(name, *settings);
+    }
 
     /// Whether the object has such a field.
     bool has(FieldName name) const;
@@ -151,6 +160,9 @@ class Fields {
 
  private:
     enum class Empty { refused, allowed };
+
+    /// Whether the field is an object rather than null.
+    void presence(FieldName name, bool& some);
 
     /// An index into `names`.
     void word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,

@@ -229,9 +229,12 @@ inline constexpr Setting margin{.names = {"margins_mm", "Margin", "--margin"},
                                 .track = {0, 100},
                                 .format = "%.3g",
                                 .length = true,
-                                .value = "LENGTH",
+                                .value = "auto|LENGTH",
                                 .help = "Bare paper on each side, in which no part of a dot lies",
-                                .more = ": 15mm, or top,right,bottom,left as in 10,15,20,15"};
+                                .more =
+                                    ": 15mm, or top,right,bottom,left as in 10,15,20,15; auto: as wide as "
+                                    "a dot's radius. 0 cuts the dots at the edges of a page of the "
+                                    "picture's shape"};
 inline constexpr Setting fit{.names = {"fit", "Fit", "--fit"},
                              .help =
                                  "inside: all of the picture, centred within the margins. fill: the middle "

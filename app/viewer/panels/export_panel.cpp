@@ -144,9 +144,8 @@ struct Cure {
     std::function<void(ViewerSettings& settings)> apply;
 };
 
-Margins widened(const Margins& margins, double least, double by) {
-    const auto wide = [&](double margin) { return std::max(margin + by, least); };
-    return {wide(margins.top), wide(margins.right), wide(margins.bottom), wide(margins.left)};
+Margins widened(const Margins& margins, double by) {
+    return {margins.top + by, margins.right + by, margins.bottom + by, margins.left + by};
 }
 
 constexpr double kOpenBlack = 0.7;  // of which hardly any dots overlap
@@ -177,15 +176,13 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
                             [](ViewerSettings& settings) { settings.drawing.tone.black = kOpenBlack; }};
             break;
         case FindingKind::over_edge:
-            return Cure{fmt::format("Margins of {:.1f} mm", amount), [amount](ViewerSettings& settings) {
-                            Margins& margins = settings.drawing.page.margins;
-                            margins = widened(margins, amount, 0);
-                        }};
+            return Cure{"Automatic margins",
+                        [](ViewerSettings& settings) { settings.drawing.page.margins.reset(); }};
         case FindingKind::in_margins:
             return Cure{fmt::format("Margins wider by {:.1f} mm", amount),
                         [amount](ViewerSettings& settings) {
-                            Margins& margins = settings.drawing.page.margins;
-                            margins = widened(margins, 0, amount);
+                            std::optional<Margins>& margins = settings.drawing.page.margins;
+                            margins = widened(margins.value_or(Margins{}), amount);
                         }};
         case FindingKind::fine_pixels:
             return Cure{fmt::format("{:.0f} dots per inch", amount),

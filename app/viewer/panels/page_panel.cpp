@@ -56,8 +56,12 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
     return changed;
 }
 
+Margins on_all_sides(double mm) {
+    return {mm, mm, mm, mm};
+}
+
 bool are_equal(const Margins& margins) {
-    return margins == Margins{margins.top, margins.top, margins.top, margins.top};
+    return margins == on_all_sides(margins.top);
 }
 
 // Whether each side has a row, though they may be alike at present.
@@ -65,45 +69,74 @@ bool& each_side() {
     return *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
 }
 
-SliderRange margin_range(const PageSize& drawn, LengthUnit unit, const char* tip) {
-    // The picture keeps some room.
-    const double shorter = std::min(drawn.width_mm, drawn.height_mm);
-    return range_of(setting::margin, {.most = std::max(shorter * 0.49, 1.0),
-                                      .track = Track{0, std::clamp(shorter * 0.3, 1.0, 100.0)},
-                                      .unit = unit,
-                                      .tip = tip});
-}
-
 constexpr const char* kOneMargin = "How wide the bare paper is along this edge.";
 
-bool draw_margin(Margins& margins, const PageSize& drawn, LengthUnit unit) {
-    const bool alike = !each_side() && are_equal(margins);
-    const char* const tip = alike ? "How wide the bare paper is along all four edges." : kOneMargin;
-    const bool changed =
-        slider_row(alike ? setting::margin.names.row : "Top", margins.top, margin_range(drawn, unit, tip));
-    if (alike) margins = {margins.top, margins.top, margins.top, margins.top};
-    return changed;
-}
+// The page's margins, or those that are automatic, which are as wide as a dot reaches.
+class MarginRows {
+ public:
+    MarginRows(std::optional<Margins>& margins, const PageLayout& drawn, LengthUnit unit)
+        : margins_(margins),
+          usual_(drawn.reach_mm),
+          shown_(margins.value_or(on_all_sides(usual_))),
+          shorter_(std::min(drawn.page.width_mm, drawn.page.height_mm)),
+          unit_(unit) {}
 
-bool draw_other_margins(Margins& margins, const PageSize& drawn, LengthUnit unit) {
-    int by = each_side() || !are_equal(margins) ? 1 : 0;
-    bool changed = false;
-    if (segmented_row("Margins", by, std::array{"equal", "each side"},
-                      "Bare paper along the edges, in which no part of a dot lies. each side: they may "
-                      "differ.")) {
-        each_side() = by == 1;
-        if (by == 0) {
-            changed = !are_equal(margins);
-            margins = {margins.top, margins.top, margins.top, margins.top};
-        }
+    bool draw_first() {
+        const bool alike = !each_side() && are_equal(shown_);
+        const bool changed = row(alike ? setting::margin.names.row : "Top", shown_.top,
+                                 alike ? "How wide the bare paper is along all four edges. As usual it is as "
+                                         "wide as a dot's radius, so that no dot is cut."
+                                       : kOneMargin);
+        if (alike) shown_ = on_all_sides(shown_.top);
+        return taken(changed);
     }
-    const Absent absent(by == 0 ? "Applies to margins that differ: choose \"each side\" for Margins."
-                                : nullptr);
-    const SliderRange range = margin_range(drawn, unit, kOneMargin);
-    changed |= slider_row("Right", margins.right, range);
-    changed |= slider_row("Bottom", margins.bottom, range);
-    return slider_row("Left", margins.left, range) || changed;
-}
+
+    bool draw_others() {
+        int by = each_side() || !are_equal(shown_) ? 1 : 0;
+        bool changed = false;
+        if (segmented_row("Margins", by, std::array{"equal", "each side"},
+                          "Bare paper along the edges, in which no part of a dot lies. each side: they may "
+                          "differ.")) {
+            each_side() = by == 1;
+            if (by == 0) {
+                changed = !are_equal(shown_);
+                shown_ = on_all_sides(shown_.top);
+            }
+        }
+        const Absent absent(by == 0 ? "Applies to margins that differ: choose \"each side\" for Margins."
+                                    : nullptr);
+        changed |= row("Right", shown_.right, kOneMargin);
+        changed |= row("Bottom", shown_.bottom, kOneMargin);
+        changed |= row("Left", shown_.left, kOneMargin);
+        return taken(changed);
+    }
+
+ private:
+    bool row(const char* label, double& side, const char* tip) const {
+        // The picture keeps some room.
+        return slider_row(
+            label, side,
+            range_of(setting::margin, {.usual = usual_,
+                                       .most = std::max(shorter_ * 0.49, 1.0),
+                                       .track = Track{0, std::clamp(shorter_ * 0.3, 1.0, 100.0)},
+                                       .unit = unit_,
+                                       .tip = tip}));
+    }
+
+    // The usual ones are automatic again: other dots have their own.
+    bool taken(bool changed) {
+        if (!changed) return false;
+        margins_ = shown_;
+        if (shown_ == on_all_sides(usual_)) margins_.reset();
+        return true;
+    }
+
+    std::optional<Margins>& margins_;
+    double usual_;
+    Margins shown_;
+    double shorter_;  // side of the page, mm
+    LengthUnit unit_;
+};
 
 bool draw_number_of_sheets(const char* label, int& number) {
     double shown = number;
@@ -141,10 +174,10 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
 
 }  // namespace
 
-bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
+bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, LengthUnit unit) {
     if (!section("Page")) return false;
     // "Paper" alone is the colour of it.
-    bool changed = draw_paper(setup, drawn);
+    bool changed = draw_paper(setup, drawn.page);
     {
         const Absent absent(setup.paper == Paper::as_picture ? kPictureShape : nullptr);
         int orientation = static_cast<int>(setup.orientation);
@@ -161,11 +194,12 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, Len
             changed = true;
         }
     }
-    changed |= draw_sides(setup, drawn, unit);
-    changed |= draw_margin(setup.margins, drawn, unit);
+    changed |= draw_sides(setup, drawn.page, unit);
+    MarginRows margins(setup.margins, drawn, unit);
+    changed |= margins.draw_first();
     if (!subsection("More page settings", false)) return changed;
-    changed |= draw_other_margins(setup.margins, drawn, unit);
-    return draw_sheets(sheets, drawn, unit) || changed;
+    changed |= margins.draw_others();
+    return draw_sheets(sheets, drawn.page, unit) || changed;
 }
 
 }  // namespace dapple

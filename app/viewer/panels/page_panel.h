@@ -9,6 +9,6 @@ namespace dapple {
 
 /// `drawn` is the page on screen: where a page of a size of one's own starts from. `unit` is what lengths are
 /// shown and typed in; settings keep millimetres. Returns true if it changed anything.
-bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageSize& drawn, LengthUnit unit);
+bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, LengthUnit unit);
 
 }  // namespace dapple

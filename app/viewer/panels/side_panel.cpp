@@ -71,7 +71,7 @@ void draw_settings(Session& session, PaletteRow* palettes) {
                               .photograph = &settings.picture_opacity});
     draw_pen_panel(drawing, settings.unit, {page.pens, dots_by_pen(page), &session.shown_pens},
                    {palettes, &session.banner}, mostly_black(histogram, page.tone));
-    draw_page_panel(drawing.page, drawing.sheets, drawn.page, settings.unit);
+    draw_page_panel(drawing.page, drawing.sheets, page.layout, settings.unit);
 }
 
 void draw_crop(Session& session) {

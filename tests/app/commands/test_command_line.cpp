@@ -172,7 +172,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--crop 0%,0%,1e-9%x100%", "--crop: the part is"},
           Wrong{"--dot-shape point --dot-radius 1", "--dot-radius: a point is as large as the pen makes it"},
           Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
-          Wrong{"--dot-radius 900..1000", "--dot-radius: no dots come out, as they are too large"},
+          Wrong{"--margin 0 --dot-radius 900..1000", "--dot-radius: no dots come out, as they are too large"},
           Wrong{"--nonsense", "--nonsense"}}) {
         scene.must_fail(from + wrong.option, wrong.words);
     }

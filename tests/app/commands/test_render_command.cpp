@@ -205,8 +205,9 @@ TEST_CASE("--dot-radius is the radius of the circles and of the spots of ink") {
 TEST_CASE("dots too small for the picture's tone are told, with a number and a width that do") {
     const Scene scene;
     const auto said = [&](const std::string& options) {
-        const Outcome outcome = run_dapple("render " + scene("cat.png") + " --width 96 --relax 5 -o " +
-                                           scene("r.svg") + " " + options);
+        const Outcome outcome =
+            run_dapple("render " + scene("cat.png") + " --width 96 --margin 0 --relax 5 -o " +
+                       scene("r.svg") + " " + options);
         REQUIRE(outcome.status == 0);
         return outcome.err;
     };

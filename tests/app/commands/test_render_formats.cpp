@@ -228,7 +228,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
     const std::string text = text_of(scene("a.nc"));
     CHECK(text.starts_with("; begin 3000\nX"));
     CHECK(text.ends_with("\nD0.1R0.25\n; end\n"));
-    const std::vector<TableDot> table = table_of(scene);
+    const std::vector<TableDot> table = table_of(scene, "--dot-radius 0.25");
     std::istringstream lines(text);
     std::string line;
     std::getline(lines, line);

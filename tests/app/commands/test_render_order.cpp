@@ -44,6 +44,7 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         settings.placing.scale = 500;
         settings.placing.thresholds = true;
         settings.relax = asked.relax;
+        settings.page.margins = Margins{};
         settings.dot_size = {.sizing = asked.sizing, .smallest_mm = 0.2, .largest_mm = 0.5};
         Pipeline pipeline;
         pipeline.set_light(read_picture(scene("cat.png")).light);
@@ -52,8 +53,8 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
         Stippling drawn;
         REQUIRE(pipeline.draw(plan, drawn));
         for (const std::string ending : {".svg", ".csv", ".png", ".nc", ".json"}) {
-            REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) + " " +
-                               asked.options)
+            REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) +
+                               " --margin 0 " + asked.options)
                         .status == 0);
             CHECK(save_drawing(scene("window" + ending), settings,
                                {.dots = stream_of(drawn.dots, drawn.scale),
@@ -88,7 +89,7 @@ TEST_CASE("dots that are sorted in memory are those that are written as they are
 TEST_CASE("on a terminal a bar shows how much is written, and then what a plotter will make of it") {
     const Scene scene;
     const std::string command = "\"$DAPPLE\" render " + scene("cat.png") + " -o " + scene("cat.svg") +
-                                " --dots 3000 --stats " + scene("cat.json");
+                                " --dots 3000 --margin 0 --stats " + scene("cat.json");
     const Outcome outcome =
         run_in_shell("export ASAN_OPTIONS=detect_leaks=0; script -qec '" + command + "' /dev/null");
     REQUIRE(outcome.status == 0);

@@ -260,8 +260,8 @@ TEST_CASE(
     PictureFile grey{.width = 40, .height = 40, .values = std::vector<float>(1600, 0.6f)};
     write_picture(scene.folder / "grey.png", grey);
     for (const double gamma : {1.0, 2.0}) {
-        draw(scene("grey.png") + " --dots 6000 --relax 4 --tone true --gamma " + std::to_string(gamma) +
-             " -o " + scene("g.csv") + " --stats " + scene("stats.json"));
+        draw(scene("grey.png") + " --margin 0 --dots 6000 --relax 4 --tone true --gamma " +
+             std::to_string(gamma) + " -o " + scene("g.csv") + " --stats " + scene("stats.json"));
         const double ink = 1 - srgb_to_linear(static_cast<float>(std::pow(153 / 255.0, 1 / gamma)));
         const nlohmann::json stats = read_json(scene("stats.json"));
         const double radius = stats["dot_radius_mm"], load = 6000 * 3.14159265 * radius * radius / 40'000;

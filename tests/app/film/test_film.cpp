@@ -154,7 +154,9 @@ TEST_CASE(
     Pipeline pipeline = pipeline_of(ramp);
     for (const FilmKind kind : {FilmKind::growth, FilmKind::plot}) {
         CAPTURE(name_of(kind));
-        const DrawingSettings settings = film_settings(settings_for(2000), kind);
+        DrawingSettings asked = settings_for(2000);
+        asked.page.margins = Margins{};
+        const DrawingSettings settings = film_settings(asked, kind);
         DrawingPlan plan = pipeline.plan(settings);
         const DotStream dots = pipeline.stream(plan);
         const PageSize page = plan.layout(dots.scale).page;
@@ -163,7 +165,7 @@ TEST_CASE(
                                    .page = page,
                                    .dot_radius_mm = plan.radius(dots.scale) * page.mm_per_page_unit,
                                    .saving = {.dpi = dpi_for(page, 300)}});
-        const FilmFrame frame = film_frames(pipeline, settings_for(2000), {.kind = kind, .longer_side = 300});
+        const FilmFrame frame = film_frames(pipeline, asked, {.kind = kind, .longer_side = 300});
         CHECK(frame(1).values == whole.values);
         CHECK(frame(0.5).values != whole.values);
         if (kind == FilmKind::plot) {

@@ -59,7 +59,7 @@ ViewerSettings nothing_usual() {
                  .orientation = PageOrientation::landscape,
                  .width_mm = 321.5,
                  .height_mm = 123.25,
-                 .margins = {11, 12.5, 13, 14},
+                 .margins = Margins{11, 12.5, 13, 14},
                  .fit = PageFit::fill,
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},

@@ -91,6 +91,24 @@ TEST_CASE("the picture and the dots' radius around it lie in the middle of what 
     }
 }
 
+TEST_CASE("usual margins cut no dot of a page of the picture's shape, whose size they leave; those of 0 do") {
+    const DotReach reach{.mm = 0.5, .picture_units = 0.01};
+    PageSetup setup{.width_mm = 150, .margins = parse_margins("auto")};
+    CHECK(keeps_dots_inside(setup));
+    const PageLayout usual = layout_of(setup, {300, 200}, reach);
+    CHECK(usual.page.width_mm == 150);
+    CHECK(usual.page.height_mm == doctest::Approx(100));
+    CHECK(usual.reach_mm == doctest::Approx(0.01 * usual.page.mm_per_page_unit));
+    const auto [low, high] = usual.picture;
+    CHECK(low.y == doctest::Approx(usual.reach_mm));
+    CHECK(high.y == doctest::Approx(100 - usual.reach_mm));
+    CHECK(low.x > usual.reach_mm);
+    CHECK((high.x - low.x) / (high.y - low.y) == doctest::Approx(1.5));
+    setup.margins = Margins{};
+    CHECK_FALSE(keeps_dots_inside(setup));
+    CHECK(layout_of(setup, {300, 200}, reach).picture == Rectangle<double>{{0, 0}, {150, 100}});
+}
+
 TEST_CASE(
     "filled, the page shows the middle of the crop, in the shape that the margins leave; the turns come "
     "last") {
@@ -98,7 +116,7 @@ TEST_CASE(
     setup.fit = PageFit::fill;
     setup.crop = parse_crop("10%,0%,80%x100%");
     CHECK(framing_of(setup, {300, 100}) == Framing{{{100, 0}, {200, 100}}, 0});
-    setup.margins = {};
+    setup.margins.reset();
     setup.quarter_turns = 1;  // 2 by 3 on the page, so 3 by 2 of the picture
     CHECK(framing_of(setup, {300, 100}) == Framing{{{75, 0}, {225, 100}}, 1});
     CHECK(framing_of(setup, {300, 100}).size() == glm::ivec2(100, 150));
@@ -133,8 +151,8 @@ TEST_CASE("margins without room, and what is none, are refused with what is wron
     CHECK(why_not([] {
               return layout_of(on_paper("20x20"), {2, 3}, {.mm = 10});
           }) == "20 x 20 mm within the margins leave no room for dots of radius 10 mm");
-    CHECK(text_of(parse_margins("1cm")) == "10");
-    CHECK(text_of(parse_margins("1cm,2,1in,0")) == "10,2,25.4,0");
+    CHECK(text_of(*parse_margins("1cm")) == "10");
+    CHECK(text_of(*parse_margins("1cm,2,1in,0")) == "10,2,25.4,0");
     for (const char* const wrong : {"", "wide", "1,2", "1,2,3,4,5", "-1", "1,2,3,inf"})
         CHECK_THROWS_AS(parse_margins(wrong), std::runtime_error);
     CHECK(parse_crop("0,0,100%x50%") == parse_crop("0%,0%,100%x50%"));  // 0 is the same in either unit

@@ -398,11 +398,12 @@ TEST_CASE("how many dots there are follows from their sizes") {
     Pipeline pipeline = pipeline_of(ramp());
     const auto count = [&](double smallest, double largest, double width, std::uint64_t asked) {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
-        return static_cast<double>(all_of(pipeline.stream(pipeline.plan({.placing = {.count = asked},
-                                                                         .relax = 3,
-                                                                         .dot_size = size,
-                                                                         .page = {.width_mm = width}})))
-                                       .size());
+        return static_cast<double>(
+            all_of(pipeline.stream(pipeline.plan({.placing = {.count = asked},
+                                                  .relax = 3,
+                                                  .dot_size = size,
+                                                  .page = {.width_mm = width, .margins = Margins{}}})))
+                .size());
     };
     const double usual = count(0.5, 1, 200, 7);
     CHECK(count(0.5, 1, 200, 5000) == usual);  // what was asked for has no say
@@ -417,8 +418,9 @@ TEST_CASE("a plan says how large its dots are") {
     DrawingRequest fixed = request, by_tone = request;
     fixed.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
     by_tone.dot_size = kByTone;
-    CHECK(pipeline.plan(fixed).radius(123) == doctest::Approx(0.8 / 160));
-    CHECK(pipeline.plan(by_tone).radius(123) == doctest::Approx(1.0 / 160));
+    // On a page of 160 x 80 mm, whose usual margins leave the picture that much less of its height.
+    CHECK(pipeline.plan(fixed).radius(123) == doctest::Approx(0.8 / (2 * (80 - 2 * 0.8))));
+    CHECK(pipeline.plan(by_tone).radius(123) == doctest::Approx(1.0 / (2 * (80 - 2 * 1.0))));
     // On black, dots of that radius have full_load of the page's area.
     const DrawingPlan plan = pipeline.plan(request);
     const double radius = plan.radius(100);

@@ -193,7 +193,8 @@ TEST_CASE("dots over the page's edge and in its margins are told, of a sheet too
     facts.measured->over_edge = 1;
     facts.measured->outside_margins = 7;
     CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge});
-    CHECK(sentences_of(facts) == "1 dot reaches over the page's edge; a margin of 0.5 mm keeps them on it\n");
+    CHECK(sentences_of(facts) ==
+          "1 dot reaches over the page's edge; a margin of 0.5 mm or an automatic one keeps them on it\n");
     facts.has_margins = true;
     CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge, FindingKind::in_margins});
     facts.whole_page = false;

@@ -78,12 +78,12 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
         CHECK(text_of(by_window).size() > 1000);
         CHECK((text_of(by_window) == text_of(by_command)));
     };
-    const PageSetup margins{.margins = {10, 20, 30, 40}};
+    const PageSetup margins{.margins = Margins{10, 20, 30, 40}};
     const PageSetup part{
         .paper = Paper::custom, .width_mm = 90, .height_mm = 120, .crop = Crop{{{6, 12}, {50, 31}}}};
     const PageSetup filled{.paper = Paper::a4,
                            .orientation = PageOrientation::landscape,
-                           .margins = {15, 15, 15, 15},
+                           .margins = Margins{15, 15, 15, 15},
                            .fit = PageFit::fill,
                            .quarter_turns = 1};
     DrawingSettings lines = drawing, spirals = drawing;
@@ -153,7 +153,7 @@ TEST_CASE("window and command save the same sheets of a mural, and the same plan
     DrawingSettings drawing;
     drawing.placing.count = 1000;
     drawing.relax = 1;
-    drawing.page.margins = {10, 20, 30, 40};
+    drawing.page.margins = Margins{10, 20, 30, 40};
     drawing.sheets = {.columns = 2, .rows = 2, .overlap_mm = 8};
     SavingWindow window(drawing);
     DrawingSettings lines = drawing, tiles = drawing;

@@ -34,7 +34,7 @@ TEST_CASE("a change is told by the row that makes it") {
     CHECK(words([](ViewerSettings& s) { s.drawing.paper = kBlack; }) == "Paper");
     CHECK(words([](ViewerSettings& s) { s.drawing.placing.count = 5; }) == "Dots");
     CHECK(words([](ViewerSettings& s) { s.drawing.tone.black_point = 0.1f; }) == "Black point");
-    CHECK(words([](ViewerSettings& s) { s.drawing.page.margins = {1, 1, 1, 1}; }) == "Margins");
+    CHECK(words([](ViewerSettings& s) { s.drawing.page.margins = Margins{1, 1, 1, 1}; }) == "Margins");
     CHECK(words([](ViewerSettings& s) { s.drawing.pen_width_mm = 1; }) == "Pen width");
     CHECK(words([](ViewerSettings&) {}).empty());
 }
@@ -261,7 +261,7 @@ TEST_CASE("what undo and redo would change is said in a word or two") {
     CHECK_FALSE(session.undo_words());
     session.remember(false);
     CHECK(session.undo_words() == "Contrast");
-    session.settings.drawing.page.margins.left = 20;
+    session.settings.drawing.page.margins = Margins{.left = 20};
     session.settings.drawing.dot_size.sizing = DotSizing::fixed;
     session.settings.density.source = DensitySource::grey;
     session.remember(false);
@@ -295,8 +295,9 @@ TEST_CASE("each change has the name of its row") {
     DrawingSettings& drawing = settings.drawing;
     CHECK(words_after([&] { drawing.dot_size.sizing = DotSizing::by_tone; }) == "Dot size");
     CHECK(words_after([&] { drawing.dot_size.largest_mm = 2; }) == "Largest");
-    CHECK(words_after([&] { drawing.page.margins = {10, 10, 10, 10}; }) == "Margins");
-    CHECK(words_after([&] { drawing.page.margins.left = 20; }) == "Left");
+    CHECK(words_after([&] { drawing.page.margins = Margins{10, 10, 10, 10}; }) == "Margins");
+    CHECK(words_after([&] { drawing.page.margins->left = 20; }) == "Left");
+    CHECK(words_after([&] { drawing.page.margins.reset(); }) == "Margins");
     CHECK(words_after([&] {
               drawing.page.crop = Crop{{{10, 10}, {90, 90}}, Crop::Unit::percent};
           }) == "Crop");

@@ -65,7 +65,7 @@ TEST_CASE("the preview of settings is their page: ink where the picture is dark,
     settings.ink = {1, 0, 0};
     settings.paper = {0, 0, 1};
     settings.page.paper = Paper::a4;
-    settings.page.margins = {20, 20, 20, 20};
+    settings.page.margins = Margins{20, 20, 20, 20};
     const auto inked = [&] {
         const SmallPicture page =
             small_drawing(half_black(60, 60), settings, 297, {});  // a pixel a millimetre

@@ -77,7 +77,7 @@ Everything with_all_in_use() {
     all.drawing.dot_size.sizing = DotSizing::fixed;
     all.drawing.page.paper = Paper::custom;
     all.drawing.page.height_mm = 150;
-    all.drawing.page.margins = {1, 2, 3, 4};
+    all.drawing.page.margins = Margins{1, 2, 3, 4};
     all.drawing.sheets.columns = 2;
     all.drawing.pens = {.set = PenSet::own, .own = palette_of({.set = PenSet::cmyk, .width_mm = 0.3})};
     all.saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
@@ -120,7 +120,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
         {"dots", [&] { draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25}); }},
         {"page",
          [&] {
-             draw_page_panel(drawing.page, drawing.sheets, {200, 150, 200}, all.unit);
+             draw_page_panel(drawing.page, drawing.sheets, {.page = {200, 150, 200}}, all.unit);
          }},
         {"pens",
          [&] {
@@ -172,7 +172,7 @@ void draw_changing(Everything& one) {
     DrawingSettings& drawing = all.drawing;
     draw_tone_panel(drawing, {});
     draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25});
-    draw_page_panel(drawing.page, drawing.sheets, {200, 150, 200}, all.unit);
+    draw_page_panel(drawing.page, drawing.sheets, {.page = {200, 150, 200}}, all.unit);
     draw_pen_panel(drawing, LengthUnit::mm, {one.drawn_pens});
     draw_method_rows(all, {kTiles});
     draw_compare_panel(all, {kTiles});

@@ -72,7 +72,7 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
 TEST_CASE("what is wrong with an export is mended by a click, where there is one way to mend it") {
     ViewerSettings settings;
     settings.drawing.show_tiles = true;
-    settings.drawing.page.margins = {0, 7, 0, 0};
+    settings.drawing.page.margins = Margins{0, 7, 0, 0};
     ExportInfo info{.dots = 400, .bytes = 1e4, .trouble = {}};
     info.findings = {{FindingKind::hours, "plotting takes long", "8,400 dots take an hour", 8400},
                      {FindingKind::overlap, "dots overlap", "fewer part them"},
@@ -90,8 +90,8 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
     CHECK(settings.drawing.tone.black == 0.7);
     ui.frame();
     CHECK_FALSE(ui.has("Deepest black 0.7"));  // it would change nothing
-    ui.click("Margins of 0.4 mm");
-    CHECK(settings.drawing.page.margins == Margins{0.4, 7, 0.4, 0.4});
+    ui.click("Automatic margins");
+    CHECK_FALSE(settings.drawing.page.margins);
     ui.click("720 dots per inch");
     CHECK(settings.saving.dpi == 720);
     ui.click("Leave the tile boundaries out");

@@ -19,7 +19,7 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     PageSetup setup;
     Sheet sheets;
     LengthUnit unit = LengthUnit::mm;
-    const PageSize drawn{200, 150, 200};
+    const PageLayout drawn{.page = {200, 150, 200}, .reach_mm = 0.25};
     HeadlessUi ui([&] { draw_page_panel(setup, sheets, drawn, unit); });
     // A page of the picture's shape has no orientation, and one side rules.
     CHECK_FALSE(ui.has("Orientation"));
@@ -38,7 +38,7 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     CHECK(setup == PageSetup{.paper = Paper::a4,
                              .orientation = PageOrientation::landscape,
                              .width_mm = 180,
-                             .margins = {15, 15, 15, 15},
+                             .margins = Margins{15, 15, 15, 15},
                              .fit = PageFit::fill});
     ui.click("More page settings");
     ui.click("each side");
@@ -53,12 +53,31 @@ TEST_CASE("the page is a paper, or as large as is typed, with margins alike or e
     CHECK(setup.orientation == PageOrientation::automatic);
 }
 
+TEST_CASE("usual margins are as wide as a dot reaches, stay so when the dots change, and 0 is none") {
+    PageSetup setup;
+    Sheet sheets;
+    PageLayout drawn{.page = {200, 150, 200}, .reach_mm = 0.25};
+    HeadlessUi ui([&] { draw_page_panel(setup, sheets, drawn, LengthUnit::mm); });
+    ui.enter("Margin, mm", "0");
+    CHECK(setup.margins == Margins{});
+    ui.enter("Margin, mm", "0.25");
+    CHECK_FALSE(setup.margins);
+    ui.click("More page settings");
+    ui.click("each side");
+    CHECK_FALSE(setup.margins);
+    ui.enter("Right, mm", "3");
+    CHECK(setup.margins == Margins{0.25, 3, 0.25, 0.25});
+    drawn.reach_mm = 3;
+    ui.enter("Top, mm", "3");
+    CHECK(setup.margins == Margins{3, 3, 0.25, 0.25});
+}
+
 TEST_CASE("a mural's sheets share strips, and say how large they are or why they cannot be") {
     PageSetup setup;
     Sheet sheets;
     LengthUnit unit = LengthUnit::mm;
     HeadlessUi ui([&] {
-        draw_page_panel(setup, sheets, {200, 150, 200}, unit);
+        draw_page_panel(setup, sheets, {.page = {200, 150, 200}}, unit);
         wide_button("Below", "");
     });
     CHECK(sheets == Sheet{});
@@ -83,7 +102,7 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
     DrawingSettings& settings = all.drawing;
     HeadlessUi ui([&] {
         draw_dots_panel(settings, {}, all.unit);
-        draw_page_panel(settings.page, settings.sheets, {200, 150, 200}, all.unit);
+        draw_page_panel(settings.page, settings.sheets, {.page = {200, 150, 200}}, all.unit);
         draw_pen_panel(settings, all.unit);
         draw_preferences(appearance, desktop, &all.unit);
     });
@@ -91,7 +110,7 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
     ui.frame();
     ui.click("More page settings");
     ui.enter("Margin, mm", "10");
-    CHECK(settings.page.margins.top == 10);
+    CHECK(settings.page.margins->top == 10);
     const DrawingSettings before = settings;
     ui.click("inch");
     CHECK(all.unit == LengthUnit::inch);
@@ -104,7 +123,7 @@ TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept 
     ui.enter("Width, in", "8.5");
     CHECK(settings.page.width_mm == doctest::Approx(215.9));
     ui.enter("Margin, in", "12mm");
-    CHECK(settings.page.margins.left == doctest::Approx(12));
+    CHECK(settings.page.margins->left == doctest::Approx(12));
     ui.click("fixed");
     ui.enter("Radius, in", "0.01");
     CHECK(settings.dot_size.radius_mm == doctest::Approx(0.254));

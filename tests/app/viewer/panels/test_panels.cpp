@@ -25,7 +25,8 @@ TEST_CASE("every panel fits its column without cutting a label") {
     HeadlessUi ui([&] {
         draw_tone_panel(settings.drawing, {});
         draw_dots_panel(settings.drawing, {});
-        draw_page_panel(settings.drawing.page, settings.drawing.sheets, {200, 150, 200}, settings.unit);
+        draw_page_panel(settings.drawing.page, settings.drawing.sheets, {.page = {200, 150, 200}},
+                        settings.unit);
         draw_method_rows(settings, {kTiles});
         draw_compare_panel(settings, {kTiles});
     });
