@@ -48,13 +48,9 @@ std::string name_of(const fs::path& project, const fs::path& picture) {
 Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
     : settings{.drawing = drawing},
       history_({settings, opened_}),
-      wake_(std::move(wake)),
       most_dots_(most_dots),
       tiles_(drawing.tile),
-      pane_(wake_),
-      right_(wake_),
-      was_(wake_),
-      as_it_was_(drawing) {
+      pane_(std::move(wake)) {
     safe_ = drawing;
 }
 
@@ -426,13 +422,13 @@ void Session::save_film(const fs::path& path) {
 }
 
 void Session::request_dots(const Zoom& zoom) {
-    const RequestAgain again = settings.every_frame ? RequestAgain::always : RequestAgain::when_changed;
     // In every frame, but not before the last one is there: it would never be.
     const bool waits = settings.every_frame && pane_.worker().placing_since();
-    const bool requested = pane_.request(page_request(), zoom, waits ? RequestAgain::when_changed : again);
+    const bool again = settings.every_frame && !waits;
+    const bool requested =
+        pane_.request(page_request(), zoom, again ? RequestAgain::always : RequestAgain::when_changed);
     if (requested) requested_settings_ = settings;
     if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);
-    request_beside(zoom, again);
 }
 
 void Session::stop_placing() {
@@ -441,62 +437,9 @@ void Session::stop_placing() {
     banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
 }
 
-void Session::request_beside(const Zoom& zoom, RequestAgain again) {
-    const std::optional<DotsRequest>& left = pane_.page_request();
-    if (!settings.comparison.on)
-        right_.forget();
-    else if (left)
-        right_.request(picture_, pictures_, right_request(settings.comparison, *left, pane_.page()), zoom,
-                       again);
-    if (!left || !wants_as_it_was()) return;
-    ViewerSettings was = settings;
-    was.drawing = as_it_was_;
-    was_.request(picture_, pictures_, as_shown(dots_request(was)), zoom, again);
-}
-
-// Without a change there is nothing else to see.
-bool Session::wants_as_it_was() const {
-    return shows_as_it_was && !film && as_it_was_ != settings.drawing;
-}
-
-const Pane* Session::right() const {
-    return settings.comparison.on ? right_.of_picture(pictures_) : nullptr;
-}
-
-const Pane& Session::seen() const {
-    const Pane* const was = wants_as_it_was() ? was_.of_picture(pictures_) : nullptr;
-    return was ? *was : pane_;
-}
-
-const DrawingSettings& Session::settings_of(const Pane& pane) const {
-    return &pane == was_.in_use() ? as_it_was_ : settings.drawing;
-}
-
-std::vector<const Pane*> Session::panes() const {
-    std::vector<const Pane*> panes{&pane_};
-    for (const Pane* const beside : {right_.in_use(), was_.in_use()})
-        if (beside) panes.push_back(beside);
-    return panes;
-}
-
 void Session::take_events(std::chrono::milliseconds patience) {
     for (WorkerEvent& event : pane_.worker().events(patience))
         std::visit([this](auto& n) { take(n); }, event);
-    take_beside(right_);
-    take_beside(was_);
-}
-
-void Session::take_beside(PaneBeside& beside) {
-    for (WorkerEvent& event : beside.events()) {
-        if (auto* placed = std::get_if<DotsPlaced>(&event)) {
-            if (!placed->error.empty()) say(placed->error);
-            beside.take(*placed);
-        }
-        if (auto* failed = std::get_if<TaskFailed>(&event)) {
-            failed->picture.reset();  // the left one's, read again
-            take(*failed);
-        }
-    }
 }
 
 void Session::take(DotsPlaced& event) {
@@ -507,8 +450,6 @@ void Session::take(DotsPlaced& event) {
         std::optional<Reading> read = end_reading(event.picture->file);
         picture_ = std::move(*event.picture);
         ++pictures_;
-        was_.forget();
-        as_it_was_ = settings.drawing;
         std::optional<DrawingSettings> safe =
             read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));

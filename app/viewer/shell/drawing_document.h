@@ -12,10 +12,8 @@
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/background.h"
+#include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/export_estimate.h"
-#include "app/viewer/model/session.h"
-#include "app/viewer/model/view_meter.h"
-#include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/status_line.h"
@@ -82,22 +80,12 @@ class DrawingDocument : public Document {
     };
     Layout layout(const Frame& frame) const;
     void show_lights();
-    void toggle_comparison(Action action);
-    /// What is shown in the drawing's place.
-    std::optional<Action> shown_instead() const;
     /// By Escape: what began last.
     void stop_what_takes_long();
     Zoom zoom() const;
     void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
-    void draw_split(const CanvasPlace& place);
-    void draw_loupe(const CanvasPlace& place);
-    void explain_dot(const CanvasPlace& place) const;
-    /// On whose side of the canvas the pointer is.
-    const Pane& pane_under_pointer(const CanvasPlace& place) const;
-    SplitLook look(const CanvasPlace& place) const;
-    /// Both sides are measured by the smaller tile, so that they compare.
-    std::size_t compared_tile_size() const;
-    SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
+    void draw_loupe(const Pane& pane, const CanvasPlace& place);
+    void explain_dot(const Pane& pane, const CanvasPlace& place) const;
     /// The project's name, or else the picture's.
     std::string name() const;
     /// Beside the picture, but for pasted ones, which nobody looks for.
@@ -108,19 +96,18 @@ class DrawingDocument : public Document {
     StatusInfo info() const;
     double placing_seconds() const;
     std::optional<double> placed_share() const;
-    std::optional<StatusInfo::RightSide> right_info() const;
     SpectrumInfo spectrum();
     /// What settings make of the picture shown, its longer side so many pixels.
     EntryPicture preview_of(const DrawingSettings& drawing, int side);
     void choose_variation(const CanvasPlace& place);
     void measure_dots();
-    ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
 
     Canvas canvas_;
     Session session_;
+    ComparedPanes compared_;
     FilmPlayer film_player_{session_, canvas_};
     const PlacedDrawing nothing_{};
-    ViewMeter spectrum_, left_repetition_, right_repetition_;
+    ViewMeter spectrum_;
     GlTexture spectrum_picture_;
     int spectrum_drawn_ = 0;  // the number of the analysis that it shows
     OpenSections open_ = {};
@@ -144,9 +131,6 @@ class DrawingDocument : public Document {
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
-    // In the drawing's place without a key, as comparison_held() names it; the settings that it began with.
-    std::optional<Action> shown_instead_;
-    DrawingSettings compared_;
     bool variations_ = false;  // in the canvas's place
     std::unique_ptr<Document> successor_;
 };
