@@ -81,7 +81,7 @@ void ComparedPanes::take_events() {
 void ComparedPanes::request(const Zoom& zoom) {
     take_events();  // another picture may have come since
     const ViewerSettings& settings = session_.settings;
-    const std::optional<DotsRequest>& left = session_.pane().page_request();
+    const std::optional<DotsRequest>& left = session_.pane().page().request;
     if (!settings.comparison.on)
         right_.forget();
     else if (left)

@@ -465,10 +465,10 @@ void Session::take(DotsPlaced& event) {
     else if (placing_failed_ && banner.kind == BannerKind::error)
         banner = {};
     placing_failed_ = !event.error.empty();
-    if (event.error.empty() && event.request == pane_.page_requested())
+    if (event.error.empty() && event.drawing.request == pane_.page_requested())
         placed_settings_ = requested_settings_;
-    const bool levels =
-        film && film->kind == FilmKind::levels && event.request.colours.colouring == DotColouring::level;
+    const bool levels = film && film->kind == FilmKind::levels &&
+                        event.drawing.request->colours.colouring == DotColouring::level;
     if (levels && event.error.empty())
         film->deepest =
             deepest_level(event.drawing.dots, event.tile ? event.tile->points.size() : pane_.tile_size());

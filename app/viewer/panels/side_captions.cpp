@@ -32,7 +32,7 @@ void draw_caption(const ComparedPanes& compared, const Pane& pane, float left, f
         ImGui::GetBackgroundDrawList()->AddText({x, y}, colour_of(colour), shown.c_str());
         y += ImGui::GetTextLineHeight();
     };
-    const DotsRequest request = pane.page_request().value_or(DotsRequest{});
+    const DotsRequest request = pane.page().request.value_or(DotsRequest{});
     const bool is_saved = &pane == &compared.session().pane();
     push_title_font();
     draw_line(drawn_with(request) + (is_saved ? " - this side is saved" : ""), ThemeColour::text);

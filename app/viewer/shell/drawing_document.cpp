@@ -368,7 +368,7 @@ void DrawingDocument::draw(const Frame& frame) {
         mask_painter_.paint(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     // The frame is there once all of the picture is.
     const PlacedDrawing& page = session_.pane().page();
-    const std::optional<DotsRequest>& placed = session_.pane().page_request();
+    const std::optional<DotsRequest>& placed = session_.pane().page().request;
     const bool framing = session_.cropping.on && placed && !placed->drawing.page.crop &&
                          placed->drawing.page.fit == PageFit::inside;
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
@@ -437,9 +437,9 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
 }
 
 void DrawingDocument::explain_dot(const Pane& pane, const CanvasPlace& place) const {
-    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on || !pane.page_request())
+    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on || !pane.page().request)
         return;
-    const PlacerKind placer = pane.page_request()->drawing.placer;
+    const PlacerKind placer = pane.page().request->drawing.placer;
     const TileView& tile = pane.tile();
     draw_dot_card(pane.shown(),
                   {.tile_size = pane.tile_size(),

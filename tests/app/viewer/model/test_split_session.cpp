@@ -130,7 +130,7 @@ TEST_CASE("dots that a close view stopped from settling settle once the page is 
     REQUIRE(split.brings([&] { return session.pane().page().steps == 20; }));
     split.zoom_in(ZoomMode::constant_density, 12);
     session.settings.drawing.tone.gamma = 1.25f;
-    REQUIRE(split.brings([&] { return session.pane().page_request()->drawing.tone.gamma == 1.25f; }));
+    REQUIRE(split.brings([&] { return session.pane().page().request->drawing.tone.gamma == 1.25f; }));
     CHECK(session.pane().page().steps < 20);
     REQUIRE(split.brings([&] { return session.pane().shows_close(); }));
     split.zoom.mode = ZoomMode::drawing;
@@ -174,7 +174,7 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
         REQUIRE(wait_until([&] {
             session.take_events(std::chrono::milliseconds(0));
             session.request_dots(zoom);
-            return session.pane().page_request() == request;
+            return session.pane().page().request == request;
         }));
         return session.pane().page().dots.size();
     };
