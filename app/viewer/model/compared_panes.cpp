@@ -99,7 +99,7 @@ bool ComparedPanes::wants_as_it_was() const {
 
 const Pane& ComparedPanes::seen() const {
     const Pane* const was = wants_as_it_was() ? was_.of_picture(session_.pictures()) : nullptr;
-    return was ? *was : std::as_const(session_).pane();
+    return was ? *was : session_.pane();
 }
 
 const Pane* ComparedPanes::right() const {

@@ -232,19 +232,29 @@ void Session::go_back_before(const fs::path& picture) {
     readings_.erase(failed);
 }
 
-void Session::open_tile(const fs::path& file) {
+void Session::attempt(const std::function<void()>& work) {
     try {
-        settings.drawing.tile = tiles_.open(file);
-        banner = {};
+        work();
     } catch (const std::exception& error) {
         say(error.what());
     }
 }
 
+void Session::open_tile_of(DrawingSettings& drawing) {
+    if (is_tile_file_name(drawing.tile)) drawing.tile = tiles_.open(drawing.tile);
+}
+
+void Session::open_tile(const fs::path& file) {
+    attempt([&] {
+        settings.drawing.tile = tiles_.open(file);
+        banner = {};
+    });
+}
+
 void Session::load_project(const fs::path& file) {
     ViewerSettings read;
     Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
-    if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
+    open_tile_of(read.drawing);
     read.every_frame = settings.every_frame;
     SettingsBefore before{std::exchange(settings, read), safe_};
     know_safe(settings.drawing);
@@ -267,68 +277,50 @@ void Session::load_project(const fs::path& file) {
 }
 
 void Session::open_project(const fs::path& file) {
-    try {
-        load_project(file);
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    attempt([&] { load_project(file); });
+}
+
+void Session::take(SavedSettings taken) {
+    open_tile_of(taken.drawing);
+    settings.drawing = std::move(taken.drawing);
+    settings.saving = taken.saving;
 }
 
 void Session::take_settings(const fs::path& file) {
-    try {
-        SavedSettings read = settings_from(file);
-        if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
-        settings.drawing = read.drawing;
-        settings.saving = read.saving;
+    attempt([&] {
+        take(settings_from(file));
         banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::take_preset(const SavedSettings& preset) {
-    try {
-        DrawingSettings drawing = with_preset(preset.drawing, settings.drawing);
-        if (is_tile_file_name(drawing.tile)) drawing.tile = tiles_.open(drawing.tile);
-        settings.drawing = std::move(drawing);
-        settings.saving = preset.saving;
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    attempt([&] { take({with_preset(preset.drawing, settings.drawing), preset.saving}); });
 }
 
-void Session::save_project_into(const fs::path& file) {
+void Session::keep(const fs::path& file) {
     Project project = source_.project;
     project.picture.reset();
     if (!source_.picture.empty()) project.picture = source_.picture;
     dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
 }
 
-void Session::keep(const fs::path& file) {
-    save_project_into(file);
-}
-
 void Session::bring_back(const fs::path& file) {
-    try {
+    attempt([&] {
         load_project(file);
         source_.project_path.clear();  // which is not where it belongs
         source_.brought_back = true;
         if (readings_.empty()) know_safe(std::nullopt);  // else once its picture is there
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::save_project(const fs::path& file) {
-    try {
-        save_project_into(file);
+    attempt([&] {
+        keep(file);
         source_.project_path = whole_path(file);
         source_.brought_back = false;
         know_safe(settings.drawing);
         banner = {BannerKind::notice, "Saved " + file.string()};
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::take_dropped(const fs::path& file) {
@@ -530,8 +522,8 @@ void Session::take(OpeningStopped& event) {
     banner = {BannerKind::notice, "Stopped: not all of " + event.name + " was read"};
 }
 
-DrawnInfo Session::drawn(const Pane& pane) const {
-    const PlacedDrawing& drawing = pane.page();
+DrawnInfo Session::drawn() const {
+    const PlacedDrawing& drawing = pane_.page();
     return {.dots = drawing.dots.size() - drawing.duplicates,
             .scale = drawing.scale,
             .dot_radius_mm = drawing.dot_radius * drawing.layout.page.mm_per_page_unit,

@@ -40,6 +40,8 @@ class Session {
     void open_sample();
     void open(const std::filesystem::path& path);
     void save(const std::filesystem::path& path);
+    /// Gives up what is being saved: what was at its place stays.
+    void stop_saving() { pane_.worker().cancel_saving(); }
     /// The drawing onto the clipboard, as the PNG that would be exported. The banner says how that went.
     void copy_picture();
     /// Begins to play; nothing before the first dots.
@@ -130,7 +132,6 @@ class Session {
     void say(const std::string& sentence);
 
     /// The drawing: what is edited and saved.
-    Pane& pane() { return pane_; }
     const Pane& pane() const { return pane_; }
     bool placed_once() const { return pane_.placings() > 0; }
 
@@ -149,7 +150,7 @@ class Session {
     /// The project that was opened or saved last, and not left for another picture; empty: none.
     const std::filesystem::path& project_path() const { return source_.project_path; }
 
-    DrawnInfo drawn(const Pane& pane) const;
+    DrawnInfo drawn() const;
 
  private:
     /// What is drawn, as it was asked for.
@@ -198,7 +199,11 @@ class Session {
     DotsRequest page_request() const;
     void name_changes();
     void know_safe(std::optional<DrawingSettings> drawing);
-    void save_project_into(const std::filesystem::path& file);
+    /// What goes wrong is said.
+    void attempt(const std::function<void()>& work);
+    /// Where it is in a file, it is one of tiles() from then on.
+    void open_tile_of(DrawingSettings& drawing);
+    void take(SavedSettings taken);
     void take(DotsPlaced& event);
     void take(TaskFailed& event);
     void take(DrawingSaved& event);

@@ -218,8 +218,7 @@ std::string DrawingDocument::draw_saving_options(std::size_t format) {
 }
 
 void DrawingDocument::draw_saving_rows(std::size_t format) {
-    draw_export_panel(session_.settings, static_cast<DrawingFormat>(format),
-                      {.dots = session_.drawn(session_.pane()).dots});
+    draw_export_panel(session_.settings, static_cast<DrawingFormat>(format), {.dots = session_.drawn().dots});
 }
 
 void DrawingDocument::act(Action action, const Frame&) {
@@ -303,11 +302,11 @@ void DrawingDocument::show_lights() {
 }
 
 void DrawingDocument::stop_what_takes_long() {
-    Worker& worker = session_.pane().worker();
+    const Worker& worker = session_.pane().worker();
     const bool opening = worker.opening().has_value();
     if (compared_.end_toggled()) return;
     if (variations_) return toggle(variations_);
-    if (worker.saving()) return worker.cancel_saving();
+    if (worker.saving()) return session_.stop_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
     if (session_.film) return film_player_.stop();  // a moment's placing ends with its film
     if (!opening && placing_seconds() > kLongPlacing) return session_.stop_placing();
@@ -425,10 +424,10 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
         act(Action::find_picture);
     else if (offer_taken)
         show_lights();
-    Worker& worker = session_.pane().worker();
+    const Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
-            worker.cancel_saving();
+            session_.stop_saving();
     } else if (const auto opening = worker.opening(); opening && session_.placed_once()) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - opening->since;
         if (passed.count() > kLongOpening && draw_opening_banner(opening->name, place.corner, place.size))
@@ -537,7 +536,7 @@ StatusInfo DrawingDocument::info() const {
 
 void DrawingDocument::choose_variation(const CanvasPlace& place) {
     DrawingSettings& drawing = session_.settings.drawing;
-    const auto variations = variations_of(drawing, session_.drawn(session_.pane()));
+    const auto variations = variations_of(drawing, session_.drawn());
     const auto chosen = draw_variations(
         variations, [this](const DrawingSettings& each) { return preview_of(each, kVariationSide); },
         place.corner, place.size);

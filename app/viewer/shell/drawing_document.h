@@ -42,7 +42,7 @@ class DrawingDocument : public Document {
     void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::string saving() const override;
-    void stop_saving() override { session_.pane().worker().cancel_saving(); }
+    void stop_saving() override { session_.stop_saving(); }
     bool tells_of_trouble() const override { return is_trouble(session_.banner); }
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override { session_.say(sentence); }
