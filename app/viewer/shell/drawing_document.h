@@ -33,13 +33,12 @@ class DrawingDocument : public Document {
                     const std::filesystem::path& palettes = {});
 
     std::span<const Shortcut> shortcuts() const override;
-    void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
+    Session* session() override { return &session_; }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void open_mask(const std::filesystem::path& file) override;
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     bool is_picture_with_settings(const std::filesystem::path& file) const override;
     void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
-    void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::string saving() const override;
     void stop_saving() override { session_.stop_saving(); }
@@ -47,22 +46,12 @@ class DrawingDocument : public Document {
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override { session_.say(sentence); }
     std::optional<KeptView> kept_view() const override;
-    LengthUnit* unit() override { return &session_.settings.unit; }
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }
     std::optional<SaveQuestion> where_to_save() const override;
     std::optional<SaveQuestion> where_to_save_project() const override;
-    void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
-    std::string unsaved() const override;
-    std::filesystem::path own_project() const override { return session_.project_path(); }
-    bool would_lose_changes(const std::filesystem::path& file) const override {
-        return session_.would_lose_changes(file);
-    }
-    void keep(const std::filesystem::path& file) override { session_.keep(file); }
-    void bring_back(const std::filesystem::path& file) override { session_.bring_back(file); }
-    int changes() const override { return session_.changes(); }
     std::optional<SaveQuestion> where_to_save_film() const override;
-    void save_film(const std::filesystem::path& file) override { session_.save_film(file); }
+    std::string unsaved() const override;
     std::string draw_saving_options(std::size_t format) override;
     void draw_saving_rows(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
