@@ -1,10 +1,28 @@
 #include "app/viewer/model/compared_panes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
 namespace dapple {
+namespace {
+
+// Beside a left one that has been placed.
+DotsRequest right_request(const Comparison& comparison, const PlacedDrawing& left) {
+    DotsRequest right = *left.request;
+    right.drawing.placer = comparison.placer;
+    right.tile = comparison.tile;
+    right.ranking = comparison.ranking;
+    right.drawing.placing.count.reset();
+    if (comparison.by == CompareBy::count)
+        right.drawing.placing.count = std::max<std::uint64_t>(left.dots.size() - left.duplicates, 1);
+    // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
+    right.drawing.placing.scale = std::nextafter(static_cast<float>(left.scale), INFINITY);
+    return right;
+}
+
+}  // namespace
 
 void ComparedPanes::Beside::request(const Session& session, DotsRequest page, const Zoom& zoom) {
     if (std::exchange(asked_, session.pictures()) != session.pictures())
@@ -81,12 +99,12 @@ void ComparedPanes::take_events() {
 void ComparedPanes::request(const Zoom& zoom) {
     take_events();  // another picture may have come since
     const ViewerSettings& settings = session_.settings;
-    const std::optional<DotsRequest>& left = session_.pane().page().request;
+    const PlacedDrawing& left = session_.pane().page();
     if (!settings.comparison.on)
         right_.forget();
-    else if (left)
-        right_.request(session_, right_request(settings.comparison, *left, session_.pane().page()), zoom);
-    if (!left || !wants_as_it_was()) return;
+    else if (left.request)
+        right_.request(session_, right_request(settings.comparison, left), zoom);
+    if (!left.request || !wants_as_it_was()) return;
     ViewerSettings was = settings;
     was.drawing = as_it_was_;
     was_.request(session_, session_.as_shown(dots_request(was)), zoom);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/tile_library.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/widgets/theme.h"
 
@@ -34,13 +35,16 @@ void draw_caption(const ComparedPanes& compared, const Pane& pane, float left, f
     };
     const DotsRequest request = pane.page().request.value_or(DotsRequest{});
     const bool is_saved = &pane == &compared.session().pane();
+    const bool figure8 = request.drawing.placer == PlacerKind::figure8;
     push_title_font();
-    draw_line(drawn_with(request) + (is_saved ? " - this side is saved" : ""), ThemeColour::text);
+    draw_line(fmt::format("{}{}{}", short_tile_name(request.tile), figure8 ? ", Figure 8" : "",
+                          is_saved ? " - this side is saved" : ""),
+              ThemeColour::text);
     pop_title_font();
-    draw_line(dots_in_words({.dots = pane.page().dots.size(),
-                             .duplicates = pane.page().duplicates,
-                             .figure8 = request.drawing.placer == PlacerKind::figure8}),
-              ThemeColour::quiet);
+    draw_line(
+        dots_in_words(
+            {.dots = pane.page().dots.size(), .duplicates = pane.page().duplicates, .figure8 = figure8}),
+        ThemeColour::quiet);
     if (const auto value = compared.periodicity(pane))
         draw_line(fmt::format("periodicity over {}-point tiles {:.2f}", compared.tile_size(),
                               std::clamp(*value, 0.0, 1.0)),
