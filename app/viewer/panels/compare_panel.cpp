@@ -13,10 +13,8 @@ namespace {
 bool draw_right_side(Comparison& right, const TileList& tiles) {
     bool changed =
         tile_row("Right tile", right.tile, tiles, "The tile that the right side's dots come from.");
-    int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
-    if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"},
+    if (choice_row("Right placer", right.placer, std::array{"exact", "Figure 8"},
                    "How the right side's dots are placed: exactly, or as printed in the article.")) {
-        right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
         DrawingSettings drawing;
         drawing.tile = right.tile;
         drawing.placer = right.placer;
@@ -28,15 +26,11 @@ bool draw_right_side(Comparison& right, const TileList& tiles) {
         const Absent absent(why_only_exact(right.placer));
         changed |= ranking_row("Right ranking", right.ranking);
     }
-    int by = static_cast<int>(right.by);
-    if (segmented_row(
-            "Right side has", by, std::array{"same scale", counted ? "same count" : "similar count"},
-            "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
-            "as many different dots.")) {
-        right.by = static_cast<CompareBy>(by);
-        changed = true;
-    }
-    return changed;
+    return segmented_row(
+               "Right side has", right.by, std::array{"same scale", counted ? "same count" : "similar count"},
+               "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
+               "as many different dots.") ||
+           changed;
 }
 
 bool draw_split(ViewerSettings& settings, const TileList& tiles) {

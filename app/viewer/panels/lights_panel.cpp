@@ -24,15 +24,6 @@ constexpr SliderRange kCount{.min = 1,
                              .grouped = true,
                              .tip = "How many samples the map's light is shared out to."};
 
-template <class Value, std::size_t n>
-bool choose(const char* label, Value& value, Value usual, const std::array<const char*, n>& names,
-            const char* tip) {
-    int chosen = static_cast<int>(value);
-    if (!segmented_row(label, chosen, names, tip, static_cast<int>(usual))) return false;
-    value = static_cast<Value>(chosen);
-    return true;
-}
-
 bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     if (!section("Samples")) return false;
     LightRequest& request = settings.request;
@@ -44,13 +35,15 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     }
     const LightRequest usual;
     changed |=
-        choose("Placed", request.position, usual.position, std::array{"centroid", "dot", "random"},
-               "Where in its region a sample is: at the light's centre of gravity, where the placer put "
-               "it, or drawn at random, which has no bias.");
+        segmented_row("Placed", request.position, std::array{"centroid", "dot", "random"},
+                      "Where in its region a sample is: at the light's centre of gravity, where the placer "
+                      "put it, or drawn at random, which has no bias.",
+                      usual.position);
     changed |=
-        choose("Placer", request.placer, usual.placer, std::array{"exact", "Figure 8"},
-               "exact: each sample once, and none is lost. Figure 8: as printed in the article, with some "
-               "twice.");
+        segmented_row("Placer", request.placer, std::array{"exact", "Figure 8"},
+                      "exact: each sample once, and none is lost. Figure 8: as printed in the article, with "
+                      "some twice.",
+                      usual.placer);
     changed |= tile_row("Tile", settings.tile, tiles, "The square of points that all samples come from.");
     bool compensated = request.importance == LightImportance::compensated;
     if (switch_row(

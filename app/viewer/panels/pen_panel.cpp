@@ -148,21 +148,14 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
 }
 
 bool draw_order(PenChoice& pens) {
-    int order = static_cast<int>(pens.order);
-    if (!choice_row(
-            "Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
-            "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker "
-            "ink along. darkest first: for inks that cover darker ones."))
-        return false;
-    pens.order = static_cast<PenOrder>(order);
-    return true;
+    return choice_row(
+        "Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
+        "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker ink "
+        "along. darkest first: for inks that cover darker ones.");
 }
 
 bool draw_pen_ink(PenChoice& pens) {
-    int ink = static_cast<int>(pens.ink);
-    if (!choice_row(setting::pen_ink.names.row, ink, names_of(pens.ink), setting::pen_ink.help)) return false;
-    pens.ink = static_cast<PenInk>(ink);
-    return true;
+    return choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
 }
 
 bool draw_black_ink(PenChoice& pens) {
