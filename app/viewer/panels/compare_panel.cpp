@@ -1,7 +1,6 @@
 #include "app/viewer/panels/compare_panel.h"
 
 #include <array>
-#include <cmath>
 
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
@@ -53,19 +52,14 @@ bool draw_loupe(LoupeChoice& loupe) {
     bool changed =
         switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
     const Absent absent(loupe.on ? nullptr : "Applies to the loupe only.");
-    double step = loupe.step;
-    if (slider_row("Its tiles", step,
-                   {.min = -3,
-                    .max = 3,
-                    .neutral = 0,
-                    .format = loupe.step == 0  ? "fitting"
-                              : loupe.step > 0 ? "smaller"
-                                               : "larger",
-                    .tip = "How large the tiles are that it lays on one another; a step to the right halves "
-                           "their side."})) {
-        changed |= loupe.step != static_cast<int>(std::lround(step));
-        loupe.step = static_cast<int>(std::lround(step));
-    }
+    const char* const words = loupe.step == 0 ? "fitting" : loupe.step > 0 ? "smaller" : "larger";
+    changed |= slider_row("Its tiles", loupe.step,
+                          {.min = -3,
+                           .max = 3,
+                           .neutral = 0,
+                           .format = words,
+                           .tip = "How large the tiles are that it lays on one another; a step to the right "
+                                  "halves their side."});
     return changed;
 }
 

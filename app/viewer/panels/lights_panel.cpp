@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -27,12 +26,7 @@ constexpr SliderRange kCount{.min = 1,
 bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     if (!section("Samples")) return false;
     LightRequest& request = settings.request;
-    bool changed = false;
-    double count = static_cast<double>(request.count);
-    if (slider_row("Samples", count, kCount)) {
-        request.count = static_cast<std::uint64_t>(std::lround(count));
-        changed = true;
-    }
+    bool changed = slider_row("Samples", request.count, kCount);
     const LightRequest usual;
     changed |=
         segmented_row("Placed", request.position, std::array{"centroid", "dot", "random"},
@@ -53,16 +47,12 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
         changed = true;
     }
-    double seed = static_cast<double>(request.seed);
-    if (slider_row("Seed", seed,
-                   {.min = 0,
-                    .max = 100,
-                    .neutral = 0,
-                    .format = "%.0f",
-                    .tip = "Another number gives other random places, as good as these."})) {
-        request.seed = static_cast<std::uint64_t>(std::lround(seed));
-        changed = true;
-    }
+    changed |= slider_row("Seed", request.seed,
+                          {.min = 0,
+                           .max = 100,
+                           .neutral = 0,
+                           .format = "%.0f",
+                           .tip = "Another number gives other random places, as good as these."});
     return changed;
 }
 

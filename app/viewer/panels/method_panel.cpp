@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
@@ -57,17 +56,13 @@ bool draw_shown(ViewerSettings& settings) {
 }
 
 bool draw_levels(int& deepest) {
-    double levels = deepest;
-    if (!slider_row(
-            "Divided up to", levels,
-            {.min = 0,
-             .max = kDeepestStep,
-             .neutral = kDeepestStep,
-             .format = deepest == kDeepestStep ? "all" : "%.0f",
-             .tip = "Shows only the dots of the first levels, as if the page were not divided any further."}))
-        return false;
-    const int chosen = static_cast<int>(std::lround(levels));
-    return std::exchange(deepest, chosen) != chosen;
+    return slider_row(
+        "Divided up to", deepest,
+        {.min = 0,
+         .max = kDeepestStep,
+         .neutral = kDeepestStep,
+         .format = deepest == kDeepestStep ? "all" : "%.0f",
+         .tip = "Shows only the dots of the first levels, as if the page were not divided any further."});
 }
 
 }  // namespace

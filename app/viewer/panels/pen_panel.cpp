@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -125,16 +124,12 @@ bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
 
 bool draw_number(PenChoice& pens) {
     const Absent absent(pens.set == PenSet::automatic ? nullptr : "Applies to automatic pens only.");
-    double count = pens.automatic;
-    if (!slider_row("How many", count,
-                    {.min = 1,
-                     .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
-                     .neutral = 4,
-                     .format = "%.0f",
-                     .tip = "How many pens are chosen for the picture; more of them mix more colours."}))
-        return false;
-    pens.automatic = static_cast<int>(std::lround(count));
-    return true;
+    return slider_row("How many", pens.automatic,
+                      {.min = 1,
+                       .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
+                       .neutral = 4,
+                       .format = "%.0f",
+                       .tip = "How many pens are chosen for the picture; more of them mix more colours."});
 }
 
 bool draw_tips(PenChoice& pens, LengthUnit unit) {

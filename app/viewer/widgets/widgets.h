@@ -9,6 +9,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -147,6 +149,14 @@ double track_value(double position, const SliderRange& range);
 /// as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
+/// Of whole numbers; true while it changes to another one.
+template <std::integral Whole>
+bool slider_row(const char* label, Whole& value, const SliderRange& range) {
+    const Whole before = value;
+    auto wide = static_cast<double>(value);
+    if (slider_row(label, wide, range)) value = static_cast<Whole>(std::llround(wide));
+    return value != before;
+}
 
 /// What depends on the moment in a setting's row.
 struct SliderNow {
