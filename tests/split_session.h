@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "app/viewer/model/session.h"
+#include "app/viewer/model/compared_panes.h"
 #include "tests/wait_until.h"
 
 namespace dapple {
@@ -21,6 +21,7 @@ inline constexpr glm::dvec2 kCanvas{800, 600};
 struct SplitSession {
     Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     Session session;
+    ComparedPanes compared{session, [] {}};
 
     explicit SplitSession(std::uint64_t dots, std::uint64_t most_dots = kMostDots)
         : session(
@@ -30,15 +31,20 @@ struct SplitSession {
         session.settings.drawing.relax = 0;
         session.settings.comparison.on = true;
         session.open_sample();
-        REQUIRE(brings([&] { return session.right() != nullptr; }));
+        REQUIRE(brings([&] { return compared.right() != nullptr; }));
     }
 
     /// Goes on as the window does, frame by frame.
+    void frame() {
+        session.take_events(std::chrono::milliseconds(0));
+        compared.take_events();
+        session.request_dots(zoom);
+        compared.request(zoom);
+    }
     template <class Done>
     bool brings(Done done) {
         return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
+            frame();
             return done();
         });
     }
@@ -48,7 +54,7 @@ struct SplitSession {
         // Not about the middle, and not about a corner of a tile.
         zoom = {mode, zoomed_at(fit, kCanvas * glm::dvec2(0.37, 0.61), times), times};
         REQUIRE(brings([&] {
-            const Pane* right = session.right();
+            const Pane* right = compared.right();
             const PageWindow window = window_in_view(zoom.camera, 0.3);
             if (!session.pane().shows_close() || session.pane().shown().window != window) return false;
             if (!session.settings.comparison.on) return true;

@@ -142,8 +142,10 @@ CompareCommand::CompareCommand(CLI::App& program) {
             "--dots",
             [this](const std::vector<std::string>& texts) {
                 options_.dots.clear();
-                for (const std::string& text : texts)
-                    options_.dots.push_back(count_in("--dots", text, kMostMeasured));
+                told_as("--dots", [&] {
+                    for (const std::string& text : texts)
+                        options_.dots.push_back(count_in(text, kMostMeasured));
+                });
             },
             "Dots on constant grey; given several numbers, the tables also have the worst of all but the "
             "first")
@@ -151,22 +153,11 @@ CompareCommand::CompareCommand(CLI::App& program) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->default_str("65536");
-    command
-        ->add_option_function<std::string>(
-            "--picture-dots",
-            [this](const std::string& text) {
-                options_.picture_dots = count_in("--picture-dots", text, kMostMeasured);
-            },
-            "Dots in each picture")
-        ->type_name("N")
+    add_count(*command, "--picture-dots", options_.picture_dots, kMostMeasured, "Dots in each picture")
         ->default_str("10000");
-    command
-        ->add_option_function<std::string>(
-            "--most",
-            [this](const std::string& text) { options_.most = count_in("--most", text, kMostCompared); },
-            "Measure how time grows from 1,000 dots up to this many, ten times as many at each step; below "
-            "1,000, it is not measured")
-        ->type_name("N")
+    add_count(*command, "--most", options_.most, kMostCompared,
+              "Measure how time grows from 1,000 dots up to this many, ten times as many at each step; below "
+              "1,000, it is not measured")
         ->default_str("10000000");
     add_number(*command, "--seconds", options_.seconds, {.least = 0.01, .most = 1e6}, "S",
                "How many seconds of one processor a method may take for one drawing; the tables have a dash "

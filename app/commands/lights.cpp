@@ -120,14 +120,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
             "-o,--output", options_.output,
             std::string("What to write; its name ends in ") + kLightEndings + ". Without it, a window opens")
         ->type_name("OUT");
-    command
-        ->add_option_function<std::string>(
-            "-n,--samples",
-            [&request](const std::string& text) {
-                request.count = count_in("--samples", text, kMostLightSamples);
-            },
-            "Exactly this many samples")
-        ->type_name("N")
+    add_count(*command, "-n,--samples", request.count, kMostLightSamples, "Exactly this many samples")
         ->default_str(fmt::format("{}", request.count));
     add_choice(*command, "--convention", options_.convention,
                "Which direction in space each place on the map stands for: openexr, usd, mitsuba, blender or "

@@ -16,19 +16,13 @@ namespace dapple {
 
 void add_mural_options(CLI::App& app, Sheet& sheets) {
     const auto read_sheets = [&](const std::string& text) {
-        try {
-            const Sheet read = parse_sheets(text);
-            sheets.columns = read.columns;
-            sheets.rows = read.rows;
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError("--sheets", error.what());
-        }
+        const Sheet read = parse_sheets(text);
+        sheets.columns = read.columns;
+        sheets.rows = read.rows;
     };
-    app.add_option_function<std::string>(
-           "--sheets", read_sheets,
-           "All sheets of a mural, each in a file: 3x4 -o mural.svg makes mural-A1.svg to mural-C4.svg, of 3 "
-           "columns and 4 rows, and mural-plan.svg, which shows how they join")
-        ->type_name("CxR")
+    add_text(app, "--sheets", "CxR", read_sheets,
+             "All sheets of a mural, each in a file: 3x4 -o mural.svg makes mural-A1.svg to mural-C4.svg, of "
+             "3 columns and 4 rows, and mural-plan.svg, which shows how they join")
         ->group("Page");
     add_length(app, setting::overlap, sheets.overlap_mm)->group("Page");
 }

@@ -24,13 +24,6 @@
 namespace dapple {
 namespace {
 
-using Read = std::function<void(const std::string& text)>;
-
-CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& unit,
-                      const std::string& help, const Read& read) {
-    return app.add_option_function<std::string>(name, read, help)->type_name(unit);
-}
-
 std::string in_words(const NumberRange& range) {
     const bool above = range.at_least == NumberRange::Least::excluded;
     if (range.most == std::numeric_limits<double>::max()) {
@@ -39,52 +32,43 @@ std::string in_words(const NumberRange& range) {
     return fmt::format("{} {:g} and at most {:g}", above ? "over" : "at least", range.least, range.most);
 }
 
-double in_range(const std::string& name, const std::string& text, std::optional<double> value,
-                const NumberRange& range, const char* kind) {
-    if (!value || !std::isfinite(*value)) {
-        throw CLI::ValidationError(name, fmt::format("{} is not {}", text, kind));
-    }
+double in_range(const std::string& text, std::optional<double> value, const NumberRange& range,
+                const char* kind) {
+    if (!value || !std::isfinite(*value)) throw std::runtime_error(fmt::format("{} is not {}", text, kind));
     const bool excluded = range.at_least == NumberRange::Least::excluded && *value == range.least;
-    if (*value < range.least || *value > range.most || excluded) {
-        throw CLI::ValidationError(
-            name, fmt::format("{} is not possible; give {} {}", text, kind, in_words(range)));
-    }
+    if (*value < range.least || *value > range.most || excluded)
+        throw std::runtime_error(fmt::format("{} is not possible; give {} {}", text, kind, in_words(range)));
     return *value;
 }
 
-double number_in(const std::string& name, const std::string& text, const NumberRange& range) {
-    return in_range(name, text, number_of<double>(text), range, "a number");
+double number_in(const std::string& text, const NumberRange& range) {
+    return in_range(text, number_of<double>(text), range, "a number");
 }
 
 // In millimetres.
-double length_in(const std::string& name, const std::string& text, const NumberRange& range) {
-    return in_range(name, text, millimetres_of(text), range, "a length in mm, cm, in or pt");
+double length_in(const std::string& text, const NumberRange& range) {
+    return in_range(text, millimetres_of(text), range, "a length in mm, cm, in or pt");
 }
 
-int whole_number_in(const std::string& name, const std::string& text, const NumberRange& range) {
-    const double value = number_in(name, text, range);
-    if (!number_of<int>(text)) {
-        throw CLI::ValidationError(name, fmt::format("{} is not a whole number", text));
-    }
+int whole_number_in(const std::string& text, const NumberRange& range) {
+    const double value = number_in(text, range);
+    if (!number_of<int>(text)) throw std::runtime_error(text + " is not a whole number");
     return static_cast<int>(value);
 }
 
 CLI::Option* add_text(CLI::App& app, const Setting& setting, const Read& read) {
-    return add_text(app, setting.names.option, unit_of(setting), help_of(setting), read);
+    return dapple::add_text(app, setting.names.option, unit_of(setting), read, help_of(setting));
 }
 
 // "0.2"; or "0.1..0.4", from the smallest to the largest.
-DotSize dot_size_in(const std::string& name, const std::string& text) {
+DotSize dot_size_in(const std::string& text) {
     const NumberRange range = setting::radius.range;
     const std::size_t dots = text.find("..");
-    if (dots == std::string::npos)
-        return {.sizing = DotSizing::fixed, .radius_mm = length_in(name, text, range)};
-    const double smallest = length_in(name, text.substr(0, dots), range);
-    const double largest = length_in(name, text.substr(dots + 2), range);
-    if (smallest > largest) {
-        throw CLI::ValidationError(name,
-                                   fmt::format("{}: the smaller radius comes first, as in 0.1..0.4", text));
-    }
+    if (dots == std::string::npos) return {.sizing = DotSizing::fixed, .radius_mm = length_in(text, range)};
+    const double smallest = length_in(text.substr(0, dots), range);
+    const double largest = length_in(text.substr(dots + 2), range);
+    if (smallest > largest)
+        throw std::runtime_error(text + ": the smaller radius comes first, as in 0.1..0.4");
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
 
@@ -105,21 +89,9 @@ PenChoice pens_in(const std::string& text) {
     return parse_pens(text);
 }
 
-// Tells what is wrong as the option's.
-Read reading(const std::string& name, const Read& read) {
-    return [name, read](const std::string& text) {
-        try {
-            read(text);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError(name, error.what());
-        }
-    };
-}
-
 void add_colour(CLI::App& app, const Setting& setting, glm::vec3& target) {
-    const std::string name = setting.names.option;
-    add_text(app, name, "#RRGGBB", help_of(setting),
-             reading(name, [&target](const std::string& text) { target = parse_colour(text); }))
+    const auto read = [&target](const std::string& text) { target = parse_colour(text); };
+    dapple::add_text(app, setting.names.option, "#RRGGBB", read, help_of(setting))
         ->default_str(hex_of(target));
 }
 
@@ -150,30 +122,47 @@ std::string unit_of(const Setting& setting) {
     return setting.length ? "LENGTH" : fmt::format("{:g}..{:g}", setting.range.least, setting.range.most);
 }
 
+void told_as(const std::string& option, const std::function<void()>& read) {
+    try {
+        read();
+    } catch (const std::runtime_error& error) {
+        throw CLI::ValidationError(option, error.what());
+    }
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& unit, const Read& read,
+                      const std::string& help) {
+    // The last one of its names.
+    const auto take = [option = name.substr(name.rfind(',') + 1), read](const std::string& text) {
+        told_as(option, [&] { read(text); });
+    };
+    return app.add_option_function<std::string>(name, take, help)->type_name(unit);
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(name, text, range); };
-    return add_text(app, name, unit, help, read)->default_str(fmt::format("{:g}", target));
+    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
+    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
                         const std::string& unit, const std::string& help) {
     const auto read = [=, &target](const std::string& text) {
-        target = static_cast<float>(number_in(name, text, range));
+        target = static_cast<float>(number_in(text, range));
     };
-    return add_text(app, name, unit, help, read)->default_str(fmt::format("{:g}", target));
+    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const NumberRange& range, const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(name, text, range); };
-    return add_text(app, name, unit, help, read);
+    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
+    return add_text(app, name, unit, read, help);
 }
 
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = length_in(name, text, range); };
-    return add_text(app, name, "LENGTH", help, read)->default_str(fmt::format("{:g}mm", target));
+    const auto read = [=, &target](const std::string& text) { target = length_in(text, range); };
+    return add_text(app, name, "LENGTH", read, help)->default_str(fmt::format("{:g}mm", target));
 }
 
 CLI::Option* add_length(CLI::App& app, const Setting& setting, double& target) {
@@ -186,8 +175,8 @@ CLI::Option* add_flag(CLI::App& app, const Setting& setting, bool& target) {
 
 CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& target, const NumberRange& range,
                               const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = whole_number_in(name, text, range); };
-    return add_text(app, name, "N", help, read)->default_str(fmt::format("{}", target));
+    const auto read = [=, &target](const std::string& text) { target = whole_number_in(text, range); };
+    return add_text(app, name, "N", read, help)->default_str(fmt::format("{}", target));
 }
 
 CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const char* const> words,
@@ -195,48 +184,45 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
     const std::vector<std::string> known(words.begin(), words.end());
     const auto take = [=](const std::string& text) {
         const auto found = std::ranges::find(known, text);
-        if (found == known.end()) {
-            throw CLI::ValidationError(
-                name, fmt::format("{} is not known; there are {}", text, fmt::join(known, ", ")));
-        }
+        if (found == known.end())
+            throw std::runtime_error(
+                fmt::format("{} is not known; there are {}", text, fmt::join(known, ", ")));
         read(static_cast<std::size_t>(found - known.begin()));
     };
-    return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), help, take);
+    return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), take, help);
 }
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
-    return add_text(app, "--pens", "PENS", help, reading("--pens", [&pens](const std::string& text) {
-                        PenChoice read = pens_in(text);
-                        read.order = pens.order;
-                        read.ink = pens.ink;
-                        pens = std::move(read);
-                    }));
+    const auto take = [&pens](const std::string& text) {
+        PenChoice read = pens_in(text);
+        read.order = pens.order;
+        read.ink = pens.ink;
+        pens = std::move(read);
+    };
+    return add_text(app, "--pens", "PENS", take, help);
 }
 
 CLI::Option* add_paper(CLI::App& app, PageSetup& page, const std::string& help) {
-    return add_text(app, "--page", "PAPER", help,
-                    reading("--page", [&page](const std::string& text) { read_paper(text, page); }));
+    const auto read = [&page](const std::string& text) { read_paper(text, page); };
+    return add_text(app, "--page", "PAPER", read, help);
 }
 
 CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
     const auto read = [&seed](const std::string& text) {
         const auto number = number_of<std::uint64_t>(text);
-        if (!number) {
-            throw CLI::ValidationError(
-                "--seed", fmt::format("{} is not possible; give a whole number from 0 to {}", text,
-                                      std::numeric_limits<std::uint64_t>::max()));
-        }
+        if (!number)
+            throw std::runtime_error(fmt::format("{} is not possible; give a whole number from 0 to {}", text,
+                                                 std::numeric_limits<std::uint64_t>::max()));
         seed = *number;
     };
-    return add_text(app, "--seed", "N", help, read)->default_str(fmt::format("{}", seed));
+    return add_text(app, "--seed", "N", read, help)->default_str(fmt::format("{}", seed));
 }
 
-std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most) {
+std::uint64_t count_in(const std::string& text, std::uint64_t most) {
     const std::optional<std::uint64_t> count = count_of(text);
-    if (!count || *count < 1 || *count > most) {
-        throw CLI::ValidationError(
-            name, fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
-    }
+    if (!count || *count < 1 || *count > most)
+        throw std::runtime_error(
+            fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
     return *count;
 }
 
@@ -256,13 +242,13 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     PlacingRequest& placing = settings.placing;
 
     const auto read_count = [&placing](const std::string& text) {
-        placing.count = count_in("--dots", text, kMostDots);
+        placing.count = count_in(text, kMostDots);
     };
     add_text(app, setting::count, read_count)->default_str(fmt::format("{}", kDefaultDots));
 
     // A scale takes the place of the count, whichever comes first; both are refused once all is read.
     const auto read_scale = [&placing](const std::string& text) {
-        placing.scale = number_in("--scale", text, setting::scale.range);
+        placing.scale = number_in(text, setting::scale.range);
         placing.count.reset();
     };
     add_text(app, setting::scale, read_scale);
@@ -278,14 +264,12 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
         if (text == "auto")
             settings.relax.reset();
         else
-            settings.relax = whole_number_in("--relax", text, setting::relax.range);
+            settings.relax = whole_number_in(text, setting::relax.range);
     };
     add_text(app, setting::relax, read_relax)->default_str("auto");
     add_choice(app, setting::settle_for, settings.settle_for);
 
-    const auto read_radius = [&settings](const std::string& text) {
-        settings.dot_size = dot_size_in("--dot-radius", text);
-    };
+    const auto read_radius = [&settings](const std::string& text) { settings.dot_size = dot_size_in(text); };
     add_text(app, setting::radius, read_radius);
     add_whole_number(app, "--threads", placing.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the dots are the same with any number");
@@ -299,11 +283,10 @@ void add_style_options(CLI::App& app, DrawingSettings& settings) {
                "two cross");
     add_text(
         app, "--dot-shape", "SHAPE|PATH",
+        [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); },
         "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
         "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in "
-        "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z",
-        reading("--dot-shape",
-                [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); }))
+        "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z")
         ->default_str(text_of(settings.mark));
     add_length(app, setting::pen_width, settings.pen_width_mm);
 }
@@ -315,15 +298,12 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
         settings.automatic_exposure = text == "auto";
         settings.tone.exposure = 0;
         if (!settings.automatic_exposure)
-            settings.tone.exposure =
-                static_cast<float>(number_in("--exposure", text, setting::exposure.range));
+            settings.tone.exposure = static_cast<float>(number_in(text, setting::exposure.range));
     };
     add_text(app, setting::exposure, read_exposure)->default_str("auto");
     const auto read_tone = [&settings](const std::string& text) {
-        if (text != "auto" && text != "true") {
-            throw CLI::ValidationError("--tone",
-                                       fmt::format("{} is not known; there are auto and true", text));
-        }
+        if (text != "auto" && text != "true")
+            throw std::runtime_error(text + " is not known; there are auto and true");
         settings.automatic_tone = text == "auto";
     };
     add_text(app, setting::automatic_tone, read_tone)->default_str(settings.automatic_tone ? "auto" : "true");
@@ -337,7 +317,7 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
     add_number(app, setting::detail, tone.detail);
     const auto read_black = [&tone](const std::string& text) {
         tone.black.reset();
-        if (text != "auto") tone.black = number_in("--black", text, setting::black.range);
+        if (text != "auto") tone.black = number_in(text, setting::black.range);
     };
     add_text(app, setting::black, read_black)
         ->default_str(tone.black ? fmt::format("{}", *tone.black) : "auto");
@@ -353,21 +333,19 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
         "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
     add_choice(app, setting::orientation, page.orientation);
     add_length(app, setting::width, page.width_mm);
-    add_text(app, setting::height, [&page](const std::string& text) {
-        page.height_mm = length_in("--height", text, setting::height.range);
-    });
-    add_text(app, setting::margin,
-             reading("--margin", [&page](const std::string& text) { page.margins = parse_margins(text); }))
-        ->default_str(page.margins ? text_of(*page.margins) + "mm" : "auto");
+    add_text(app, setting::height,
+             [&page](const std::string& text) { page.height_mm = length_in(text, setting::height.range); });
+    add_text(app, setting::margin, [&page](const std::string& text) {
+        page.margins = parse_margins(text);
+    })->default_str(page.margins ? text_of(*page.margins) + "mm" : "auto");
     add_choice(app, setting::fit, page.fit);
     add_text(
-        app, "--crop", "X,Y,WxH",
-        "Only a part of the picture, in pixels as in 100,50,640x480, or in percent as in 10%,10%,50%x80%",
-        reading("--crop", [&page](const std::string& text) { page.crop = parse_crop(text); }));
+        app, "--crop", "X,Y,WxH", [&page](const std::string& text) { page.crop = parse_crop(text); },
+        "Only a part of the picture, in pixels as in 100,50,640x480, or in percent as in 10%,10%,50%x80%");
     add_text(app, setting::rotate, [&page](const std::string& text) {
         const std::optional<int> degrees = number_of<int>(text);
         if (!degrees || *degrees < 0 || *degrees > 270 || *degrees % 90)
-            throw CLI::ValidationError("--rotate", text + " is not known; there are 0, 90, 180, 270");
+            throw std::runtime_error(text + " is not known; there are 0, 90, 180, 270");
         page.quarter_turns = *degrees / 90;
     })->default_str("0");
     add_pens(app, settings.pens,
@@ -401,15 +379,13 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         "DXF of up to a million dots, space of up to 5 million, else recursion. shortest, space, priority "
         "and --placer figure8 hold all dots in memory");
     add_text(
-        app, "--sheet", "C,R/CxR",
+        app, "--sheet", "C,R/CxR", [&sheet](const std::string& text) { sheet = parse_sheet(text); },
         "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
-        "those of the whole",
-        reading("--sheet", [&sheet](const std::string& text) { sheet = parse_sheet(text); }));
+        "those of the whole");
     add_text(
-        app, "--region", "X,Y,WxH",
+        app, "--region", "X,Y,WxH", [&region](const std::string& text) { region = parse_region(text); },
         "Only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 from the "
-        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole",
-        reading("--region", [&region](const std::string& text) { region = parse_region(text); }));
+        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole");
 }
 
 void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {

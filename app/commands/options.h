@@ -25,6 +25,15 @@ namespace dapple {
 std::string help_of(const Setting& setting);
 std::string unit_of(const Setting& setting);
 
+/// What is wrong with an option's value: `read` throws std::runtime_error, and it is refused.
+void told_as(const std::string& option, const std::function<void()>& read);
+
+/// A value that `read` understands, or else throws std::runtime_error saying what is wrong with it. `unit` is
+/// what help shows: "PAPER".
+using Read = std::function<void(const std::string& text)>;
+CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& unit, const Read& read,
+                      const std::string& help);
+
 /// A finite number within a range. `unit` is what help shows: "STOPS".
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
                         const std::string& unit, const std::string& help);
@@ -51,8 +60,14 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, int& targe
                               const std::string& help);
 
 /// A whole number of things from 1 to `most`, as people write it: 10000, 10,000, 10k, 1.5M, 1e5. Throws
-/// CLI::ValidationError beginning with the option's name.
-std::uint64_t count_in(const std::string& name, const std::string& text, std::uint64_t most);
+/// std::runtime_error if it is none.
+std::uint64_t count_in(const std::string& text, std::uint64_t most);
+template <class Count>
+CLI::Option* add_count(CLI::App& app, const std::string& name, Count& target, std::uint64_t most,
+                       const std::string& help) {
+    return add_text(
+        app, name, "N", [&target, most](const std::string& text) { target = count_in(text, most); }, help);
+}
 
 /// --pens: a set of pens, own ones, or a file that lists such.
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help);

@@ -160,12 +160,10 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_page_options(*command, options_.drawing);
     add_number(*command, setting::dpi, options_.saving.dpi)->group("Page");
     const auto read_bits = [this](const std::string& text) {
-        if (text != "8" && text != "16")
-            throw CLI::ValidationError("--bits", text + " is not possible; give 8 or 16");
+        if (text != "8" && text != "16") throw std::runtime_error(text + " is not possible; give 8 or 16");
         options_.saving.bits = text == "8" ? 8 : 16;
     };
-    command->add_option_function<std::string>(setting::bits.names.option, read_bits, help_of(setting::bits))
-        ->type_name(unit_of(setting::bits))
+    add_text(*command, setting::bits.names.option, unit_of(setting::bits), read_bits, help_of(setting::bits))
         ->default_str("8")
         ->group("Page");
     add_flag(*command, setting::separations, options_.saving.separations)->group("Page");

@@ -89,13 +89,8 @@ void TestSheetCommand::save() const {
     const Palette pens = pens_to_test(drawing_.pens);
     const glm::dvec2 size = size_of(drawing_.page);
     const PageSize page{size.x, size.y, std::max(size.x, size.y)};
-    const TestSheet sheet = [&] {
-        try {
-            return test_sheet(pens, page);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError("--pens", error.what());
-        }
-    }();
+    TestSheet sheet;
+    told_as("--pens", [&] { sheet = test_sheet(pens, page); });
     check_can_save(output_);
     StrokeStream strokes = stream_of(sheet.strokes, drawing_.pen_width_mm);
     for (const Pen& pen : pens) strokes.widths_mm.push_back(pen.width_mm);

@@ -28,44 +28,35 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_whole_number(command, "--kinds", options.kinds, {.least = 1, .most = static_cast<int>(kMaxKinds)},
                      "Look for a tile of this many kinds, each with --points points and none turned: they "
                      "fit each other without seams, and a picture repeats less the more there are");
-    command
-        .add_option_function<std::string>(
-            "--rule",
-            [&options](const std::string& text) {
-                options.rule.reset();
-                options.kind = text == "identity" ? SearchKind::identity : SearchKind::any;
-                if (text == "identity" || text == "any") return;
-                std::string digits = text;
-                std::erase_if(digits, [](char c) { return c == ' ' || c == ','; });
-                if (digits.size() != 4 || digits.find_first_not_of("01234567") != std::string::npos) {
-                    throw CLI::ValidationError(
-                        "--rule",
-                        text + " is not known; there are identity, any, and four digits such as 3760");
-                }
-                Rule rule;
-                for (std::size_t q = 0; q < 4; ++q)
-                    rule.child[q].index = static_cast<std::uint8_t>(digits[q] - '0');
-                options.rule = rule;
-            },
-            "identity: every tile of the paper's kind, by radius; any: tiles with turned copies that do not "
-            "repeat, by annealing, the rule that suits them best among them; or a rule of four orientations, "
-            "such as 3760, for that alone")
-        ->type_name("identity|any|RULE")
+    const auto read_rule = [&options](const std::string& text) {
+        options.rule.reset();
+        options.kind = text == "identity" ? SearchKind::identity : SearchKind::any;
+        if (text == "identity" || text == "any") return;
+        std::string digits = text;
+        std::erase_if(digits, [](char c) { return c == ' ' || c == ','; });
+        if (digits.size() != 4 || digits.find_first_not_of("01234567") != std::string::npos)
+            throw std::runtime_error(text +
+                                     " is not known; there are identity, any, and four digits such as 3760");
+        Rule rule;
+        for (std::size_t q = 0; q < 4; ++q) rule.child[q].index = static_cast<std::uint8_t>(digits[q] - '0');
+        options.rule = rule;
+    };
+    add_text(command, "--rule", "identity|any|RULE", read_rule,
+             "identity: every tile of the paper's kind, by radius; any: tiles with turned copies that do not "
+             "repeat, by annealing, the rule that suits them best among them; or a rule of four "
+             "orientations, such as 3760, for that alone")
         ->default_str("identity");
-    command
-        .add_option_function<std::string>(
-            "--cycles",
-            [&options](const std::string& text) {
-                options.cycles.clear();
-                std::istringstream parts(text);
-                for (std::string part; std::getline(parts, part, ',');)
-                    options.cycles.push_back(static_cast<int>(count_in("--cycles", part, kMostCycleLength)));
-            },
-            fmt::format(
-                "identity: instead of --points, look at tiles of several cycles, each of the number of "
-                "points given for it, {} at most; 4,4,4,4 is the paper's 16 points from four tiles of 4",
-                kMostCycleLength))
-        ->type_name("N,N,...");
+    const auto read_cycles = [&options](const std::string& text) {
+        options.cycles.clear();
+        std::istringstream parts(text);
+        for (std::string part; std::getline(parts, part, ',');)
+            options.cycles.push_back(static_cast<int>(count_in(part, kMostCycleLength)));
+    };
+    add_text(
+        command, "--cycles", "N,N,...", read_cycles,
+        fmt::format("identity: instead of --points, look at tiles of several cycles, each of the number of "
+                    "points given for it, {} at most; 4,4,4,4 is the paper's 16 points from four tiles of 4",
+                    kMostCycleLength));
     add_whole_number(command, "--top", options.top, {.least = 1, .most = 10'000},
                      "identity: how many of the best tiles to keep; mirrored and turned copies count as one");
     add_choice(command, "--by", options.by,
@@ -76,16 +67,10 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_number(command, "--seconds", options.seconds, {.least = 0.001, .most = 1e7}, "S",
                "identity: stop after this many seconds, to go on later; any and kinds: search for this many. "
                "Which tile is found then depends on the machine's speed; with --moves it is the same on all");
-    command
-        .add_option_function<std::string>(
-            "--moves",
-            [&options](const std::string& text) {
-                options.moves = count_in("--moves", text, 1'000'000'000'000'000);
-            },
-            fmt::format("any and kinds: how many moves to try; any tries that many in each run, half of them "
-                        "to choose the rule. Without it, {} a point",
-                        kMovesPerPoint))
-        ->type_name("N");
+    add_count(command, "--moves", options.moves, 1'000'000'000'000'000,
+              fmt::format("any and kinds: how many moves to try; any tries that many in each run, half of "
+                          "them to choose the rule. Without it, {} a point",
+                          kMovesPerPoint));
     add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},
                      "any: how many independent runs, of which the best is kept; 0 for one on each core");
     add_seed(command, options.seed,

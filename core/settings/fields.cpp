@@ -109,83 +109,64 @@ double Fields::whole_in(FieldName name, const Json& value, NumberRange range, co
     return number;
 }
 
+template <class Take>
+void Fields::field(FieldName name, Json value, const Take& take) {
+    if (way_ == Way::write)
+        written(name) = std::move(value);
+    else if (const Json* const found = read(name))
+        take(*found);
+}
+
 void Fields::flag(FieldName name, bool& value) {
-    if (way_ == Way::write) {
-        written(name) = value;
-    } else if (const Json* const found = read(name)) {
-        if (!found->is_boolean()) refuse_value(name, *found, "true or false");
-        value = found->get<bool>();
-    }
+    field(name, value, [&](const Json& found) {
+        if (!found.is_boolean()) refuse_value(name, found, "true or false");
+        value = found.get<bool>();
+    });
 }
 
 void Fields::number(FieldName name, double& value, NumberRange range) {
-    if (way_ == Way::write)
-        written(name) = value;
-    else if (const Json* const found = read(name))
-        value = number_in(name, *found, range);
+    field(name, value, [&](const Json& found) { value = number_in(name, found, range); });
 }
 
 void Fields::number(FieldName name, float& value, NumberRange range) {
     // The shortest digits that mean this float: 0.1, and not the 0.10000000149 that it is.
-    if (way_ == Way::write)
-        written(name) = number_of<double>(fmt::format("{}", value)).value_or(value);
-    else if (const Json* const found = read(name))
-        value = static_cast<float>(number_in(name, *found, range));
+    field(name, number_of<double>(fmt::format("{}", value)).value_or(value),
+          [&](const Json& found) { value = static_cast<float>(number_in(name, found, range)); });
 }
 
 void Fields::number(FieldName name, std::optional<double>& value, NumberRange range) {
-    if (way_ == Way::write) {
-        written(name) = value ? Json(*value) : Json();
-        return;
-    }
-    const Json* const found = read(name);
-    if (found && found->is_null())
+    field(name, value ? Json(*value) : Json(), [&](const Json& found) {
         value.reset();
-    else if (found)
-        value = number_in(name, *found, range);
+        if (!found.is_null()) value = number_in(name, found, range);
+    });
 }
 
 void Fields::whole(FieldName name, std::optional<std::uint64_t>& value, NumberRange range) {
-    if (way_ == Way::write) {
-        written(name) = value ? Json(*value) : Json();
-    } else if (const Json* const found = read(name)) {
+    field(name, value ? Json(*value) : Json(), [&](const Json& found) {
         value.reset();
-        if (found->is_null()) return;
-        value = static_cast<std::uint64_t>(whole_in(name, *found, range, ", or null"));
-    }
+        if (!found.is_null()) value = static_cast<std::uint64_t>(whole_in(name, found, range, ", or null"));
+    });
 }
 
 void Fields::whole(FieldName name, std::optional<int>& value, NumberRange range) {
-    if (way_ == Way::write) {
-        written(name) = value ? Json(*value) : Json();
-        return;
-    }
-    const Json* const found = read(name);
-    if (found && found->is_null())
+    field(name, value ? Json(*value) : Json(), [&](const Json& found) {
         value.reset();
-    else if (found)
-        whole(name, value.emplace(), range);
+        if (!found.is_null()) value = static_cast<int>(whole_in(name, found, range));
+    });
 }
 
 void Fields::whole(FieldName name, int& value, NumberRange range) {
-    if (way_ == Way::write) {
-        written(name) = value;
-    } else if (const Json* const found = read(name)) {
-        value = static_cast<int>(whole_in(name, *found, range));
-    }
+    field(name, value, [&](const Json& found) { value = static_cast<int>(whole_in(name, found, range)); });
 }
 
 void Fields::colour(FieldName name, glm::vec3& value) {
-    if (way_ == Way::write) {
-        written(name) = hex_of(value);
-    } else if (const Json* const found = read(name)) {
+    field(name, hex_of(value), [&](const Json& found) {
         try {
-            if (found->is_string()) value = parse_colour(found->get<std::string>());
+            value = parse_colour(found.is_string() ? found.get<std::string>() : "");
         } catch (const std::runtime_error&) {
-            refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
+            refuse_value(name, found, "a colour such as \"#1a2b3c\"");
         }
-        if (!found->is_string()) refuse_value(name, *found, "a colour such as \"#1a2b3c\"");
-    }
+    });
 }
 
 void Fields::mask(FieldName name, Mask& value) {
@@ -259,16 +240,14 @@ fs::path Fields::file_in(FieldName name, const Json& value) const {
 
 void Fields::text(FieldName name, const std::string& value,
                   const std::function<void(const std::string& text)>& take) {
-    if (way_ == Way::write) {
-        written(name) = value;
-    } else if (const Json* const found = read(name)) {
-        if (!found->is_string()) refuse_value(name, *found, "a text in quotes");
+    field(name, value, [&](const Json& found) {
+        if (!found.is_string()) refuse_value(name, found, "a text in quotes");
         try {
-            take(found->get<std::string>());
+            take(found.get<std::string>());
         } catch (const std::runtime_error& error) {
             refuse(name, fmt::format("is wrong: {}", error.what()));
         }
-    }
+    });
 }
 
 void Fields::tile(FieldName name, std::string& value) {
@@ -310,23 +289,19 @@ void Fields::remembered_files(FieldName name, std::vector<fs::path>& value, std:
 
 void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
                   Empty empty) {
-    if (way_ == Way::write) {
-        assert(chosen || empty == Empty::allowed);
-        written(name) = chosen ? Json(names[*chosen]) : Json();
-        return;
-    }
-    const Json* const found = read(name);
-    if (!found) return;
-    chosen.reset();
-    if (found->is_null() && empty == Empty::allowed) return;
-    const std::string text = found->is_string() ? found->get<std::string>() : "";
-    const auto at = std::ranges::find(names, std::string_view(text));
-    if (at == names.end()) {
-        refuse_value(
-            name, *found,
-            fmt::format("one of {}{}", fmt::join(names, ", "), empty == Empty::allowed ? ", or null" : ""));
-    }
-    chosen = static_cast<std::size_t>(at - names.begin());
+    assert(way_ == Way::read || chosen || empty == Empty::allowed);
+    field(name, chosen ? Json(names[*chosen]) : Json(), [&](const Json& found) {
+        chosen.reset();
+        if (found.is_null() && empty == Empty::allowed) return;
+        const auto at =
+            std::ranges::find(names, found.is_string() ? found.get_ref<const std::string&>() : std::string());
+        if (at == names.end()) {
+            refuse_value(name, found,
+                         fmt::format("one of {}{}", fmt::join(names, ", "),
+                                     empty == Empty::allowed ? ", or null" : ""));
+        }
+        chosen = static_cast<std::size_t>(at - names.begin());
+    });
 }
 
 void Fields::presence(FieldName name, bool& some) {

@@ -167,6 +167,9 @@ class Fields {
     /// An index into `names`.
     void word(FieldName name, std::optional<std::size_t>& chosen, std::span<const char* const> names,
               Empty empty);
+    /// Writes that, or takes what is there.
+    template <class Take>
+    void field(FieldName name, nlohmann::ordered_json value, const Take& take);
     /// Null if it isn't there, or writing.
     const nlohmann::ordered_json* read(FieldName name) const;
     nlohmann::ordered_json& written(FieldName name);

@@ -1,8 +1,6 @@
 #include "app/viewer/canvas/pane_view.h"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "app/viewer/widgets/theme.h"
 
@@ -35,9 +33,12 @@ PictureView view_of(const Framing& framing, glm::ivec2 picture) {
     }
 }
 
-CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, float pixel_scale) {
+namespace {
+
+CanvasLook look_of(const ComparedPanes& compared, const Pane& pane, const Zoom& zoom, float pixel_scale) {
+    const Session& session = compared.session();
     const ViewerSettings& settings = session.settings;
-    const DrawingSettings& drawing = session.settings_of(pane);
+    const DrawingSettings& drawing = compared.settings_of(pane);
     CanvasLook look;
     look.desk = rgb_of(ThemeColour::surround);
     look.paper = drawing.paper;
@@ -53,17 +54,23 @@ CanvasLook look_of(const Session& session, const Pane& pane, const Zoom& zoom, f
     look.fade_scale = pane.fade_scale(zoom);
     if (look.fade_scale > 0) look.dot_radius /= zoom.enlargement;
     look.pixel_scale = pixel_scale;
+    look.hidden_pens = hidden_among(pane.shown().pens, session.shown_pens);
+    if (compared.instead() == SeenInstead::photograph) {
+        look.picture_opacity = 1;
+        look.dots = false;
+    }
     return look;
 }
 
-PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) {
-    const PageWindow view = window_in_view(camera, 0);
-    // Relative to the dots' origin, which may lie deep within the page.
-    const PagePoint origin{shown.window.x, shown.window.y};
-    const glm::dvec2 low = in_page_units(PagePoint{view.x, view.y} - origin);
-    const glm::dvec2 page_end = shown.page_size - in_page_units(origin);
-    const glm::dvec2 high = glm::min(low + glm::dvec2(view.width, view.height), page_end);
-    return points_in_view(shown.dots, {low, high}, kMostAnalysed, shown.blocks);
+}  // namespace
+
+SplitLook look_of(const ComparedPanes& compared, const Zoom& zoom, float pixel_scale) {
+    const Comparison& comparison = compared.session().settings.comparison;
+    const Pane &left = compared.seen(), *const right = compared.right();
+    SplitLook look{{look_of(compared, left, zoom, pixel_scale),
+                    look_of(compared, right ? *right : left, zoom, pixel_scale)}};
+    if (comparison.on) look.divider = comparison.divider;
+    return look;
 }
 
 }  // namespace dapple

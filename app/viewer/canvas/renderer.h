@@ -103,8 +103,6 @@ class Renderer {
     /// Goes on with that for about so many seconds. True if all of it is there, or there is none.
     bool upload(double seconds);
 
-    std::size_t dot_count() const { return dot_count_; }
-
     /// camera.canvas must be the picture's size; its first row is the top one. Returns full if drawn fully it
     /// would look the same.
     Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,

@@ -42,7 +42,7 @@ bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {
         if (!page_.settled()) page_requested_.reset();
     }
     // The whole drawing comes first: its scale is what a close view starts from.
-    const bool is_close = close && page_requested_ == page && page_placed_ == page;
+    const bool is_close = close && page_requested_ == page && page_.request == page;
     if (is_close) page.close = close;
     std::optional<DotsRequest>& requested = is_close ? close_requested_ : page_requested_;
     if (again == RequestAgain::when_changed && requested == page) return false;
@@ -56,7 +56,7 @@ void Pane::take(DotsPlaced& event) {
         tile_ = std::move(*event.tile);
         ++tiles_;
     }
-    if (event.request.close) {
+    if (event.drawing.request->close) {
         if (close_requested_) {
             std::swap(close_, event.drawing);
             shows_close_ = true;
@@ -64,7 +64,6 @@ void Pane::take(DotsPlaced& event) {
     } else {
         if (event.picture) shows_close_ = false;
         std::swap(page_, event.drawing);
-        page_placed_ = event.request;
         if (close_requested_) close_requested_->close = CloseView{};  // to be requested again
     }
     worker_.recycle(std::move(event.drawing));
@@ -74,7 +73,6 @@ void Pane::take(DotsPlaced& event) {
 
 void Pane::clear() {
     page_requested_.reset();
-    page_placed_.reset();
     close_requested_.reset();
     worker_.recycle(std::exchange(page_, {}));
     worker_.recycle(std::exchange(close_, {}));

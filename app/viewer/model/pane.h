@@ -53,9 +53,6 @@ class Pane {
     /// What the whole page was requested with last.
     const std::optional<DotsRequest>& page_requested() const { return page_requested_; }
 
-    /// What the whole page was placed for last; none before the first.
-    const std::optional<DotsRequest>& page_request() const { return page_placed_; }
-
     /// A number that changes with what is shown, and one of drawings that came.
     std::uint64_t version() const { return version_; }
     std::uint64_t placings() const { return placings_; }
@@ -74,8 +71,7 @@ class Pane {
     std::optional<CloseView> close_view(const DotsRequest& page, const Zoom& zoom) const;
 
     Worker worker_;
-    std::optional<DotsRequest> page_requested_, page_placed_;
-    std::optional<DotsRequest> close_requested_;
+    std::optional<DotsRequest> page_requested_, close_requested_;
     PlacedDrawing page_, close_;
     TileView tile_;
     int tiles_ = 0;

@@ -4,10 +4,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/shown_strokes.h"
+#include "app/viewer/model/dots_request.h"
 #include "core/drawing/page_setup.h"
 #include "core/image/framing.h"
 #include "core/image/histogram.h"
@@ -17,6 +18,7 @@
 namespace dapple {
 
 struct PlacedDrawing : Stippling {
+    std::optional<DotsRequest> request;          // that it was placed for; none: nothing was
     Tone tone;                                   // as drawn, with the values that were chosen automatically
     Tone usual_tone;                             // see DrawingPlan
     std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one

@@ -48,13 +48,9 @@ std::string name_of(const fs::path& project, const fs::path& picture) {
 Session::Session(const DrawingSettings& drawing, std::function<void()> wake, std::uint64_t most_dots)
     : settings{.drawing = drawing},
       history_({settings, opened_}),
-      wake_(std::move(wake)),
       most_dots_(most_dots),
       tiles_(drawing.tile),
-      pane_(wake_),
-      right_(wake_),
-      was_(wake_),
-      as_it_was_(drawing) {
+      pane_(std::move(wake)) {
     safe_ = drawing;
 }
 
@@ -236,19 +232,29 @@ void Session::go_back_before(const fs::path& picture) {
     readings_.erase(failed);
 }
 
-void Session::open_tile(const fs::path& file) {
+void Session::attempt(const std::function<void()>& work) {
     try {
-        settings.drawing.tile = tiles_.open(file);
-        banner = {};
+        work();
     } catch (const std::exception& error) {
         say(error.what());
     }
 }
 
+void Session::open_tile_of(DrawingSettings& drawing) {
+    if (is_tile_file_name(drawing.tile)) drawing.tile = tiles_.open(drawing.tile);
+}
+
+void Session::open_tile(const fs::path& file) {
+    attempt([&] {
+        settings.drawing.tile = tiles_.open(file);
+        banner = {};
+    });
+}
+
 void Session::load_project(const fs::path& file) {
     ViewerSettings read;
     Project project = read_project(file, [&](Fields& fields) { describe(fields, read); });
-    if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
+    open_tile_of(read.drawing);
     read.every_frame = settings.every_frame;
     SettingsBefore before{std::exchange(settings, read), safe_};
     know_safe(settings.drawing);
@@ -271,68 +277,50 @@ void Session::load_project(const fs::path& file) {
 }
 
 void Session::open_project(const fs::path& file) {
-    try {
-        load_project(file);
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    attempt([&] { load_project(file); });
+}
+
+void Session::take(SavedSettings taken) {
+    open_tile_of(taken.drawing);
+    settings.drawing = std::move(taken.drawing);
+    settings.saving = taken.saving;
 }
 
 void Session::take_settings(const fs::path& file) {
-    try {
-        SavedSettings read = settings_from(file);
-        if (is_tile_file_name(read.drawing.tile)) read.drawing.tile = tiles_.open(read.drawing.tile);
-        settings.drawing = read.drawing;
-        settings.saving = read.saving;
+    attempt([&] {
+        take(settings_from(file));
         banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::take_preset(const SavedSettings& preset) {
-    try {
-        DrawingSettings drawing = with_preset(preset.drawing, settings.drawing);
-        if (is_tile_file_name(drawing.tile)) drawing.tile = tiles_.open(drawing.tile);
-        settings.drawing = std::move(drawing);
-        settings.saving = preset.saving;
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    attempt([&] { take({with_preset(preset.drawing, settings.drawing), preset.saving}); });
 }
 
-void Session::save_project_into(const fs::path& file) {
+void Session::keep(const fs::path& file) {
     Project project = source_.project;
     project.picture.reset();
     if (!source_.picture.empty()) project.picture = source_.picture;
     dapple::save_project(file, project, [&](Fields& fields) { describe(fields, settings); });
 }
 
-void Session::keep(const fs::path& file) {
-    save_project_into(file);
-}
-
 void Session::bring_back(const fs::path& file) {
-    try {
+    attempt([&] {
         load_project(file);
         source_.project_path.clear();  // which is not where it belongs
         source_.brought_back = true;
         if (readings_.empty()) know_safe(std::nullopt);  // else once its picture is there
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::save_project(const fs::path& file) {
-    try {
-        save_project_into(file);
+    attempt([&] {
+        keep(file);
         source_.project_path = whole_path(file);
         source_.brought_back = false;
         know_safe(settings.drawing);
         banner = {BannerKind::notice, "Saved " + file.string()};
-    } catch (const std::exception& error) {
-        say(error.what());
-    }
+    });
 }
 
 void Session::take_dropped(const fs::path& file) {
@@ -426,13 +414,13 @@ void Session::save_film(const fs::path& path) {
 }
 
 void Session::request_dots(const Zoom& zoom) {
-    const RequestAgain again = settings.every_frame ? RequestAgain::always : RequestAgain::when_changed;
     // In every frame, but not before the last one is there: it would never be.
     const bool waits = settings.every_frame && pane_.worker().placing_since();
-    const bool requested = pane_.request(page_request(), zoom, waits ? RequestAgain::when_changed : again);
+    const bool again = settings.every_frame && !waits;
+    const bool requested =
+        pane_.request(page_request(), zoom, again ? RequestAgain::always : RequestAgain::when_changed);
     if (requested) requested_settings_ = settings;
     if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);
-    request_beside(zoom, again);
 }
 
 void Session::stop_placing() {
@@ -441,62 +429,9 @@ void Session::stop_placing() {
     banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
 }
 
-void Session::request_beside(const Zoom& zoom, RequestAgain again) {
-    const std::optional<DotsRequest>& left = pane_.page_request();
-    if (!settings.comparison.on)
-        right_.forget();
-    else if (left)
-        right_.request(picture_, pictures_, right_request(settings.comparison, *left, pane_.page()), zoom,
-                       again);
-    if (!left || !wants_as_it_was()) return;
-    ViewerSettings was = settings;
-    was.drawing = as_it_was_;
-    was_.request(picture_, pictures_, as_shown(dots_request(was)), zoom, again);
-}
-
-// Without a change there is nothing else to see.
-bool Session::wants_as_it_was() const {
-    return shows_as_it_was && !film && as_it_was_ != settings.drawing;
-}
-
-const Pane* Session::right() const {
-    return settings.comparison.on ? right_.of_picture(pictures_) : nullptr;
-}
-
-const Pane& Session::seen() const {
-    const Pane* const was = wants_as_it_was() ? was_.of_picture(pictures_) : nullptr;
-    return was ? *was : pane_;
-}
-
-const DrawingSettings& Session::settings_of(const Pane& pane) const {
-    return &pane == was_.in_use() ? as_it_was_ : settings.drawing;
-}
-
-std::vector<const Pane*> Session::panes() const {
-    std::vector<const Pane*> panes{&pane_};
-    for (const Pane* const beside : {right_.in_use(), was_.in_use()})
-        if (beside) panes.push_back(beside);
-    return panes;
-}
-
 void Session::take_events(std::chrono::milliseconds patience) {
     for (WorkerEvent& event : pane_.worker().events(patience))
         std::visit([this](auto& n) { take(n); }, event);
-    take_beside(right_);
-    take_beside(was_);
-}
-
-void Session::take_beside(PaneBeside& beside) {
-    for (WorkerEvent& event : beside.events()) {
-        if (auto* placed = std::get_if<DotsPlaced>(&event)) {
-            if (!placed->error.empty()) say(placed->error);
-            beside.take(*placed);
-        }
-        if (auto* failed = std::get_if<TaskFailed>(&event)) {
-            failed->picture.reset();  // the left one's, read again
-            take(*failed);
-        }
-    }
 }
 
 void Session::take(DotsPlaced& event) {
@@ -507,8 +442,6 @@ void Session::take(DotsPlaced& event) {
         std::optional<Reading> read = end_reading(event.picture->file);
         picture_ = std::move(*event.picture);
         ++pictures_;
-        was_.forget();
-        as_it_was_ = settings.drawing;
         std::optional<DrawingSettings> safe =
             read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
@@ -524,10 +457,10 @@ void Session::take(DotsPlaced& event) {
     else if (placing_failed_ && banner.kind == BannerKind::error)
         banner = {};
     placing_failed_ = !event.error.empty();
-    if (event.error.empty() && event.request == pane_.page_requested())
+    if (event.error.empty() && event.drawing.request == pane_.page_requested())
         placed_settings_ = requested_settings_;
-    const bool levels =
-        film && film->kind == FilmKind::levels && event.request.colours.colouring == DotColouring::level;
+    const bool levels = film && film->kind == FilmKind::levels &&
+                        event.drawing.request->colours.colouring == DotColouring::level;
     if (levels && event.error.empty())
         film->deepest =
             deepest_level(event.drawing.dots, event.tile ? event.tile->points.size() : pane_.tile_size());
@@ -589,8 +522,8 @@ void Session::take(OpeningStopped& event) {
     banner = {BannerKind::notice, "Stopped: not all of " + event.name + " was read"};
 }
 
-DrawnInfo Session::drawn(const Pane& pane) const {
-    const PlacedDrawing& drawing = pane.page();
+DrawnInfo Session::drawn() const {
+    const PlacedDrawing& drawing = pane_.page();
     return {.dots = drawing.dots.size() - drawing.duplicates,
             .scale = drawing.scale,
             .dot_radius_mm = drawing.dot_radius * drawing.layout.page.mm_per_page_unit,

@@ -21,7 +21,6 @@
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
-#include "app/viewer/model/pane_beside.h"
 #include "app/viewer/model/played_film.h"
 #include "app/viewer/model/shown_pens.h"
 #include "app/viewer/model/tile_choices.h"
@@ -41,6 +40,8 @@ class Session {
     void open_sample();
     void open(const std::filesystem::path& path);
     void save(const std::filesystem::path& path);
+    /// Gives up what is being saved: what was at its place stays.
+    void stop_saving() { pane_.worker().cancel_saving(); }
     /// The drawing onto the clipboard, as the PNG that would be exported. The banner says how that went.
     void copy_picture();
     /// Begins to play; nothing before the first dots.
@@ -95,8 +96,10 @@ class Session {
     void take_events(std::chrono::milliseconds patience);
 
     /// Requests what the settings ask for and waits a moment for it, so that dots and slider move in the same
-    /// frame. For the right side nobody waits; while it is not shown it keeps neither picture nor dots.
+    /// frame.
     void request_dots(const Zoom& zoom);
+    /// Such a request within the session's bound, and with all of the picture while it is being cropped.
+    DotsRequest as_shown(DotsRequest request) const;
 
     /// Gives up the reading of a picture: the one before stays, or what there is of a first look.
     void stop_opening() { pane_.worker().stop_opening(); }
@@ -117,7 +120,6 @@ class Session {
 
     ViewerSettings settings;  // the panels edit them
     // Tools, and so neither saved nor undone.
-    bool shows_as_it_was = false;  // the drawing, in place of the one that is edited
     CropTool cropping;
     /// The page's room within its margins, as wide and high as the picture was opened.
     glm::dvec2 room_for_crop() const;
@@ -129,23 +131,8 @@ class Session {
     /// it.
     void say(const std::string& sentence);
 
-    /// The drawing: what is edited and saved; the left side of the split view.
-    Pane& pane() { return pane_; }
+    /// The drawing: what is edited and saved.
     const Pane& pane() const { return pane_; }
-    /// The right side; none unless comparing, and before its first dots.
-    const Pane* right() const;
-
-    /// The settings as they were when the picture was opened, or when they were kept last.
-    const DrawingSettings& as_it_was() const { return as_it_was_; }
-    void keep_to_compare() { as_it_was_ = settings.drawing; }
-    /// What the canvas shows, or the left side of the split view: the drawing, or the one with those
-    /// settings, once that is wanted and there.
-    const Pane& seen() const;
-    /// What a pane's drawing is drawn with; the right side of the split view has a tile of its own.
-    const DrawingSettings& settings_of(const Pane& pane) const;
-    /// All that may be placing.
-    std::vector<const Pane*> panes() const;
-
     bool placed_once() const { return pane_.placings() > 0; }
 
     const OpenedPicture& picture() const { return picture_; }
@@ -163,7 +150,7 @@ class Session {
     /// The project that was opened or saved last, and not left for another picture; empty: none.
     const std::filesystem::path& project_path() const { return source_.project_path; }
 
-    DrawnInfo drawn(const Pane& pane) const;
+    DrawnInfo drawn() const;
 
  private:
     /// What is drawn, as it was asked for.
@@ -210,13 +197,13 @@ class Session {
     void go_back_before(const std::filesystem::path& picture);
     /// What the whole page is requested with.
     DotsRequest page_request() const;
-    DotsRequest as_shown(DotsRequest request) const;
-    bool wants_as_it_was() const;
     void name_changes();
     void know_safe(std::optional<DrawingSettings> drawing);
-    void save_project_into(const std::filesystem::path& file);
-    void request_beside(const Zoom& zoom, RequestAgain again);
-    void take_beside(PaneBeside& beside);
+    /// What goes wrong is said.
+    void attempt(const std::function<void()>& work);
+    /// Where it is in a file, it is one of tiles() from then on.
+    void open_tile_of(DrawingSettings& drawing);
+    void take(SavedSettings taken);
     void take(DotsPlaced& event);
     void take(TaskFailed& event);
     void take(DrawingSaved& event);
@@ -232,12 +219,9 @@ class Session {
     std::optional<DrawingSettings> safe_;  // nothing is lost with these; none: whatever they are
     bool has_changes_ = false;
     std::optional<std::string> undo_words_, redo_words_;
-    std::function<void()> wake_;
     std::uint64_t most_dots_;
     TileChoices tiles_;
     Pane pane_;
-    PaneBeside right_, was_;  // the drawing as it was: kept for the next look until another picture comes
-    DrawingSettings as_it_was_;
     bool placing_failed_ =
         false;  // the last one: what the banner says of it goes with the next that does not
     OpenedPicture picture_;

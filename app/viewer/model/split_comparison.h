@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "app/viewer/model/dots_request.h"
 #include "core/drawing/settings.h"
 #include "core/text/names.h"
 
@@ -32,11 +31,5 @@ struct Comparison {
 /// Switched on or off. Where both sides would be alike the right one gets another tile: the paper's, which
 /// repeats, or the default beside the paper's.
 Comparison toggled(Comparison comparison, const DrawingSettings& left);
-
-/// What the right side places beside a left one that has been placed.
-DotsRequest right_request(const Comparison& comparison, DotsRequest left, const Stippling& placed);
-
-/// "paper16, Figure 8".
-std::string drawn_with(const DotsRequest& request);
 
 }  // namespace dapple

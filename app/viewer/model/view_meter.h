@@ -4,28 +4,22 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "app/viewer/model/background.h"
-#include "app/viewer/model/camera.h"
+#include "app/viewer/model/pane.h"
 #include "app/viewer/model/view_analysis.h"
 
 namespace dapple {
-
-/// Tells one view of dots from another.
-struct ViewKey {
-    std::uint64_t placing = 0;  // a number that changes with the dots
-    Camera camera;
-    bool operator==(const ViewKey&) const = default;
-};
 
 class ViewMeter {
  public:
     ViewMeter(Measure measure, std::function<void()> wake)
         : measure_(measure), background_(std::move(wake)) {}
 
-    /// To be called each frame while somebody looks. `request` is asked for the dots on screen when they are
-    /// others than before and the last measuring is over.
-    void update(const ViewKey& key, const std::function<ViewAnalysisRequest()>& request);
+    /// To be called each frame while somebody looks. Measures the dots on screen when they are others than
+    /// before and the last measuring is over.
+    void update(const Pane& pane, const Camera& camera, std::size_t tile_size);
     /// Nobody looks any more: gives up what is under way.
     void stop();
 
@@ -41,7 +35,7 @@ class ViewMeter {
 
     Measure measure_;
     Background<ViewAnalysis> background_;
-    std::optional<ViewKey> measured_;
+    std::optional<std::pair<std::uint64_t, Camera>> measured_;  // of Pane::placings()
     std::optional<ViewAnalysis> analysis_;
     int analyses_ = 0;
 };

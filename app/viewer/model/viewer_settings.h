@@ -1,8 +1,7 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
-#include "app/viewer/model/density_choice.h"
-#include "app/viewer/model/dot_colours.h"
+#include "app/viewer/model/dots_request.h"
 #include "app/viewer/model/split_comparison.h"
 #include "core/drawing/settings.h"
 #include "core/text/length.h"

@@ -63,55 +63,14 @@ double density_in(const Density& page, const PageWindow& window) {
     return sum / (kSamples * kSamples) * window.width * window.height;
 }
 
-bool place_close(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& request,
-                 PlacedDrawing& drawing, const std::stop_token& stop) {
-    const auto begin = std::chrono::steady_clock::now();
+PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
     // A window may be as small as 2^-41 of the page.
     const double most = static_cast<double>(request.most_dots);
-    const double limit =
-        most / (kDotsPerScale * std::max(density_in(*plan.density, request.close->window), 1e-200));
-    const PlacingRequest placing{.scale = std::min(request.close->scale, limit),
-                                 .threads = request.drawing.placing.threads,
-                                 .thresholds = true,
-                                 .window = request.close->window};
-    Placer& placer = pipeline.tile().placer();
-    drawing.scale = placing.scale;
-    drawing.duplicates = 0;
-    if (!placer.place(*plan.density, placing, drawing.dots, stop)) return false;
-    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-    drawing.place_ms = passed.count();
-    drawing.steps = drawing.all_steps = 0;
-    drawing.relax_ms = 0;
-    drawing.outlines.clear();
-    if (request.outlines) drawing.outlines = placed_tiles(placer.table(), *plan.density, placing);
-    return true;
-}
-
-bool place_page(Pipeline& pipeline, const DrawingPlan& plan, const DotsRequest& request,
-                PlacedDrawing& drawing, const std::stop_token& stop, const auto& finish,
-                const Unsettled& unsettled) {
-    DrawingWatch watch{.stop = stop, .step = {}};
-    if (unsettled) {
-        watch.step = [&](const Stippling& drawn, const std::function<DotPieces()>& dots) {
-            return unsettled([&] {
-                PlacedDrawing now;
-                now.dots = dots();
-                now.scale = drawn.scale;
-                now.place_ms = drawn.place_ms;
-                now.steps = drawn.steps;
-                now.all_steps = plan.steps;
-                now.relax_ms = drawn.relax_ms;
-                if (request.outlines) now.outlines = pipeline.outlines(plan, drawn.scale);
-                finish(now);
-                return now;
-            });
-        };
-    }
-    if (!pipeline.draw(plan, drawing, watch)) return false;
-    drawing.all_steps = plan.steps;
-    drawing.outlines.clear();
-    if (request.outlines) drawing.outlines = pipeline.outlines(plan, drawing.scale);
-    return true;
+    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
+    return {.scale = std::min(request.close->scale, limit),
+            .threads = request.drawing.placing.threads,
+            .thresholds = true,
+            .window = request.close->window};
 }
 
 }  // namespace
@@ -120,14 +79,22 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                       const Unsettled& unsettled) {
     DrawingPlan made = plan(request);
     if (request.in_part) made.placing.thresholds = true;
-    pipeline_.tile().placer().report_share(share_);
     const Density& page = *made.density;
+    if (request.close) {  // as placed
+        made.placing = close_placing(page, request);
+        made.steps = 0;
+        made.pens = {};
+    }
+    Placer& placer = pipeline_.tile().placer();
+    placer.report_share(share_);
     // Figure 8 turns no tile, and begins at the page's corner.
     const bool turns = request.drawing.placer == PlacerKind::exact;
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
+        placed.request = request;
         placed.tone = made.tone;
         placed.usual_tone = made.usual_tone;
+        placed.all_steps = made.steps;
         placed.usual_steps = made.usual_steps;
         placed.histogram = made.histogram;
         placed.tone_ms = pipeline_.tone_ms();
@@ -137,6 +104,10 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.picture_pixels = pipeline_.pixels();
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
+        placed.outlines.clear();
+        if (request.outlines)
+            placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
+                                            : pipeline_.outlines(made, placed.scale);
         placed.dot_radius = made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
@@ -148,11 +119,26 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
             {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind, placed.tile_corner},
             request.colours);
     };
-    if (!(request.close ? place_close(pipeline_, made, request, drawing, stop)
-                        : place_page(pipeline_, made, request, drawing, stop, finish, unsettled)))
+    DrawingWatch watch{.stop = stop, .step = {}};
+    if (unsettled) {
+        watch.step = [&](const Stippling& drawn, const std::function<DotPieces()>& dots) {
+            return unsettled([&] {
+                PlacedDrawing now;
+                static_cast<Stippling&>(now) = {.dots = dots(),
+                                                .steps = drawn.steps,
+                                                .scale = drawn.scale,
+                                                .place_ms = drawn.place_ms,
+                                                .relax_ms = drawn.relax_ms};
+                finish(now);
+                return now;
+            });
+        };
+    }
+    if (!(request.close ? stipple(pipeline_.tile(), page, made.placer, made.placing, drawing, stop)
+                        : pipeline_.draw(made, drawing, watch)))
         return false;
     finish(drawing);
-    drawing.pens = request.close ? Palette{} : made.pens;
+    drawing.pens = made.pens;
     return true;
 }
 
@@ -192,7 +178,6 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);
     DotsPlaced placed;
-    placed.request = request;
     placed.drawing = std::move(drawing);
     if (!tile_published_ || !same_tile(*tile_published_, request)) {
         placed.tile = view_of(request.tile, pipeline_.tile(), request.drawing.placer);
@@ -202,7 +187,8 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     return placed;
 }
 
-std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& request, const Task& task) {
+std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request,
+                                                      const Background<DotsPlaced>::Task& task) {
     const std::stop_token& stop = task.stop();
     share_ = &task.share();
     // Settled dots are not replaced by unsettled ones of the same picture.
@@ -239,7 +225,7 @@ std::optional<Workbench::Result> Workbench::place_for_screen(const DotsRequest& 
         return placed;
     } catch (...) {
         DotsPlaced failed;
-        failed.request = request;
+        failed.drawing.request = request;
         failed.error = words_of_exception();
         failed.picture = std::exchange(arrived_, std::nullopt);
         return failed;

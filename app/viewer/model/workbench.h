@@ -11,13 +11,11 @@
 #include <stop_token>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/files/picture.h"
 #include "app/files/save_drawing.h"
 #include "app/viewer/model/background.h"
-#include "app/viewer/model/dots_request.h"
 #include "app/viewer/model/placed_drawing.h"
 #include "app/viewer/model/spare_drawings.h"
 #include "app/viewer/model/tile_view.h"
@@ -46,7 +44,6 @@ struct OpenedPicture {
 /// A new picture comes together with its first dots. A drawing whose dots are still to be relaxed comes as it
 /// lies, and again when it has settled further.
 struct DotsPlaced {
-    DotsRequest request;
     PlacedDrawing drawing;
     std::optional<OpenedPicture> picture;
     std::optional<TileView> tile;  // if it is another than the one told before
@@ -60,15 +57,8 @@ using WriteFile = std::function<bool(const SavingWatch&)>;
 /// Places what is to be written. Empty if stopped.
 using PrepareFile = std::function<WriteFile(Workbench&, std::stop_token)>;
 
-struct FilePrepared {
-    WriteFile write;
-};
-
 class Workbench {
  public:
-    using Result = std::variant<DotsPlaced, FilePrepared>;
-    using Task = Background<Result>::Task;
-
     /// Shows another picture from now on.
     void set_picture(Picture picture) { dapple::set_picture(pipeline_, std::move(picture)); }
     /// The same, and comes with its first dots on the screen: of `about`, file, name and way to read it are
@@ -83,7 +73,8 @@ class Workbench {
 
     /// The same for the screen, where a drawing that takes longer is seen on its way. Nothing if stopped.
     /// What goes wrong is in DotsPlaced::error.
-    std::optional<Result> place_for_screen(const DotsRequest& request, const Task& task);
+    std::optional<DotsPlaced> place_for_screen(const DotsRequest& request,
+                                               const Background<DotsPlaced>::Task& task);
 
     /// What a request comes to: the pipeline is then ready for it.
     DrawingPlan plan(const DotsRequest& request);

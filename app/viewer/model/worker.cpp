@@ -153,8 +153,7 @@ void Worker::take_results() {
     if (!under_way_) return;
     const bool over = !placing_.busy();  // asked first: there may be a result between the two
     try {
-        while (std::optional<Workbench::Result> result = placing_.result())
-            std::visit([this](auto& r) { take(r); }, *result);
+        while (std::optional<DotsPlaced> placed = placing_.result()) events_.push_back(std::move(*placed));
     } catch (...) {
         const std::string message = words_of_exception();
         if (const auto* save = std::get_if<SaveTask>(&*under_way_))
@@ -170,19 +169,13 @@ void Worker::take_results() {
 void Worker::end_task() {
     if (std::holds_alternative<ShowTask>(*under_way_) && (!next_request_ || next_request_->close))
         next_request_ = last_request_;
+    if (auto* save = std::get_if<SaveTask>(&*under_way_)) {
+        if (save->write)
+            writes_.push_back(std::move(*save));
+        else
+            end_saving(save->save, SavingCancelled{save->save.path});
+    }
     under_way_.reset();
-}
-
-void Worker::take(DotsPlaced& placed) {
-    events_.push_back(std::move(placed));
-}
-
-void Worker::take(FilePrepared& prepared) {
-    const Save& save = std::get<SaveTask>(*under_way_).save;
-    if (prepared.write)
-        writes_.push_back({save, std::move(prepared.write)});
-    else
-        end_saving(save, SavingCancelled{save.path});
 }
 
 void Worker::begin_next() {
@@ -216,12 +209,12 @@ void Worker::begin(Task task) {
     for (PlacedDrawing& drawing : given_back_) bench_.give_back(std::move(drawing));
     given_back_.clear();
     under_way_ = std::move(task);
-    placing_.begin([this](const Workbench::Task& todo) -> std::optional<Workbench::Result> {
+    placing_.begin([this](const Background<DotsPlaced>::Task& todo) -> std::optional<DotsPlaced> {
         bench_.sort_spare();
         if (const auto* request = std::get_if<DotsRequest>(&*under_way_))
             return bench_.place_for_screen(*request, todo);
-        if (const auto* save = std::get_if<SaveTask>(&*under_way_))
-            return FilePrepared{save->prepare(bench_, todo.stop())};
+        if (auto* save = std::get_if<SaveTask>(&*under_way_))
+            save->write = save->prepare(bench_, todo.stop());
         if (auto* show = std::get_if<ShowTask>(&*under_way_))
             bench_.open(std::move(show->read.picture), std::move(show->about));
         if (std::holds_alternative<ClearTask>(*under_way_)) bench_.clear();
@@ -243,7 +236,7 @@ void Worker::take_written() {
 
 void Worker::write_next() {
     while (!written_ && !writes_.empty()) {
-        WriteTask next = std::move(writes_.front());
+        SaveTask next = std::move(writes_.front());
         writes_.pop_front();
         if (cancelled(next.save)) {
             end_saving(next.save, SavingCancelled{next.save.path});
@@ -259,8 +252,8 @@ void Worker::write_next() {
 }
 
 void Worker::end_saving(const Save& save, WorkerEvent outcome) {
-    std::erase_if(saves_, [number = save.number](const Save& each) { return each.number == number; });
-    events_.push_back(std::move(outcome));
+    if (std::erase_if(saves_, [number = save.number](const Save& each) { return each.number == number; }) > 0)
+        events_.push_back(std::move(outcome));
 }
 
 }  // namespace dapple

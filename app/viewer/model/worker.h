@@ -122,14 +122,11 @@ class Worker {
     struct SaveTask {
         Save save;
         PrepareFile prepare;
+        WriteFile write = {};  // once that is done
     };
     struct ClearTask {};
     struct SortTask {};  // of drawings given back
     using Task = std::variant<OpenTask, ShowTask, SaveTask, ClearTask, SortTask, DotsRequest>;
-    struct WriteTask {
-        Save save;
-        WriteFile write;
-    };
 
     void go_on();
     void take_read();
@@ -137,13 +134,12 @@ class Worker {
     void begin_opening();
     void take_results();
     void end_task();
-    void take(DotsPlaced& placed);
-    void take(FilePrepared& prepared);
     void begin_next();
     void begin(Task task);
     void take_written();
     void write_next();
     bool cancelled(const Save& save) const { return save.number < cancelled_saves_; }
+    /// Once: what comes after its first outcome is none.
     void end_saving(const Save& save, WorkerEvent outcome);
     bool placing() const { return under_way_ && std::holds_alternative<DotsRequest>(*under_way_); }
 
@@ -154,8 +150,8 @@ class Worker {
     bool opening_stopped_ = false, looked_ = false;  // its first look was shown
     std::deque<ShowTask> read_;
     std::string whole_missing_;  // why only a first look is shown; empty: it is not so
-    std::deque<WriteTask> writes_;
-    std::optional<WriteTask> written_;   // the one under way
+    std::deque<SaveTask> writes_;
+    std::optional<SaveTask> written_;    // the one under way
     std::deque<Save> saves_;             // all that were not ended
     std::uint64_t all_saves_ = 0;        // so many were asked for,
     std::uint64_t cancelled_saves_ = 0;  // and the first so many of them have ended or are cancelled
@@ -164,7 +160,7 @@ class Worker {
 
     Workbench bench_;  // of the task under way; the window's while there is none
     Background<ReadPicture> reading_;
-    Background<Workbench::Result> placing_;
+    Background<DotsPlaced> placing_;
     Background<WorkerEvent> writing_;  // last: these use all of the above
 };
 

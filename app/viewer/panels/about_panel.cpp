@@ -22,10 +22,8 @@ struct Libraries {
 }  // namespace
 
 bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
-    int theme = static_cast<int>(appearance.theme);
-    bool changed = segmented_row("Theme", theme, std::array{"light", "dark", "high contrast"},
+    bool changed = segmented_row("Theme", appearance.theme, std::array{"light", "dark", "high contrast"},
                                  "How the window looks; the drawing and its files stay as they are.");
-    appearance.theme = static_cast<Theme>(theme);
     int size = appearance.text_size < 0.95f  ? 0
                : appearance.text_size < 1.1f ? 1
                : appearance.text_size < 1.4f ? 2
@@ -43,11 +41,10 @@ bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* 
         desktop_dialog = whose == 1;
         changed = true;
     }
-    int inches = unit && *unit == LengthUnit::inch ? 1 : 0;
-    if (unit && segmented_row("Lengths in", inches, std::array{"mm", "inch"},
-                              "The unit of lengths that are shown, and of numbers typed without one; 8in and "
-                              "21cm are understood in either."))
-        *unit = inches == 1 ? LengthUnit::inch : LengthUnit::mm;
+    if (unit)
+        segmented_row("Lengths in", *unit, std::array{"mm", "inch"},
+                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
+                      "are understood in either.");
     return changed;
 }
 

@@ -1,7 +1,6 @@
 #include "app/viewer/panels/compare_panel.h"
 
 #include <array>
-#include <cmath>
 
 #include "app/viewer/panels/method_panel.h"
 #include "app/viewer/widgets/widgets.h"
@@ -13,10 +12,8 @@ namespace {
 bool draw_right_side(Comparison& right, const TileList& tiles) {
     bool changed =
         tile_row("Right tile", right.tile, tiles, "The tile that the right side's dots come from.");
-    int placer = right.placer == PlacerKind::figure8 ? 1 : 0;
-    if (choice_row("Right placer", placer, std::array{"exact", "Figure 8"},
+    if (choice_row("Right placer", right.placer, std::array{"exact", "Figure 8"},
                    "How the right side's dots are placed: exactly, or as printed in the article.")) {
-        right.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
         DrawingSettings drawing;
         drawing.tile = right.tile;
         drawing.placer = right.placer;
@@ -28,15 +25,11 @@ bool draw_right_side(Comparison& right, const TileList& tiles) {
         const Absent absent(why_only_exact(right.placer));
         changed |= ranking_row("Right ranking", right.ranking);
     }
-    int by = static_cast<int>(right.by);
-    if (segmented_row(
-            "Right side has", by, std::array{"same scale", counted ? "same count" : "similar count"},
-            "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
-            "as many different dots.")) {
-        right.by = static_cast<CompareBy>(by);
-        changed = true;
-    }
-    return changed;
+    return segmented_row(
+               "Right side has", right.by, std::array{"same scale", counted ? "same count" : "similar count"},
+               "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
+               "as many different dots.") ||
+           changed;
 }
 
 bool draw_split(ViewerSettings& settings, const TileList& tiles) {
@@ -59,19 +52,14 @@ bool draw_loupe(LoupeChoice& loupe) {
     bool changed =
         switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
     const Absent absent(loupe.on ? nullptr : "Applies to the loupe only.");
-    double step = loupe.step;
-    if (slider_row("Its tiles", step,
-                   {.min = -3,
-                    .max = 3,
-                    .neutral = 0,
-                    .format = loupe.step == 0  ? "fitting"
-                              : loupe.step > 0 ? "smaller"
-                                               : "larger",
-                    .tip = "How large the tiles are that it lays on one another; a step to the right halves "
-                           "their side."})) {
-        changed |= loupe.step != static_cast<int>(std::lround(step));
-        loupe.step = static_cast<int>(std::lround(step));
-    }
+    const char* const words = loupe.step == 0 ? "fitting" : loupe.step > 0 ? "smaller" : "larger";
+    changed |= slider_row("Its tiles", loupe.step,
+                          {.min = -3,
+                           .max = 3,
+                           .neutral = 0,
+                           .format = words,
+                           .tip = "How large the tiles are that it lays on one another; a step to the right "
+                                  "halves their side."});
     return changed;
 }
 

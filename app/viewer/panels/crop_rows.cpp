@@ -29,13 +29,11 @@ bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::d
     }
     std::optional<Crop>& crop = setup.crop;
     Rectangle<double> box = crop_percent(crop, picture);
-    int proportion = static_cast<int>(tool.proportion);
     bool changed = false;
     if (segmented_row(
-            "Proportions", proportion, names_of(tool.proportion),
+            "Proportions", tool.proportion, names_of(tool.proportion),
             "What the frame is kept to while it is dragged. page: the paper within its margins. 3:2: "
             "upright if the frame is.")) {
-        tool.proportion = static_cast<CropProportion>(proportion);
         box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
         changed = tool.proportion != CropProportion::free;
     }

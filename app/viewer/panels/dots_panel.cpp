@@ -84,12 +84,12 @@ bool draw_amount_by(PlacingRequest& request, const DrawnInfo& drawn) {
 
 bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     bool changed = false;
-    int chosen = static_cast<int>(size.sizing);
+    DotSizing sizing = size.sizing;
     if (segmented_row(
-            "Dot size", chosen, std::array{"auto", "fixed", "by tone"},
+            "Dot size", sizing, std::array{"auto", "fixed", "by tone"},
             "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
             "small dots in light areas, large ones in dark areas.")) {
-        size = dot_size_from(static_cast<DotSizing>(chosen), drawn.dot_radius_mm);
+        size = dot_size_from(sizing, drawn.dot_radius_mm);
         changed = true;
     }
     {
@@ -126,11 +126,9 @@ bool draw_shape(DrawingSettings& settings) {
     bool changed = false;
     // As DotShape has them.
     constexpr std::array kShapes{"circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "own path"};
-    int shape = static_cast<int>(settings.mark.shape);
-    if (choice_row("Dot shape", shape, kShapes,
+    if (choice_row("Dot shape", settings.mark.shape, kShapes,
                    "circle: filled. point: the pen down and up. stroke: a short one. spiral, hatch: "
                    "filled by the pen. own path: any that you type.")) {
-        settings.mark.shape = static_cast<DotShape>(shape);
         if (settings.mark.shape == DotShape::path && settings.mark.path.empty())
             settings.mark.path = kUsualPath;
         changed = true;
@@ -144,12 +142,10 @@ bool draw_shape(DrawingSettings& settings) {
 }
 
 bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
-    int style = static_cast<int>(settings.style);
-    bool changed = segmented_row("Draw", style, std::array{"dots", "one line", "nearest"},
+    bool changed = segmented_row("Draw", settings.style, std::array{"dots", "one line", "nearest"},
                                  "dots: each by itself. one line: through all dots, by a short route, "
                                  "which takes some seconds to find. nearest: "
                                  "lines from each dot to its nearest few.");
-    if (changed) settings.style = static_cast<DrawingStyle>(style);
     changed |= draw_shape(settings);
     const Absent absent(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
     changed |= slider_row(setting::pen_width, settings.pen_width_mm, {.unit = unit});

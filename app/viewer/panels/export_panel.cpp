@@ -111,13 +111,12 @@ bool draw_gcode(SavingChoice& saving) {
 
 bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& info) {
     // As Machine has them.
-    const Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
-    int chosen = static_cast<int>(machine);
+    Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
     const bool changed =
-        choice_row("Machine", chosen,
+        choice_row("Machine", machine,
                    std::array{"AxiDraw V3", "AxiDraw SE/A3", "iDraw", "GRBL pen plotter", "GRBL laser"},
                    "Used for the time estimate below; the file is the same for all of them.");
-    if (changed) saving.machine = static_cast<Machine>(chosen);
+    if (changed) saving.machine = machine;
     if (info.dots == 0) return changed;
     hint(fmt::format("Takes {} to plot: {}.", time_in_words(info.plotting.total_s()),
                      what_takes_longest(info.plotting))

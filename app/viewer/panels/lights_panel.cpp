@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -24,33 +23,21 @@ constexpr SliderRange kCount{.min = 1,
                              .grouped = true,
                              .tip = "How many samples the map's light is shared out to."};
 
-template <class Value, std::size_t n>
-bool choose(const char* label, Value& value, Value usual, const std::array<const char*, n>& names,
-            const char* tip) {
-    int chosen = static_cast<int>(value);
-    if (!segmented_row(label, chosen, names, tip, static_cast<int>(usual))) return false;
-    value = static_cast<Value>(chosen);
-    return true;
-}
-
 bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     if (!section("Samples")) return false;
     LightRequest& request = settings.request;
-    bool changed = false;
-    double count = static_cast<double>(request.count);
-    if (slider_row("Samples", count, kCount)) {
-        request.count = static_cast<std::uint64_t>(std::lround(count));
-        changed = true;
-    }
+    bool changed = slider_row("Samples", request.count, kCount);
     const LightRequest usual;
     changed |=
-        choose("Placed", request.position, usual.position, std::array{"centroid", "dot", "random"},
-               "Where in its region a sample is: at the light's centre of gravity, where the placer put "
-               "it, or drawn at random, which has no bias.");
+        segmented_row("Placed", request.position, std::array{"centroid", "dot", "random"},
+                      "Where in its region a sample is: at the light's centre of gravity, where the placer "
+                      "put it, or drawn at random, which has no bias.",
+                      usual.position);
     changed |=
-        choose("Placer", request.placer, usual.placer, std::array{"exact", "Figure 8"},
-               "exact: each sample once, and none is lost. Figure 8: as printed in the article, with some "
-               "twice.");
+        segmented_row("Placer", request.placer, std::array{"exact", "Figure 8"},
+                      "exact: each sample once, and none is lost. Figure 8: as printed in the article, with "
+                      "some twice.",
+                      usual.placer);
     changed |= tile_row("Tile", settings.tile, tiles, "The square of points that all samples come from.");
     bool compensated = request.importance == LightImportance::compensated;
     if (switch_row(
@@ -60,16 +47,12 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
         changed = true;
     }
-    double seed = static_cast<double>(request.seed);
-    if (slider_row("Seed", seed,
-                   {.min = 0,
-                    .max = 100,
-                    .neutral = 0,
-                    .format = "%.0f",
-                    .tip = "Another number gives other random places, as good as these."})) {
-        request.seed = static_cast<std::uint64_t>(std::lround(seed));
-        changed = true;
-    }
+    changed |= slider_row("Seed", request.seed,
+                          {.min = 0,
+                           .max = 100,
+                           .neutral = 0,
+                           .format = "%.0f",
+                           .tip = "Another number gives other random places, as good as these."});
     return changed;
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
@@ -15,23 +14,17 @@ namespace dapple {
 namespace {
 
 bool draw_placer(DrawingSettings& settings) {
-    int placer = settings.placer == PlacerKind::figure8 ? 1 : 0;
-    if (!segmented_row(
-            "Placer", placer, std::array{"exact", "Figure 8"},
-            "exact: each dot once, and none is lost. Figure 8: as printed in the article, a quarter of "
-            "its dots lie on others."))
-        return false;
-    settings.placer = placer == 1 ? PlacerKind::figure8 : PlacerKind::exact;
-    return true;
+    return segmented_row(
+        "Placer", settings.placer, std::array{"exact", "Figure 8"},
+        "exact: each dot once, and none is lost. Figure 8: as printed in the article, a quarter of its dots "
+        "lie on others.");
 }
 
 bool draw_density(DensityChoice& density) {
-    int source = static_cast<int>(density.source);
     bool changed = segmented_row(
-        "Density", source, std::array{"photo", "grey", "ramp"},
+        "Density", density.source, std::array{"photo", "grey", "ramp"},
         "What the dots draw: the photograph, an even grey or a ramp from light to dark. On the last two a "
         "repeating tile is seen best.");
-    density.source = static_cast<DensitySource>(source);
     const Absent absent(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
     changed |= slider_row("Grey", density.grey,
                           {.min = 0.01,
@@ -46,40 +39,30 @@ bool draw_density(DensityChoice& density) {
 bool draw_zooming(ViewerSettings& settings) {
     const Absent absent(
         settings.drawing.placer == PlacerKind::exact ? nullptr : "Figure 8 places whole drawings only.");
-    int mode = static_cast<int>(settings.zoom_mode);
-    if (!segmented_row("Zooming in", mode, std::array{"larger dots", "more dots"},
-                       "larger dots: as on paper under a lens. more dots: they keep their size, and new ones "
-                       "appear between them without end."))
-        return false;
-    settings.zoom_mode = static_cast<ZoomMode>(mode);
-    return true;
+    return segmented_row(
+        "Zooming in", settings.zoom_mode, std::array{"larger dots", "more dots"},
+        "larger dots: as on paper under a lens. more dots: they keep their size, and new ones appear between "
+        "them without end.");
 }
 
 // What is shown of the tiles that the dots come from.
 bool draw_shown(ViewerSettings& settings) {
     bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
-    int colouring = static_cast<int>(settings.colouring);
-    if (choice_row("Dots coloured", colouring, std::array{"as ink", "by level", "by rank", "by tile"},
-                   "by level: how often the page was divided. by rank: how early in its tile. by tile: which "
-                   "kind its tile is, or how it is turned if all are of one kind.")) {
-        settings.colouring = static_cast<DotColouring>(colouring);
-        changed = true;
-    }
+    changed |= choice_row(
+        "Dots coloured", settings.colouring, std::array{"as ink", "by level", "by rank", "by tile"},
+        "by level: how often the page was divided. by rank: how early in its tile. by tile: which kind its "
+        "tile is, or how it is turned if all are of one kind.");
     return draw_zooming(settings) || changed;
 }
 
 bool draw_levels(int& deepest) {
-    double levels = deepest;
-    if (!slider_row(
-            "Divided up to", levels,
-            {.min = 0,
-             .max = kDeepestStep,
-             .neutral = kDeepestStep,
-             .format = deepest == kDeepestStep ? "all" : "%.0f",
-             .tip = "Shows only the dots of the first levels, as if the page were not divided any further."}))
-        return false;
-    const int chosen = static_cast<int>(std::lround(levels));
-    return std::exchange(deepest, chosen) != chosen;
+    return slider_row(
+        "Divided up to", deepest,
+        {.min = 0,
+         .max = kDeepestStep,
+         .neutral = kDeepestStep,
+         .format = deepest == kDeepestStep ? "all" : "%.0f",
+         .tip = "Shows only the dots of the first levels, as if the page were not divided any further."});
 }
 
 }  // namespace

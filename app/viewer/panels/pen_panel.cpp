@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -125,16 +124,12 @@ bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
 
 bool draw_number(PenChoice& pens) {
     const Absent absent(pens.set == PenSet::automatic ? nullptr : "Applies to automatic pens only.");
-    double count = pens.automatic;
-    if (!slider_row("How many", count,
-                    {.min = 1,
-                     .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
-                     .neutral = 4,
-                     .format = "%.0f",
-                     .tip = "How many pens are chosen for the picture; more of them mix more colours."}))
-        return false;
-    pens.automatic = static_cast<int>(std::lround(count));
-    return true;
+    return slider_row("How many", pens.automatic,
+                      {.min = 1,
+                       .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
+                       .neutral = 4,
+                       .format = "%.0f",
+                       .tip = "How many pens are chosen for the picture; more of them mix more colours."});
 }
 
 bool draw_tips(PenChoice& pens, LengthUnit unit) {
@@ -148,21 +143,14 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
 }
 
 bool draw_order(PenChoice& pens) {
-    int order = static_cast<int>(pens.order);
-    if (!choice_row(
-            "Pen order", order, std::array{"lightest first", "darkest first", "as listed"},
-            "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker "
-            "ink along. darkest first: for inks that cover darker ones."))
-        return false;
-    pens.order = static_cast<PenOrder>(order);
-    return true;
+    return choice_row(
+        "Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
+        "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker ink "
+        "along. darkest first: for inks that cover darker ones.");
 }
 
 bool draw_pen_ink(PenChoice& pens) {
-    int ink = static_cast<int>(pens.ink);
-    if (!choice_row(setting::pen_ink.names.row, ink, names_of(pens.ink), setting::pen_ink.help)) return false;
-    pens.ink = static_cast<PenInk>(ink);
-    return true;
+    return choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
 }
 
 bool draw_black_ink(PenChoice& pens) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/model/compared_panes.h"
 #include "app/viewer/widgets/keys.h"
 
 namespace dapple {
@@ -262,12 +263,12 @@ std::string with_keys(std::string_view tip, Action action) {
     return *keys ? fmt::format("{}   {}", tip, keys) : std::string(tip);
 }
 
-std::optional<Action> comparison_held() {
+std::optional<SeenInstead> comparison_held() {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureKeyboard || io.KeyCtrl || io.KeySuper) return std::nullopt;
     const bool backslash = key_down(Key::backslash);
-    if (io.KeyShift ? backslash : key_down(Key::w)) return Action::as_it_was;
-    if (!io.KeyShift && (key_down(Key::c) || backslash || key_down(Key::p))) return Action::photograph;
+    if (io.KeyShift ? backslash : key_down(Key::w)) return SeenInstead::as_it_was;
+    if (!io.KeyShift && (key_down(Key::c) || backslash || key_down(Key::p))) return SeenInstead::photograph;
     return std::nullopt;
 }
 

@@ -10,6 +10,8 @@
 
 namespace dapple {
 
+enum class SeenInstead;  // see compared_panes.h
+
 enum class Action {
     open,
     open_tile,
@@ -89,8 +91,8 @@ std::vector<Action> pressed_actions(std::span<const Shortcut> shortcuts, bool ro
 /// A key is held that moves or changes something again and again, so that frames have to follow one another.
 bool repeating_key_down();
 
-/// What a key that is held shows in the drawing's place: Action::photograph or Action::as_it_was.
-std::optional<Action> comparison_held();
+/// What a key that is held shows in the drawing's place.
+std::optional<SeenInstead> comparison_held();
 
 bool escape_pressed();
 

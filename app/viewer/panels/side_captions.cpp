@@ -1,9 +1,13 @@
 #include "app/viewer/panels/side_captions.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/files/tile_library.h"
+#include "app/viewer/panels/status_line.h"
 #include "app/viewer/widgets/theme.h"
 
 namespace dapple {
@@ -18,21 +22,33 @@ std::string fitting(std::string line, float width) {
     return line + "...";
 }
 
-void draw_caption(const SideCaption& caption, float left, float right, float top, float height) {
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
+void draw_caption(const ComparedPanes& compared, const Pane& pane, float left, float right, float top,
+                  float height) {
     const float air = ImGui::GetFontSize() * 0.7f, room = right - left - 2 * air;
     if (room <= 0) return;
     float y = std::floor(top + (height - (1 + kFactLines) * ImGui::GetTextLineHeight()) / 2);
     const auto draw_line = [&](const std::string& line, ThemeColour colour) {
         const std::string shown = fitting(line, room);
         const float x = std::floor((left + right - ImGui::CalcTextSize(shown.c_str()).x) / 2);
-        list->AddText({x, y}, colour_of(colour), shown.c_str());
+        ImGui::GetBackgroundDrawList()->AddText({x, y}, colour_of(colour), shown.c_str());
         y += ImGui::GetTextLineHeight();
     };
+    const DotsRequest request = pane.page().request.value_or(DotsRequest{});
+    const bool is_saved = &pane == &compared.session().pane();
+    const bool figure8 = request.drawing.placer == PlacerKind::figure8;
     push_title_font();
-    draw_line(caption.title, ThemeColour::text);
+    draw_line(fmt::format("{}{}{}", short_tile_name(request.tile), figure8 ? ", Figure 8" : "",
+                          is_saved ? " - this side is saved" : ""),
+              ThemeColour::text);
     pop_title_font();
-    for (const std::string& fact : caption.info) draw_line(fact, ThemeColour::quiet);
+    draw_line(
+        dots_in_words(
+            {.dots = pane.page().dots.size(), .duplicates = pane.page().duplicates, .figure8 = figure8}),
+        ThemeColour::quiet);
+    if (const auto value = compared.periodicity(pane))
+        draw_line(fmt::format("periodicity over {}-point tiles {:.2f}", compared.tile_size(),
+                              std::clamp(*value, 0.0, 1.0)),
+                  ThemeColour::quiet);
 }
 
 }  // namespace
@@ -41,13 +57,15 @@ float side_captions_height() {
     return std::round(ImGui::GetFontSize() * (2.2f + kFactLines));
 }
 
-void draw_side_captions(const std::array<SideCaption, 2>& captions, float share, glm::vec2 corner,
-                        glm::vec2 size) {
+void draw_side_captions(const ComparedPanes& compared, glm::vec2 corner, glm::vec2 size) {
+    const Pane* const right_pane = compared.right();
+    if (!right_pane) return;
+    const float share = compared.session().settings.comparison.divider;
     const float middle = corner.x + size.x * share, right = corner.x + size.x;
     ImGui::GetBackgroundDrawList()->AddRectFilled({corner.x, corner.y}, {right, corner.y + size.y},
                                                   colour_of(ThemeColour::surround));
-    draw_caption(captions[0], corner.x, middle, corner.y, size.y);
-    draw_caption(captions[1], middle, right, corner.y, size.y);
+    draw_caption(compared, compared.seen(), corner.x, middle, corner.y, size.y);
+    draw_caption(compared, *right_pane, middle, right, corner.y, size.y);
 }
 
 }  // namespace dapple

@@ -61,7 +61,7 @@ void draw_settings(Session& session, PaletteRow* palettes) {
     ViewerSettings& settings = session.settings;
     DrawingSettings& drawing = settings.drawing;
     const PlacedDrawing& page = session.pane().page();
-    const DrawnInfo drawn = session.drawn(session.pane());
+    const DrawnInfo drawn = session.drawn();
     const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
     draw_dots_panel(drawing, drawn, settings.unit);
     draw_tone_panel(drawing, {.histogram = histogram,

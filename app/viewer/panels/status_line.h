@@ -28,17 +28,10 @@ struct StatusInfo {
     double placing_seconds = 0;               // that a placing under way has taken so far
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
-    std::string paper = {};     // "210 x 297 mm"
-    double zoom = 1;            // of the paper: 1 is as large as it is in the hand
-    bool method = false;        // whether its scale and its times are told too
-    std::string plotting = {};  // how long a machine plots it: "plots about 31 min"; none: empty
-    /// The right side of the split view, for which the line has no room: its captions tell.
-    struct RightSide {
-        std::uint64_t dots = 0, duplicates = 0;
-        double scale = 0, divider = 0;
-        std::optional<double> left_repetition, repetition;
-    };
-    std::optional<RightSide> right{};
+    std::string paper = {};            // "210 x 297 mm"
+    double zoom = 1;                   // of the paper: 1 is as large as it is in the hand
+    bool method = false;               // whether its scale and its times are told too
+    std::string plotting = {};         // how long a machine plots it: "plots about 31 min"; none: empty
     std::optional<LoupeInfo> loupe{};  // while it shows something
 };
 

@@ -17,6 +17,7 @@
 
 namespace dapple {
 
+class Session;
 class Window;
 
 /// An arrow key moves the view by so much of the canvas's shorter side.
@@ -38,8 +39,10 @@ class Document {
     virtual ~Document() = default;
 
     virtual std::span<const Shortcut> shortcuts() const = 0;
+    /// What the drawing of a photograph is about: its project, its film, its unit of lengths. Null: it is
+    /// none.
+    virtual Session* session() { return nullptr; }
 
-    virtual void open(const std::filesystem::path& file) = 0;
     virtual void open_tile(const std::filesystem::path& file) = 0;
     /// A picture that says where there are more dots or fewer: see mask.h.
     virtual void open_mask(const std::filesystem::path&) {}
@@ -47,9 +50,7 @@ class Document {
     /// Whether a file is both: a picture, and settings that take_dropped() would take from it.
     virtual bool is_picture_with_settings(const std::filesystem::path&) const { return false; }
     /// Whatever settings it holds.
-    virtual void open_as_picture(const std::filesystem::path& file) { open(file); }
-    /// Takes this file for the picture that the project misses.
-    virtual void find_picture(const std::filesystem::path&) {}
+    virtual void open_as_picture(const std::filesystem::path& file) = 0;
     virtual void save(const std::filesystem::path& file) = 0;
 
     /// The file that is being saved, by its name, before the window goes; empty: none.
@@ -67,21 +68,10 @@ class Document {
     virtual std::optional<SaveQuestion> where_to_save() const = 0;
     /// The same for a project: all settings. None: it has no projects.
     virtual std::optional<SaveQuestion> where_to_save_project() const { return std::nullopt; }
-    virtual void save_project(const std::filesystem::path&) {}
-    /// What is not saved, by its name; empty: nothing that would be missed.
-    virtual std::string unsaved() const { return {}; }
-    /// The project's file that it goes into by itself; empty: the person has to say.
-    virtual std::filesystem::path own_project() const { return {}; }
-    /// Whether this file, opened, takes the place of some of that.
-    virtual bool would_lose_changes(const std::filesystem::path&) const { return false; }
-    /// What is not saved into a file, and from it: see UnsavedDrawings. keep() throws as save_atomically().
-    virtual void keep(const std::filesystem::path&) {}
-    virtual void bring_back(const std::filesystem::path&) {}
-    /// A number that changes with what keep() writes.
-    virtual int changes() const { return 0; }
     /// The same for a film. None: none is played.
     virtual std::optional<SaveQuestion> where_to_save_film() const { return std::nullopt; }
-    virtual void save_film(const std::filesystem::path&) {}
+    /// What of a session is not saved, by its name; empty: nothing that would be missed.
+    virtual std::string unsaved() const { return {}; }
     /// For a format of where_to_save(), as FileDialog::DrawOptions.
     virtual std::string draw_saving_options(std::size_t format) = 0;
     /// Their rows alone, to be listed as those of draw_rows().
@@ -93,8 +83,6 @@ class Document {
     virtual void say(const std::string& sentence) = 0;
     /// What of how it is shown is remembered for the next.
     virtual std::optional<KeptView> kept_view() const { return std::nullopt; }
-    /// What it shows lengths in; null: it shows none.
-    virtual LengthUnit* unit() { return nullptr; }
 
     /// Does what the shell does not do itself: open, save, panels, help, the window.
     virtual void act(Action action, const Frame& frame) = 0;

@@ -31,6 +31,7 @@
 #include "app/viewer/panels/mask_panel.h"
 #include "app/viewer/panels/player_bar.h"
 #include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/variations_wall.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
@@ -94,9 +95,8 @@ DrawingSettings drawing_to_begin_with(DrawingSettings kept, const std::optional<
 DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std::optional<std::string>& tile,
                                  const KeptView& view, const fs::path& presets, const fs::path& palettes)
     : session_(drawing_to_begin_with(view.drawing, tile), &Window::wake, most_dots_in(available_memory())),
+      compared_(session_, &Window::wake),
       spectrum_(Measure::everything, &Window::wake),
-      left_repetition_(Measure::repetition, &Window::wake),
-      right_repetition_(Measure::repetition, &Window::wake),
       side_panel_(presets, palettes),
       previews_(&Window::wake),
       mask_reading_(&Window::wake) {
@@ -218,8 +218,7 @@ std::string DrawingDocument::draw_saving_options(std::size_t format) {
 }
 
 void DrawingDocument::draw_saving_rows(std::size_t format) {
-    draw_export_panel(session_.settings, static_cast<DrawingFormat>(format),
-                      {.dots = session_.drawn(session_.pane()).dots});
+    draw_export_panel(session_.settings, static_cast<DrawingFormat>(format), {.dots = session_.drawn().dots});
 }
 
 void DrawingDocument::act(Action action, const Frame&) {
@@ -284,35 +283,14 @@ void DrawingDocument::act(Action action, const Frame&) {
         case Action::copy_picture:
             return session_.copy_picture();
         case Action::photograph:
+            return compared_.toggle(SeenInstead::photograph);
         case Action::as_it_was:
-            return toggle_comparison(action);
+            return compared_.toggle(SeenInstead::as_it_was);
         case Action::keep_to_compare:
-            session_.keep_to_compare();
-            session_.banner = {BannerKind::notice, "Kept: hold W to see the drawing as it is now"};
-            return;
+            return compared_.keep();
         default:  // of environment maps
             return;
     }
-}
-
-void DrawingDocument::toggle_comparison(Action action) {
-    if (std::exchange(shown_instead_, std::nullopt) == action) return;
-    const DrawingSettings& now = session_.settings.drawing;
-    if (action == Action::as_it_was && session_.as_it_was() == now) {
-        session_.banner = {BannerKind::notice, "The drawing is as it was; there is nothing to compare yet"};
-        return;
-    }
-    shown_instead_ = action;
-    compared_ = now;
-    session_.banner = {BannerKind::notice,
-                       action == Action::photograph
-                           ? "This is the photograph; press C or Escape for the drawing"
-                           : "This is the drawing as it was; press W or Escape for the present one"};
-}
-
-std::optional<Action> DrawingDocument::shown_instead() const {
-    const std::optional<Action> held = comparison_held();
-    return held ? held : shown_instead_;
 }
 
 void DrawingDocument::show_lights() {
@@ -324,11 +302,11 @@ void DrawingDocument::show_lights() {
 }
 
 void DrawingDocument::stop_what_takes_long() {
-    Worker& worker = session_.pane().worker();
+    const Worker& worker = session_.pane().worker();
     const bool opening = worker.opening().has_value();
-    if (shown_instead_) return shown_instead_.reset();
+    if (compared_.end_toggled()) return;
     if (variations_) return toggle(variations_);
-    if (worker.saving()) return worker.cancel_saving();
+    if (worker.saving()) return session_.stop_saving();
     if (opening && session_.placed_once()) return session_.stop_opening();
     if (session_.film) return film_player_.stop();  // a moment's placing ends with its film
     if (!opening && placing_seconds() > kLongPlacing) return session_.stop_placing();
@@ -356,11 +334,9 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
-    // The drawing comes with the key's release, and with its next change.
-    if (shown_instead_ && (comparison_held() || compared_ != session_.settings.drawing))
-        shown_instead_.reset();
-    session_.shows_as_it_was = shown_instead() == Action::as_it_was;
+    compared_.hold(comparison_held());
     session_.take_events(std::chrono::milliseconds(0));
+    compared_.take_events();
     take_mask();
     film_player_.show();
     show_changes(frame.window);
@@ -376,7 +352,8 @@ void DrawingDocument::draw(const Frame& frame) {
     open_ = panels
                 ? side_panel_.draw(session_, spectrum(), preview, frame.act, {place.size.x, 0}, frame.panels)
                 : OpenSections{};
-    draw_split(place);
+    Comparison& comparison = session_.settings.comparison;
+    if (comparison.on) draw_split_divider(comparison.divider, place);
     Mask& mask = session_.settings.drawing.mask;
     const bool can_paint =
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
@@ -390,7 +367,7 @@ void DrawingDocument::draw(const Frame& frame) {
         mask_painter_.paint(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     // The frame is there once all of the picture is.
     const PlacedDrawing& page = session_.pane().page();
-    const std::optional<DotsRequest>& placed = session_.pane().page_request();
+    const std::optional<DotsRequest>& placed = session_.pane().page().request;
     const bool framing = session_.cropping.on && placed && !placed->drawing.page.crop &&
                          placed->drawing.page.fit == PageFit::inside;
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
@@ -398,6 +375,7 @@ void DrawingDocument::draw(const Frame& frame) {
                                                       page.picture_pixels, canvas_.camera(), place);
     session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
     session_.request_dots(zoom());
+    compared_.request(zoom());
     show_changes(frame.window);
     film_player_.draw_bar({0, place.size.y}, player, frame.act);
     draw_over_canvas(place, frame.act);
@@ -411,24 +389,25 @@ void DrawingDocument::draw(const Frame& frame) {
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
     canvas_.learn(frame.last_seconds);
-    frame.window.leave_out(canvas_.show(place, look(place), redraw));
+    const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
+    frame.window.leave_out(canvas_.show(place, look_of(compared_, zoom(), pixel_scale), redraw));
+    const Pane& seen = compared_.seen();
     // What it says of the view is of the one that is seen now.
     if (session_.placed_once())
-        paper_zoom_ = canvas_.camera().pixels_per_unit / session_.seen().page().layout.page.mm_per_page_unit *
+        paper_zoom_ = canvas_.camera().pixels_per_unit / seen.page().layout.page.mm_per_page_unit *
                       kMmPerInch / frame.window.pixels_per_inch();
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
     if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
-    const Pane& seen = session_.seen();
     draw_margin_lines(seen.page().layout, canvas_.camera(), place);
-    draw_sheet_lines(seen.page().layout, session_.settings_of(seen).sheets, canvas_.camera(), place);
-    if (const Pane* right = session_.right())
-        draw_side_captions({caption(seen, left_repetition_), caption(*right, right_repetition_)},
-                           session_.settings.comparison.divider, {0, place.size.y + player.y}, captions);
+    draw_sheet_lines(seen.page().layout, compared_.settings_of(seen).sheets, canvas_.camera(), place);
+    draw_side_captions(compared_, {0, place.size.y + player.y}, captions);
     film_player_.draw_trail(place);
-    draw_loupe(place);
-    explain_dot(place);
+    const Pane& pointed_at =
+        compared_.at((ImGui::GetIO().MousePos.x - place.corner.x) / std::max(place.size.x, 1.0f));
+    draw_loupe(pointed_at, place);
+    explain_dot(pointed_at, place);
     measure_dots();
 }
 
@@ -445,10 +424,10 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
         act(Action::find_picture);
     else if (offer_taken)
         show_lights();
-    Worker& worker = session_.pane().worker();
+    const Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
-            worker.cancel_saving();
+            session_.stop_saving();
     } else if (const auto opening = worker.opening(); opening && session_.placed_once()) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - opening->since;
         if (passed.count() > kLongOpening && draw_opening_banner(opening->name, place.corner, place.size))
@@ -456,30 +435,10 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
     }
 }
 
-void DrawingDocument::draw_split(const CanvasPlace& place) {
-    Comparison& comparison = session_.settings.comparison;
-    if (comparison.on) draw_split_divider(comparison.divider, place);
-}
-
-std::size_t DrawingDocument::compared_tile_size() const {
-    const std::size_t left = session_.seen().tile_size();
-    const Pane* right = session_.right();
-    return right ? std::min(left, right->tile_size()) : left;
-}
-
-const Pane& DrawingDocument::pane_under_pointer(const CanvasPlace& place) const {
-    const Pane* const right = session_.right();
-    const float divider = place.corner.x + place.size.x * session_.settings.comparison.divider;
-    return right && ImGui::GetIO().MousePos.x >= divider ? *right : session_.seen();
-}
-
-void DrawingDocument::explain_dot(const CanvasPlace& place) const {
-    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on ||
-        !session_.placed_once())
+void DrawingDocument::explain_dot(const Pane& pane, const CanvasPlace& place) const {
+    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on || !pane.page().request)
         return;
-    const Pane& pane = pane_under_pointer(place);
-    if (!pane.page_request()) return;
-    const PlacerKind placer = pane.page_request()->drawing.placer;
+    const PlacerKind placer = pane.page().request->drawing.placer;
     const TileView& tile = pane.tile();
     draw_dot_card(pane.shown(),
                   {.tile_size = pane.tile_size(),
@@ -490,54 +449,17 @@ void DrawingDocument::explain_dot(const CanvasPlace& place) const {
                   canvas_.camera(), place);
 }
 
-void DrawingDocument::draw_loupe(const CanvasPlace& place) {
+void DrawingDocument::draw_loupe(const Pane& pane, const CanvasPlace& place) {
     const ViewerSettings& settings = session_.settings;
     if (!settings.loupe.on || !session_.placed_once()) return loupe_.hide();
-    const Pane* const pane = &pane_under_pointer(place);
-    const std::size_t size = compared_tile_size();
-    loupe_.draw({.shown = pane->shown(),
-                 .version = pane->version(),
-                 .tile_size = size,
+    loupe_.draw({.shown = pane.shown(),
+                 .version = pane.version(),
+                 .tile_size = compared_.tile_size(),
                  .step = settings.loupe.step,
-                 .ink = session_.settings_of(*pane).ink,
-                 .paper = session_.settings_of(*pane).paper,
-                 .mm_per_page_unit = pane->page().layout.page.mm_per_page_unit},
+                 .ink = compared_.settings_of(pane).ink,
+                 .paper = compared_.settings_of(pane).paper,
+                 .mm_per_page_unit = pane.page().layout.page.mm_per_page_unit},
                 canvas_.camera(), place);
-}
-
-SplitLook DrawingDocument::look(const CanvasPlace& place) const {
-    const float pixel_scale = ImGui::GetFontSize() / 15 * static_cast<float>(place.pixels_per_point.x);
-    SplitLook look;
-    look.sides[0] = look.sides[1] = look_of(session_, session_.seen(), zoom(), pixel_scale);
-    if (session_.settings.comparison.on) look.divider = session_.settings.comparison.divider;
-    if (const Pane* right = session_.right()) look.sides[1] = look_of(session_, *right, zoom(), pixel_scale);
-    look.sides[0].hidden_pens = hidden_among(session_.seen().shown().pens, session_.shown_pens);
-    if (const Pane* right = session_.right())
-        look.sides[1].hidden_pens = hidden_among(right->shown().pens, session_.shown_pens);
-    if (shown_instead() == Action::photograph) {
-        for (CanvasLook& side : look.sides) {
-            side.picture_opacity = 1;
-            side.dots = false;
-        }
-    }
-    return look;
-}
-
-SideCaption DrawingDocument::caption(const Pane& pane, const ViewMeter& meter) const {
-    const Stippling& stippling = pane.page();
-    const DotsRequest request = pane.page_request().value_or(DotsRequest{});
-    SideCaption caption;
-    caption.title = drawn_with(request);
-    if (&pane == &session_.pane()) caption.title += " - this side is saved";
-    caption.info = {dots_in_words({.dots = stippling.dots.size(),
-                                   .duplicates = stippling.duplicates,
-                                   .figure8 = request.drawing.placer == PlacerKind::figure8})};
-    // Of the drawing as it was it is not measured.
-    const bool measured = &session_.settings_of(pane) == &session_.settings.drawing;
-    if (const auto value = measured ? meter.periodicity() : std::nullopt)
-        caption.info.push_back(fmt::format("periodicity over {}-point tiles {:.2f}", compared_tile_size(),
-                                           std::clamp(*value, 0.0, 1.0)));
-    return caption;
 }
 
 void DrawingDocument::show_changes(Window& window) {
@@ -548,8 +470,8 @@ void DrawingDocument::show_changes(Window& window) {
         if (column == Column::crop || column == Column::mask) side_panel_.turn_to(Column::drawing, session_);
     }
     if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
-    show_changes(Side::left, session_.placed_once() ? &session_.seen() : nullptr);
-    show_changes(Side::right, session_.right());
+    show_changes(Side::left, session_.placed_once() ? &compared_.seen() : nullptr);
+    show_changes(Side::right, compared_.right());
 }
 
 void DrawingDocument::show_changes(Side side, const Pane* pane) {
@@ -568,7 +490,7 @@ void DrawingDocument::show_changes(Side side, const Pane* pane) {
 
 double DrawingDocument::placing_seconds() const {
     std::chrono::duration<double> longest{0};
-    for (const Pane* pane : session_.panes()) {
+    for (const Pane* pane : compared_.panes()) {
         if (const auto since = pane->worker().placing_since())
             longest =
                 std::max<std::chrono::duration<double>>(longest, std::chrono::steady_clock::now() - *since);
@@ -579,7 +501,7 @@ double DrawingDocument::placing_seconds() const {
 // The share of the side that is behind.
 std::optional<double> DrawingDocument::placed_share() const {
     std::optional<double> least;
-    for (const Pane* pane : session_.panes()) {
+    for (const Pane* pane : compared_.panes()) {
         if (const auto share = pane->worker().placed_share())
             least = std::min<double>(least.value_or(1), *share);
     }
@@ -587,14 +509,14 @@ std::optional<double> DrawingDocument::placed_share() const {
 }
 
 StatusInfo DrawingDocument::info() const {
-    const Pane& pane = session_.seen();
+    const Pane& pane = compared_.seen();
     const Stippling &stippling = pane.shown(), &page = pane.page();
     const double enlarged = canvas_.enlargement();
     const bool more_dots = pane.shows_close() && zoom().mode == ZoomMode::constant_density && enlarged > 1;
     return {.dots = page.dots.size(),
             .duplicates = page.duplicates,
             .as_dense_as = more_dots ? static_cast<double>(page.dots.size()) * enlarged * enlarged : 0,
-            .figure8 = session_.settings_of(pane).placer == PlacerKind::figure8,
+            .figure8 = compared_.settings_of(pane).placer == PlacerKind::figure8,
             .scale = stippling.scale,
             .tone_ms = pane.shows_close() ? 0 : pane.page().tone_ms,
             .place_ms = stippling.place_ms,
@@ -609,31 +531,12 @@ StatusInfo DrawingDocument::info() const {
             .zoom = paper_zoom_,
             .method = open_.method,
             .plotting = &pane == &session_.pane() ? plotting_ : "",
-            .right = right_info(),
             .loupe = loupe_.info()};
-}
-
-std::optional<StatusInfo::RightSide> DrawingDocument::right_info() const {
-    const Pane* right = session_.right();
-    if (!right) return std::nullopt;
-    const Stippling& stippling = right->shown();
-    return StatusInfo::RightSide{.dots = stippling.dots.size(),
-                                 .duplicates = stippling.duplicates,
-                                 .scale = stippling.scale,
-                                 .divider = session_.settings.comparison.divider,
-                                 .left_repetition = left_repetition_.periodicity(),
-                                 .repetition = right_repetition_.periodicity()};
-}
-
-ViewAnalysisRequest DrawingDocument::dots_on_screen(const Pane& pane, std::size_t tile_size) const {
-    return {.view = points_on_screen(pane.shown(), canvas_.camera()),
-            .tile_size = tile_size,
-            .has_duplicates = pane.page().duplicates > 0};
 }
 
 void DrawingDocument::choose_variation(const CanvasPlace& place) {
     DrawingSettings& drawing = session_.settings.drawing;
-    const auto variations = variations_of(drawing, session_.drawn(session_.pane()));
+    const auto variations = variations_of(drawing, session_.drawn());
     const auto chosen = draw_variations(
         variations, [this](const DrawingSettings& each) { return preview_of(each, kVariationSide); },
         place.corner, place.size);
@@ -665,23 +568,28 @@ SpectrumInfo DrawingDocument::spectrum() {
 void DrawingDocument::measure_dots() {
     if (!session_.placed_once()) return;
     const Pane& pane = session_.pane();
-    const Camera& camera = canvas_.camera();
     const auto plotting = plotting_clock_.time(pane, session_.settings);
     plotting_ = plotting ? "plotting " + time_in_words(plotting->total_s()) : "";
     if (open_.spectrum)
-        spectrum_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, pane.tile_size()); });
+        spectrum_.update(pane, canvas_.camera(), pane.tile_size());
     else
         spectrum_.stop();
-    const Pane* right = session_.right();
-    if (!right) return;
-    const std::size_t size = compared_tile_size();
-    left_repetition_.update({pane.placings(), camera}, [&] { return dots_on_screen(pane, size); });
-    right_repetition_.update({right->placings(), camera}, [&] { return dots_on_screen(*right, size); });
+    compared_.measure(canvas_.camera());
 }
 
 std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
     if (!session_.placed_once()) return std::nullopt;
     auto line = status_json(info(), session_.pane().placings());
+    const auto number = [](const std::optional<double>& value) {
+        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+    };
+    if (const Pane* right = compared_.right())
+        line["right"] = {{"dots", right->shown().dots.size()},
+                         {"duplicates", right->shown().duplicates},
+                         {"scale", right->shown().scale},
+                         {"divider", session_.settings.comparison.divider},
+                         {"repetition", number(compared_.periodicity(*right))},
+                         {"left_repetition", number(compared_.periodicity(session_.pane()))}};
     if (session_.film)
         line["film"] = {{"kind", name_of(session_.film->kind)},
                         {"share", session_.film->share},

@@ -12,10 +12,8 @@
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/background.h"
+#include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/export_estimate.h"
-#include "app/viewer/model/session.h"
-#include "app/viewer/model/view_meter.h"
-#include "app/viewer/panels/side_captions.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/status_line.h"
@@ -35,36 +33,25 @@ class DrawingDocument : public Document {
                     const std::filesystem::path& palettes = {});
 
     std::span<const Shortcut> shortcuts() const override;
-    void open(const std::filesystem::path& file) override { session_.take_dropped(file); }
+    Session* session() override { return &session_; }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void open_mask(const std::filesystem::path& file) override;
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     bool is_picture_with_settings(const std::filesystem::path& file) const override;
     void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
-    void find_picture(const std::filesystem::path& file) override { session_.find_picture(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }
     std::string saving() const override;
-    void stop_saving() override { session_.pane().worker().cancel_saving(); }
+    void stop_saving() override { session_.stop_saving(); }
     bool tells_of_trouble() const override { return is_trouble(session_.banner); }
     std::filesystem::path file() const override;
     void say(const std::string& sentence) override { session_.say(sentence); }
     std::optional<KeptView> kept_view() const override;
-    LengthUnit* unit() override { return &session_.settings.unit; }
     OpenQuestion what_to_open() const override;
     const std::string& tile() const override { return session_.settings.drawing.tile; }
     std::optional<SaveQuestion> where_to_save() const override;
     std::optional<SaveQuestion> where_to_save_project() const override;
-    void save_project(const std::filesystem::path& file) override { session_.save_project(file); }
-    std::string unsaved() const override;
-    std::filesystem::path own_project() const override { return session_.project_path(); }
-    bool would_lose_changes(const std::filesystem::path& file) const override {
-        return session_.would_lose_changes(file);
-    }
-    void keep(const std::filesystem::path& file) override { session_.keep(file); }
-    void bring_back(const std::filesystem::path& file) override { session_.bring_back(file); }
-    int changes() const override { return session_.changes(); }
     std::optional<SaveQuestion> where_to_save_film() const override;
-    void save_film(const std::filesystem::path& file) override { session_.save_film(file); }
+    std::string unsaved() const override;
     std::string draw_saving_options(std::size_t format) override;
     void draw_saving_rows(std::size_t format) override;
     void act(Action action, const Frame& frame) override;
@@ -82,22 +69,12 @@ class DrawingDocument : public Document {
     };
     Layout layout(const Frame& frame) const;
     void show_lights();
-    void toggle_comparison(Action action);
-    /// What is shown in the drawing's place.
-    std::optional<Action> shown_instead() const;
     /// By Escape: what began last.
     void stop_what_takes_long();
     Zoom zoom() const;
     void draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act);
-    void draw_split(const CanvasPlace& place);
-    void draw_loupe(const CanvasPlace& place);
-    void explain_dot(const CanvasPlace& place) const;
-    /// On whose side of the canvas the pointer is.
-    const Pane& pane_under_pointer(const CanvasPlace& place) const;
-    SplitLook look(const CanvasPlace& place) const;
-    /// Both sides are measured by the smaller tile, so that they compare.
-    std::size_t compared_tile_size() const;
-    SideCaption caption(const Pane& pane, const ViewMeter& meter) const;
+    void draw_loupe(const Pane& pane, const CanvasPlace& place);
+    void explain_dot(const Pane& pane, const CanvasPlace& place) const;
     /// The project's name, or else the picture's.
     std::string name() const;
     /// Beside the picture, but for pasted ones, which nobody looks for.
@@ -108,19 +85,18 @@ class DrawingDocument : public Document {
     StatusInfo info() const;
     double placing_seconds() const;
     std::optional<double> placed_share() const;
-    std::optional<StatusInfo::RightSide> right_info() const;
     SpectrumInfo spectrum();
     /// What settings make of the picture shown, its longer side so many pixels.
     EntryPicture preview_of(const DrawingSettings& drawing, int side);
     void choose_variation(const CanvasPlace& place);
     void measure_dots();
-    ViewAnalysisRequest dots_on_screen(const Pane& pane, std::size_t tile_size) const;
 
     Canvas canvas_;
     Session session_;
+    ComparedPanes compared_;
     FilmPlayer film_player_{session_, canvas_};
     const PlacedDrawing nothing_{};
-    ViewMeter spectrum_, left_repetition_, right_repetition_;
+    ViewMeter spectrum_;
     GlTexture spectrum_picture_;
     int spectrum_drawn_ = 0;  // the number of the analysis that it shows
     OpenSections open_ = {};
@@ -144,9 +120,6 @@ class DrawingDocument : public Document {
     };
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
-    // In the drawing's place without a key, as comparison_held() names it; the settings that it began with.
-    std::optional<Action> shown_instead_;
-    DrawingSettings compared_;
     bool variations_ = false;  // in the canvas's place
     std::unique_ptr<Document> successor_;
 };

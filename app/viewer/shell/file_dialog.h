@@ -73,7 +73,6 @@ class FileDialog {
     void ask_where_to_save(SaveQuestion question);
 
     bool is_open() const { return open_; }
-    bool saves() const { return saves_; }
     /// What it asks whether to replace; empty: it does not ask that.
     const std::filesystem::path& replaces() const { return replaces_; }
 

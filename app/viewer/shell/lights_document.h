@@ -16,7 +16,7 @@ class LightsDocument : public Document {
     LightsDocument(const std::optional<std::filesystem::path>& map, const LightsSettings& settings);
 
     std::span<const Shortcut> shortcuts() const override;
-    void open(const std::filesystem::path& file) override { session_.open(file); }
+    void open_as_picture(const std::filesystem::path& file) override { session_.open(file); }
     void open_tile(const std::filesystem::path& file) override { session_.open_tile(file); }
     void take_dropped(const std::filesystem::path& file) override { session_.take_dropped(file); }
     void save(const std::filesystem::path& file) override { session_.save(file); }

@@ -17,6 +17,7 @@
 #include "app/viewer/model/desktop_folders.h"
 #include "app/viewer/model/pasted_files.h"
 #include "app/viewer/model/pasted_picture.h"
+#include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
@@ -53,6 +54,12 @@ constexpr const char *kPreferenceRows = "Preferences", *kExportRows = "Export";
 
 void toggle(bool& value) {
     value = !value;
+}
+
+// What it shows lengths in; null: it shows none.
+LengthUnit* unit_of(Document& document) {
+    Session* const session = document.session();
+    return session ? &session->settings.unit : nullptr;
 }
 
 // The canvas's right edge, which a mouse drags; whether one does.
@@ -151,7 +158,8 @@ bool Shell::may_close(std::unique_ptr<Document>& document) {
 
 void Shell::open_answer(const FileQuestion::Answer& answer, Document& document) {
     waiting_ = Waiting{.open = answer};
-    if (!document.would_lose_changes(answer.file)) go_on(document);
+    const Session* const session = document.session();
+    if (!session || !session->would_lose_changes(answer.file)) go_on(document);
 }
 
 void Shell::go_on(Document& document) {
@@ -185,8 +193,9 @@ void Shell::draw_changes_question(Document& document) {
             break;
     }
     waiting_->saving = true;
-    if (const std::filesystem::path own = document.own_project(); !own.empty())
-        document.save_project(own);
+    Session& session = *document.session();
+    if (const std::filesystem::path own = session.project_path(); !own.empty())
+        session.save_project(own);
     else
         ask_where_to_save(document.where_to_save_project(), Asked::project);
 }
@@ -218,7 +227,7 @@ void Shell::draw_kept_question(Document& document) {
             return;
         case ChangesAnswer::save:
             left_behind_ = {first};
-            document.bring_back(first);
+            if (Session* const session = document.session()) session->bring_back(first);
     }
     asks_about_left_ = false;
 }
@@ -242,9 +251,9 @@ Shell::Question Shell::question() const {
     return {"replace " + dialog_.replaces().string(), 1};  // in a dialog that is there already
 }
 
-double Shell::seconds_until_kept(const Document& document) const {
+double Shell::seconds_until_kept(Document& document) const {
     constexpr double kNever = 3600;
-    if (document.unsaved().empty() || document.changes() == changes_kept_) return kNever;
+    if (document.unsaved().empty() || document.session()->changes() == changes_kept_) return kNever;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - kept_;
     return std::max(kKeepsEvery - passed.count(), 0.0);
 }
@@ -255,12 +264,12 @@ void Shell::keep_unsaved(Document& document) {
         return;
     }
     if (ImGui::IsAnyItemActive() || seconds_until_kept(document) > 0) return;
-    changes_kept_ = document.changes();
+    changes_kept_ = document.session()->changes();
     kept_ = std::chrono::steady_clock::now();
     try {
         const std::filesystem::path own = unsaved_.own_file();
         if (own.empty()) return;
-        document.keep(own);
+        document.session()->keep(own);
         if (!left_behind_.empty() && !asks_about_left_)
             UnsavedDrawings::remove(std::exchange(left_behind_, {}).front());
     } catch (const std::exception& error) {  // as of what is remembered
@@ -453,7 +462,7 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
         document.draw_rows();
         section(kPreferenceRows);
         bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-        if (draw_preferences(memory_.preferences.appearance, desktop, document.unit()))
+        if (draw_preferences(memory_.preferences.appearance, desktop, unit_of(document)))
             take_preferences(desktop);
         if (const auto question = document.where_to_save(); question && question->has_options)
             list_export_rows(*question, document, rows);
@@ -526,7 +535,8 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
     bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop, document.unit()))
+    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop,
+                               unit_of(document)))
         take_preferences(desktop);
     draw_file_question(document);
     const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); });
@@ -534,22 +544,15 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
 }
 
 void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document& document) {
-    switch (asked) {
-        case Asked::picture:
-            return take_files({path}, document);
-        case Asked::found_picture:
-            return document.find_picture(path);
-        case Asked::tile:
-            return document.open_tile(path);
-        case Asked::mask:
-            return document.open_mask(path);
-        case Asked::drawing:
-            return document.save(path);
-        case Asked::project:
-            return document.save_project(path);
-        case Asked::film:
-            return document.save_film(path);
-    }
+    Session* const session = document.session();
+    if (asked == Asked::picture) return take_files({path}, document);
+    if (asked == Asked::tile) return document.open_tile(path);
+    if (asked == Asked::mask) return document.open_mask(path);
+    if (asked == Asked::drawing) return document.save(path);
+    if (!session) return;  // the question was another document's
+    if (asked == Asked::found_picture) session->find_picture(path);
+    if (asked == Asked::project) session->save_project(path);
+    if (asked == Asked::film) session->save_film(path);
 }
 
 void Shell::report_outside(const Document& document) {

@@ -53,7 +53,7 @@ class Shell {
     Question question() const;
     /// In case the program ends; at most every ten seconds.
     void keep_unsaved(Document& document);
-    double seconds_until_kept(const Document& document) const;
+    double seconds_until_kept(Document& document) const;
     void act(Action action, Document& document, const Frame& frame);
     /// What the dialog that is open asks for.
     enum class Asked { picture, found_picture, tile, mask, drawing, project, film };

@@ -23,17 +23,6 @@ nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placing
         {"zoom", info.zoom},       {"placings", placings},          {"place_ms", info.place_ms},
         {"draw_ms", info.draw_ms}, {"steps", info.steps},           {"all_steps", info.all_steps}};
     if (const auto share = progress_of(info)) line["progress"] = *share;
-    if (info.right) {
-        const auto number = [](const std::optional<double>& value) {
-            return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-        };
-        line["right"] = {{"dots", info.right->dots},
-                         {"duplicates", info.right->duplicates},
-                         {"scale", info.right->scale},
-                         {"divider", info.right->divider},
-                         {"repetition", number(info.right->repetition)},
-                         {"left_repetition", number(info.right->left_repetition)}};
-    }
     if (info.loupe)
         line["loupe"] = {{"repetition", info.loupe->repetition},
                          {"layers", info.loupe->layers},

@@ -9,6 +9,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -17,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "app/viewer/widgets/typed_value.h"
@@ -146,6 +149,14 @@ double track_value(double position, const SliderRange& range);
 /// as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
+/// Of whole numbers; true while it changes to another one.
+template <std::integral Whole>
+bool slider_row(const char* label, Whole& value, const SliderRange& range) {
+    const Whole before = value;
+    auto wide = static_cast<double>(value);
+    if (slider_row(label, wide, range)) value = static_cast<Whole>(std::llround(wide));
+    return value != before;
+}
 
 /// What depends on the moment in a setting's row.
 struct SliderNow {
@@ -195,6 +206,25 @@ bool choice_row(const char* label, int& chosen, std::span<const char* const> nam
 /// more of them choice_row() has the room, which it becomes in a window that is too narrow for the words.
 bool segmented_row(const char* label, int& chosen, std::span<const char* const> names, const char* tip,
                    int usual = 0);
+
+/// The same for an enumeration, whose values are named in their order.
+template <class Value>
+requires std::is_enum_v<Value>
+bool choice_row(const char* label, Value& chosen, std::span<const char* const> names, const char* tip) {
+    int index = static_cast<int>(chosen);
+    const bool changed = choice_row(label, index, names, tip);
+    chosen = static_cast<Value>(index);
+    return changed;
+}
+template <class Value>
+requires std::is_enum_v<Value>
+bool segmented_row(const char* label, Value& chosen, std::span<const char* const> names, const char* tip,
+                   Value usual = {}) {
+    int index = static_cast<int>(chosen);
+    const bool changed = segmented_row(label, index, names, tip, static_cast<int>(usual));
+    chosen = static_cast<Value>(index);
+    return changed;
+}
 
 /// ImGui::InputText() for a text of any bytes, such as a file's name, which is edited as editable() has it.
 bool bytes_box(const char* name, std::string& bytes, ImGuiInputTextFlags flags = 0,

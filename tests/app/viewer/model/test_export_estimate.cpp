@@ -208,7 +208,7 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
             return done();
         });
     };
-    REQUIRE(brings([&] { return session.pane().page_request() == request; }));
+    REQUIRE(brings([&] { return session.pane().page().request == request; }));
     for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode"}) {
         CAPTURE(name);
         const DrawingFormat format = drawing_format(name);

@@ -247,7 +247,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
     session.stop_placing();
     CHECK(session.settings.drawing.placing.count == 1000);
     CHECK(brings([&] {
-        return session.pane().page_request() == session.pane().page_requested() &&
+        return session.pane().page().request == session.pane().page_requested() &&
                !session.pane().worker().placing_since();
     }));
     CHECK(session.pane().page().dots.size() == 1000);

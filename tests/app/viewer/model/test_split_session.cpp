@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/model/session.h"
 #include "core/drawing/pipeline.h"
 #include "tests/split_session.h"
 #include "tests/wait_until.h"
@@ -39,47 +38,80 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
 TEST_CASE("the drawing as it was is the one that its picture was opened with, or the one that was kept") {
     SplitSession split(500);
     Session& session = split.session;
+    ComparedPanes& compared = split.compared;
     DrawingSettings& drawing = session.settings.drawing;
     const DrawingSettings opened = drawing;
     const std::vector<glm::dvec2> dots = places_of(session.pane().page());
     const Pane& now = session.pane();
-    session.shows_as_it_was = true;
+    compared.hold(SeenInstead::as_it_was);
     REQUIRE(split.brings([&] { return now.page().settled(); }));
-    CHECK(&session.seen() == &now);  // nothing has changed
+    CHECK(&compared.seen() == &now);  // nothing has changed
     drawing.placing.count = 800;
     drawing.page.paper = Paper::a4;
-    REQUIRE(split.brings([&] { return &session.seen() != &now && now.page().dots.size() == 800; }));
-    CHECK(session.as_it_was() == opened);
-    CHECK(session.settings_of(session.seen()) == opened);
-    CHECK(session.settings_of(now) == drawing);
-    CHECK(places_of(session.seen().page()) == dots);
-    CHECK(session.right()->page().layout.page.width_mm == now.page().layout.page.width_mm);
+    REQUIRE(split.brings([&] { return &compared.seen() != &now && now.page().dots.size() == 800; }));
+    CHECK(compared.as_it_was() == opened);
+    CHECK(compared.settings_of(compared.seen()) == opened);
+    CHECK(compared.settings_of(now) == drawing);
+    CHECK(places_of(compared.seen().page()) == dots);
+    CHECK(compared.right()->page().layout.page.width_mm == now.page().layout.page.width_mm);
     // The next look finds it placed.
-    session.shows_as_it_was = false;
-    CHECK(&session.seen() == &now);
-    session.shows_as_it_was = true;
-    CHECK(places_of(session.seen().page()) == dots);
+    compared.hold({});
+    CHECK(&compared.seen() == &now);
+    compared.hold(SeenInstead::as_it_was);
+    CHECK(places_of(compared.seen().page()) == dots);
     session.play(FilmKind::growth);
-    CHECK(&session.seen() == &now);
+    CHECK(&compared.seen() == &now);
     session.film.reset();
 
-    session.keep_to_compare();
-    CHECK(&session.seen() == &now);
+    compared.keep();
+    CHECK(&compared.seen() == &now);
     drawing.placing.count = 900;
-    CHECK(split.brings([&] { return session.seen().page().dots.size() == 800; }));
+    CHECK(split.brings([&] { return compared.seen().page().dots.size() == 800; }));
     REQUIRE(split.brings([&] { return now.page().dots.size() == 900; }));
     session.open_sample();
     REQUIRE(split.brings([&] { return session.pictures() == 2; }));
-    CHECK(session.as_it_was() == drawing);
-    CHECK(&session.seen() == &now);
+    CHECK(compared.as_it_was() == drawing);
+    CHECK(&compared.seen() == &now);
+}
+
+TEST_CASE(
+    "what is seen in the drawing's place stays without a key until it is asked for again or settings "
+    "change") {
+    SplitSession split(500);
+    Session& session = split.session;
+    ComparedPanes& compared = split.compared;
+    compared.toggle(SeenInstead::photograph);
+    compared.hold({});
+    CHECK(compared.instead() == SeenInstead::photograph);
+    compared.toggle(SeenInstead::photograph);
+    CHECK_FALSE(compared.instead());
+    CHECK_FALSE(compared.end_toggled());
+
+    compared.toggle(SeenInstead::as_it_was);
+    CHECK_FALSE(compared.instead());  // it is so
+    session.settings.drawing.placing.count = 800;
+    compared.toggle(SeenInstead::as_it_was);
+    CHECK(compared.instead() == SeenInstead::as_it_was);
+    compared.toggle(SeenInstead::photograph);  // in its place
+    CHECK(compared.instead() == SeenInstead::photograph);
+    session.settings.drawing.placing.count = 900;
+    compared.hold({});
+    CHECK_FALSE(compared.instead());
+
+    compared.toggle(SeenInstead::photograph);
+    compared.hold(SeenInstead::as_it_was);  // a key takes its place, and ends it
+    CHECK(compared.instead() == SeenInstead::as_it_was);
+    compared.hold({});
+    CHECK_FALSE(compared.instead());
 }
 
 TEST_CASE("zooming in with more dots, both sides show the dots that the page has at the larger scale") {
     SplitSession split(2000);
     const Session& session = split.session;
+    const ComparedPanes& compared = split.compared;
     const double scale = session.pane().page().scale;
     split.zoom_in(ZoomMode::constant_density, 12);
-    for (const Pane* pane : {&session.pane(), session.right()}) {
+    for (const Pane* pane : {&session.pane(), compared.right()}) {
         const PlacedDrawing& shown = pane->shown();
         // 7 per cent more than in proportion, as the newest of them fade in.
         CHECK(shown.scale == doctest::Approx(scale * 144 * 1.07).epsilon(1e-4));
@@ -87,7 +119,7 @@ TEST_CASE("zooming in with more dots, both sides show the dots that the page has
         check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window));
     }
     CHECK(session.pane().tile().name == kDefaultTile);
-    CHECK(session.right()->tile().name == "paper16");
+    CHECK(compared.right()->tile().name == "paper16");
 }
 
 TEST_CASE("dots that a close view stopped from settling settle once the page is shown again") {
@@ -98,7 +130,7 @@ TEST_CASE("dots that a close view stopped from settling settle once the page is 
     REQUIRE(split.brings([&] { return session.pane().page().steps == 20; }));
     split.zoom_in(ZoomMode::constant_density, 12);
     session.settings.drawing.tone.gamma = 1.25f;
-    REQUIRE(split.brings([&] { return session.pane().page_request()->drawing.tone.gamma == 1.25f; }));
+    REQUIRE(split.brings([&] { return session.pane().page().request->drawing.tone.gamma == 1.25f; }));
     CHECK(session.pane().page().steps < 20);
     REQUIRE(split.brings([&] { return session.pane().shows_close(); }));
     split.zoom.mode = ZoomMode::drawing;
@@ -120,8 +152,9 @@ TEST_CASE("however deep one zooms in with more dots, there are as many in view")
 TEST_CASE("deep in the page with larger dots, both sides show the dots that the page has there") {
     SplitSession split(200'000);
     const Session& session = split.session;
+    const ComparedPanes& compared = split.compared;
     split.zoom_in(ZoomMode::drawing, 64);
-    for (const Pane* pane : {&session.pane(), session.right()}) {
+    for (const Pane* pane : {&session.pane(), compared.right()}) {
         const PlacedDrawing& shown = pane->shown();
         CHECK(shown.scale == doctest::Approx(pane->page().scale).epsilon(1e-6));
         CHECK(shown.dots.size() > 50);
@@ -141,7 +174,7 @@ TEST_CASE("a drawing never has more dots than the window takes on, whatever coun
         REQUIRE(wait_until([&] {
             session.take_events(std::chrono::milliseconds(0));
             session.request_dots(zoom);
-            return session.pane().page_request() == request;
+            return session.pane().page().request == request;
         }));
         return session.pane().page().dots.size();
     };
@@ -178,11 +211,12 @@ TEST_CASE("zoomed out again, both sides show the whole page as it was") {
     SplitSession split(2000);
     split.zoom_in(ZoomMode::constant_density, 12);
     const Session& session = split.session;
+    const ComparedPanes& compared = split.compared;
     const auto placings = session.pane().placings();
     split.zoom = {.mode = ZoomMode::drawing, .camera = fitted(kCanvas, {1, 1})};
-    split.session.request_dots(split.zoom);
+    split.frame();
     CHECK_FALSE(session.pane().shows_close());
-    CHECK_FALSE(session.right()->shows_close());
+    CHECK_FALSE(compared.right()->shows_close());
     CHECK(session.pane().shown().dots.size() == 2000);
     CHECK(session.pane().placings() == placings);
 }
@@ -190,31 +224,33 @@ TEST_CASE("zoomed out again, both sides show the whole page as it was") {
 TEST_CASE("a split view that is switched off keeps nothing of its right side, and shows it anew when asked") {
     SplitSession split(2000);
     Session& session = split.session;
-    const std::size_t dots = session.right()->shown().dots.size();
-    const auto version = session.right()->version();
+    ComparedPanes& compared = split.compared;
+    const std::size_t dots = compared.right()->shown().dots.size();
+    const auto version = compared.right()->version();
     session.settings.comparison.on = false;
-    session.request_dots(split.zoom);
-    CHECK(session.right() == nullptr);
+    split.frame();
+    CHECK(compared.right() == nullptr);
     session.settings.comparison.on = true;
-    CHECK(session.right() == nullptr);
-    REQUIRE(split.brings([&] { return session.right() != nullptr; }));
-    CHECK(session.right()->shown().dots.size() == dots);
+    CHECK(compared.right() == nullptr);
+    REQUIRE(split.brings([&] { return compared.right() != nullptr; }));
+    CHECK(compared.right()->shown().dots.size() == dots);
     // Whoever goes by the number sees that these are other dots.
-    CHECK(session.right()->version() > version);
+    CHECK(compared.right()->version() > version);
     CHECK(session.pane().shown().dots.size() == 2000);
 }
 
 TEST_CASE("a split view switched on and off without waiting ends as it was asked for last") {
     SplitSession split(2000);
     Session& session = split.session;
+    ComparedPanes& compared = split.compared;
     for (int i = 0; i < 8; ++i) {
         session.settings.comparison.on = i % 2 == 1;
-        session.take_events(std::chrono::milliseconds(0));
-        session.request_dots(split.zoom);
+        split.frame();
     }
     session.settings.comparison.tile = "28433,5791/16";
-    REQUIRE(split.brings([&] { return session.right() && session.right()->tile().name == "28433,5791/16"; }));
-    const double dots = static_cast<double>(session.right()->shown().dots.size());
+    REQUIRE(
+        split.brings([&] { return compared.right() && compared.right()->tile().name == "28433,5791/16"; }));
+    const double dots = static_cast<double>(compared.right()->shown().dots.size());
     CHECK(dots == doctest::Approx(2000).epsilon(0.05));
 }
 

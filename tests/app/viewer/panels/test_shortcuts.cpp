@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "tests/headless_ui.h"
@@ -70,7 +71,7 @@ TEST_CASE("keys do what the help says, once a press") {
 TEST_CASE("C, the backslash and P show the photograph while they are held, and do nothing else") {
     bool shown = false;
     Keyboard keyboard;
-    keyboard.each_frame = [&] { shown = comparison_held() == Action::photograph; };
+    keyboard.each_frame = [&] { shown = comparison_held() == SeenInstead::photograph; };
     for (const Key key : {Key::c, Key::backslash, Key::p}) {
         put_key(key, true);
         keyboard.actions.clear();
@@ -98,7 +99,7 @@ TEST_CASE("C, the backslash and P show the photograph while they are held, and d
 
 TEST_CASE(
     "W and the backslash with Shift show the drawing as it was while they are held, and do nothing else") {
-    std::optional<Action> shown;
+    std::optional<SeenInstead> shown;
     Keyboard keyboard;
     keyboard.each_frame = [&] { shown = comparison_held(); };
     for (const auto& [key, modifiers] : {std::pair{Key::w, 0}, std::pair{Key::backslash, GLFW_MOD_SHIFT}}) {
@@ -107,7 +108,7 @@ TEST_CASE(
         keyboard.actions.clear();
         for (int frame = 0; frame < 3; ++frame) {
             keyboard.ui.frame();
-            CHECK(shown == Action::as_it_was);
+            CHECK(shown == SeenInstead::as_it_was);
         }
         CHECK(keyboard.actions.empty());
         put_modifiers(modifiers | GLFW_MOD_CONTROL);
