@@ -23,6 +23,7 @@ std::string called(const CLI::Option& option, const fs::path& file) {
     using Called = std::pair<std::string_view, const char*>;
     constexpr std::array kCalled{Called{"--tile", "the tile"},
                                  Called{"--mask", "the mask"},
+                                 Called{"--finer", "the mask"},
                                  Called{"--settings-from", "the settings"},
                                  Called{"map", "the map"},
                                  Called{"tile", "the tile"},

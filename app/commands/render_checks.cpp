@@ -112,6 +112,9 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
                "a table has no shapes or lines, only dots; leave it out");
     if (drawing.style != DrawingStyle::dots)
         refuse(command, {"--dot-shape"}, "applies to --style dots only; leave it out, or give that style");
+    if (drawing.mask.has_finer() && !can_be_finer(drawing))
+        refuse(command, {"--finer"},
+               "makes dots smaller, which lines and dots as wide as their pen cannot be; leave it out");
     if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
         refuse(command, {"--dot-radius"},
                "a point is as large as the pen makes it; leave it out, or give another --dot-shape");

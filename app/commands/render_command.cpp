@@ -137,16 +137,23 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
-    const auto read_mask = [this](const std::string& file) {
+    const auto light_of = [this](const char* option, const std::string& file) {
+        try {
+            return read_picture(file, options_.limit).light;
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+        }
+    };
+    const auto read_mask = [this, light_of](const std::string& file) {
         options_.drawing.mask = {};
         options_.mask.reset();
         if (file == "none") return;
         options_.mask = file;
-        try {
-            options_.drawing.mask = mask_of(read_picture(file, options_.limit).light);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("--mask: {}", error.what()));
-        }
+        options_.drawing.mask = mask_of(light_of("--mask", file));
+    };
+    const auto read_finer = [this, light_of](const std::string& file) {
+        Mask& mask = options_.drawing.mask;
+        mask = file == "none" ? mask.without_finer() : with_fineness(mask, light_of("--finer", file));
     };
     command
         ->add_option_function<std::string>(
@@ -155,6 +162,15 @@ RenderCommand::RenderCommand(CLI::App& program) {
             "(#808080) changes nothing, darker gives fewer dots, black none, lighter more, white four times "
             "as many where the tone leaves room; kept with 512 pixels along its longer side. none: drops the "
             "mask of the project")
+        ->type_name("FILE|none")
+        ->group("Tone");
+    command
+        ->add_option_function<std::string>(
+            "--finer", read_finer,
+            "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
+            "and "
+            "smaller dots at the same tone, white four times as many of half the width. none: drops what the "
+            "project or --mask has of it")
         ->type_name("FILE|none")
         ->group("Tone");
     add_page_options(*command, options_.drawing);

@@ -101,8 +101,7 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
         : drawn.plotting && drawn.order == DotOrder::space && !options.saving.order
             ? " (so many dots follow a curve; --order shortest finds a shorter way)"
             : "";
-    const bool alike =
-        options.drawing.dot_size.sizing != DotSizing::by_tone && drawn.pens.empty() && !drawn.strokes;
+    const bool alike = !has_several_sizes(options.drawing) && drawn.pens.empty() && !drawn.strokes;
     const std::string wide =
         alike && drawn.dots > 0 ? fmt::format(", {} wide", millimetres_in_words(2 * drawn.radius_mm)) : "";
     const std::string dots = dots_in_words(drawn.dots) + size + wide;

@@ -168,7 +168,10 @@ DrawingSettings film_settings(DrawingSettings settings, FilmKind kind) {
     if (kind == FilmKind::plot) return settings;
     if (settings.dot_size.sizing == DotSizing::by_tone) settings.dot_size.sizing = DotSizing::automatic;
     settings.placer = PlacerKind::exact;
-    if (kind != FilmKind::growth) settings.relax = 0;
+    if (kind != FilmKind::growth) {
+        settings.relax = 0;
+        settings.mask = settings.mask.without_finer();  // all dots are alike
+    }
     settings.pens = {};
     settings.style = DrawingStyle::dots;
     settings.mark = {};

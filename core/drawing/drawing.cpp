@@ -17,8 +17,7 @@ bool has_order(DrawingFormat format, DrawingStyle style) {
 
 DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format) {
     const bool circles = settings.mark.shape == DotShape::circle;
-    if (!circles || !is_touched(format) || settings.dot_size.sizing != DotSizing::by_tone)
-        return settings.mark;
+    if (!circles || !is_touched(format) || !has_several_sizes(settings)) return settings.mark;
     const bool by_radius =
         format == DrawingFormat::gcode && saving.gcode_template.text.find("{radius}") != std::string::npos;
     return by_radius ? settings.mark : DotMark{DotShape::spiral};

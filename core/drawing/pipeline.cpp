@@ -43,20 +43,21 @@ double smallest_area(const DotSize& size) {
     return ratio * ratio;
 }
 
-// Gives each dot the radius that the tone at its place asks for.
-std::function<void(Dots&)> sizes_by_tone(const DrawingPlan& plan) {
-    if (plan.size.sizing != DotSizing::by_tone) return {};
-    return [density = plan.density, smallest = smallest_area(plan.size),
-            largest = plan.size.largest_mm / plan.page.mm_per_page_unit](Dots& dots) {
+// Gives each dot the radius that tone and mask ask for at its place. None where all are alike.
+std::function<void(Dots&)> sizes_by_place(const DrawingPlan& plan, double scale) {
+    if (plan.size.sizing != DotSizing::by_tone && plan.finer.empty()) return {};
+    return [density = plan.density, finer = plan.finer, smallest = smallest_area(plan.size),
+            largest = plan.radius(scale)](Dots& dots) {
         dots.radius.resize(dots.size());
         for (std::size_t i = 0; i < dots.size(); ++i) {
-            const double d = std::min(density->at({dots.x[i], dots.y[i]}), 1.0);
-            dots.radius[i] = static_cast<float>(largest * std::sqrt(smallest + (1 - smallest) * d));
+            const glm::dvec2 place(dots.x[i], dots.y[i]);
+            const double times = finer.times_at(place), d = std::min(density->at(place) / times, 1.0);
+            dots.radius[i] = static_cast<float>(largest * std::sqrt((smallest + (1 - smallest) * d) / times));
         }
     };
 }
 
-void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
+void give_sizes(const DrawingPlan& plan, double scale, DotPieces& dots) {
     // Pens of several widths, whose dots are not sized otherwise.
     const auto width = [](const Pen& pen) { return dot_width_mm(pen); };
     const bool one_width =
@@ -69,7 +70,7 @@ void give_sizes(const DrawingPlan& plan, DotPieces& dots) {
         }
         return;
     }
-    if (const auto size = sizes_by_tone(plan))
+    if (const auto size = sizes_by_place(plan, scale))
         for (Dots& piece : dots.pieces) size(piece);
 }
 
@@ -324,7 +325,8 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
 namespace {
 
 // As large as pens draw them.
-DrawingRequest with_pens_sizes(DrawingRequest request) {
+DrawingRequest with_pens_sizes(const DrawingRequest& asked) {
+    DrawingRequest request = asked;
     const bool touches = draws_touches(request);
     if (touches && !have_widths(request.pens) && request.dot_size.sizing != DotSizing::by_tone) {
         request.dot_size.sizing = DotSizing::fixed;
@@ -334,6 +336,7 @@ DrawingRequest with_pens_sizes(DrawingRequest request) {
         request.pens.width_mm = 0;
         for (Pen& pen : request.pens.own) pen.width_mm = 0;
     }
+    if (!can_be_finer(asked)) request.mask = request.mask.without_finer();
     return request;
 }
 
@@ -346,6 +349,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots)
     frame(request.page);
     plan.tone = request.tone;
     plan.size = request.dot_size;
+    if (!plain_) plan.finer = {request.mask, framing_of_light(), {light_.width, light_.height}};
     plan.joined = request.style != DrawingStyle::dots;
     plan.stroke_width_mm = keeps_dots_inside(request.page) ? widest_stroke(asked) : 0;
     if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
@@ -388,7 +392,7 @@ RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, doubl
                              .stirring = stirring_of(placer.table(), scale)};
     if (pictures && !plan.joined) {
         relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
-        relaxing.areas.smallest = static_cast<float>(smallest_area(plan.size));
+        relaxing.areas = {static_cast<float>(smallest_area(plan.size)), plan.finer};
     }
     return relaxing;
 }
@@ -400,7 +404,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     if (!stipple(*tile_, density, plan.placer, plan.placing, drawn, watch.stop)) return false;
     if (plan.placing.thresholds) fill_critical_scales(drawn.dots, density);
     const auto sized = [&](DotPieces dots) {
-        give_sizes(plan, dots);
+        give_sizes(plan, drawn.scale, dots);
         return dots;
     };
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
@@ -427,7 +431,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         if (by_pen.pieces.empty()) return false;
         drawn.dots = std::move(by_pen);
     }
-    give_sizes(plan, drawn.dots);
+    give_sizes(plan, drawn.scale, drawn.dots);
     return true;
 }
 
@@ -455,7 +459,8 @@ std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::sto
         };
     } else {
         drawing.scale = find_scale(plan);
-        const StreamRequest request{.placing = plan.placing, .part = {}, .finish = sizes_by_tone(plan)};
+        const StreamRequest request{
+            .placing = plan.placing, .part = {}, .finish = sizes_by_place(plan, drawing.scale)};
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawing.scale);
         if (plan.steps > relaxing.lloyd_steps)  // once for all parts
             relaxing.blurred = std::make_shared<const BlurredDensity>(

@@ -19,6 +19,7 @@
 #include "core/image/density.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
+#include "core/image/refinement.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/stipple.h"
@@ -45,10 +46,12 @@ struct DrawingPlan {
     double full_load = 0;        // see InkCurve
     Palette pens;                // several, in the order in which they draw; none: one
     PenDensities by_pen;         // whose sum is the density above
+    Refinement finer;            // where there are more dots for it, and smaller ones
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
-    /// The radius of all dots, or of the largest ones, in page units, in a drawing that came to that scale.
+    /// The radius of all dots, or of the largest ones, in page units, in a drawing that came to that scale;
+    /// where all are finer, of dots that were not.
     double radius(double scale) const;
     /// The same in millimetres, on the page as it is then laid out.
     double radius_mm(double scale) const;

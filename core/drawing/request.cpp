@@ -30,6 +30,17 @@ bool draws_strokes(const DrawingRequest& request) {
     return request.style != DrawingStyle::dots || request.mark.shape != DotShape::circle;
 }
 
+bool can_be_finer(const DrawingRequest& request) {
+    if (request.style != DrawingStyle::dots || draws_touches(request)) return false;
+    const bool by_tone = request.dot_size.sizing == DotSizing::by_tone;
+    return by_tone || draws_strokes(request) || !have_widths(request.pens);
+}
+
+bool has_several_sizes(const DrawingRequest& request) {
+    return request.dot_size.sizing == DotSizing::by_tone ||
+           (request.mask.has_finer() && can_be_finer(request));
+}
+
 std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
                                   PenUse use) {
     std::vector<double> widths;

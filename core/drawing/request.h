@@ -80,6 +80,13 @@ struct DrawingRequest {
 /// Whether a pen draws lines, rather than dots being filled circles.
 bool draws_strokes(const DrawingRequest& request);
 
+/// Whether dots can be finer where the mask asks for it: not lines, which are as wide everywhere, nor dots
+/// that are as large as their pen is wide. What cannot is drawn as if nothing was finer.
+bool can_be_finer(const DrawingRequest& request);
+
+/// Whether dots are of several sizes, those of pens of several widths aside.
+bool has_several_sizes(const DrawingRequest& request);
+
 /// What pens do: ink spreads about a dot where the pen rests, and not along a line.
 enum class PenUse { lines, touches };
 

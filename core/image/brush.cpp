@@ -7,6 +7,9 @@
 
 namespace dapple {
 
+namespace {
+
+// The level that a brush paints towards, if it changes the levels.
 std::uint8_t level_of(BrushKind kind) {
     switch (kind) {
         case BrushKind::more:
@@ -15,11 +18,14 @@ std::uint8_t level_of(BrushKind kind) {
             return kNeutralLevel / 2;
         case BrushKind::none:
             return 0;
+        case BrushKind::finer:
         case BrushKind::erase:
             break;
     }
     return kNeutralLevel;
 }
+
+}  // namespace
 
 double brush_cover(double radii, double softness) {
     if (radii >= 1) return 0;
@@ -31,10 +37,11 @@ double brush_cover(double radii, double softness) {
 BrushStroke::BrushStroke(const Mask& mask, glm::ivec2 picture, const Brush& brush) : brush_(brush) {
     const glm::ivec2 size = mask_size(picture);
     // One that was made for a picture of another shape stays as it is, and so does its number of pixels.
-    before_ = mask.empty() ? Grid<std::uint8_t>(size.x, size.y, kNeutralLevel) : mask.levels();
-    cover_ = Grid<float>(before_.width, before_.height);
+    levels_ = mask.empty() ? Grid<std::uint8_t>(size.x, size.y, kNeutralLevel) : mask.levels();
+    fineness_ = mask.has_finer() ? mask.fineness() : Grid<std::uint8_t>(levels_.width, levels_.height);
+    cover_ = Grid<float>(levels_.width, levels_.height);
     const double longer = std::max(picture.x, picture.y);
-    pixels_per_unit_ = {before_.width * longer / picture.x, before_.height * longer / picture.y};
+    pixels_per_unit_ = {levels_.width * longer / picture.x, levels_.height * longer / picture.y};
 }
 
 void BrushStroke::go_to(glm::dvec2 point) {
@@ -63,14 +70,18 @@ void BrushStroke::go_to(glm::dvec2 point) {
 }
 
 Mask BrushStroke::mask() const {
-    Grid<std::uint8_t> levels = before_;
-    const double target = level_of(brush_.kind);
-    for (std::size_t i = 0; i < levels.values.size(); ++i) {
-        const double before = before_.values[i];
-        levels.values[i] = static_cast<std::uint8_t>(
-            std::lround(before + (target - before) * brush_.strength * double(cover_.values[i])));
-    }
-    return Mask(std::move(levels));
+    Grid<std::uint8_t> levels = levels_, fineness = fineness_;
+    const auto paint = [&](Grid<std::uint8_t>& grid, double target) {
+        for (std::size_t i = 0; i < grid.values.size(); ++i) {
+            const double before = grid.values[i];
+            grid.values[i] = static_cast<std::uint8_t>(
+                std::lround(before + (target - before) * brush_.strength * double(cover_.values[i])));
+        }
+    };
+    if (brush_.kind != BrushKind::finer) paint(levels, level_of(brush_.kind));
+    if (brush_.kind == BrushKind::finer) paint(fineness, 255);
+    if (brush_.kind == BrushKind::erase) paint(fineness, 0);
+    return Mask(std::move(levels), std::move(fineness));
 }
 
 }  // namespace dapple

@@ -10,10 +10,7 @@
 
 namespace dapple {
 
-enum class BrushKind { more, fewer, none, erase };
-
-/// The level that it paints towards: 255, 64, 0, neutral.
-std::uint8_t level_of(BrushKind kind);
+enum class BrushKind { more, fewer, none, finer, erase };
 
 struct Brush {
     BrushKind kind = BrushKind::more;
@@ -42,7 +39,7 @@ class BrushStroke {
     Mask mask() const;
 
  private:
-    Grid<std::uint8_t> before_;
+    Grid<std::uint8_t> levels_, fineness_;  // before the stroke
     Grid<float> cover_;
     Brush brush_;
     glm::dvec2 pixels_per_unit_;  // of the mask

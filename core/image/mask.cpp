@@ -3,9 +3,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/image/refinement.h"
 #include "core/image/tone.h"
 
 namespace dapple {
@@ -14,10 +16,43 @@ namespace {
 // 2^2: of white, above neutral.
 constexpr float kMostStopsOfMask = 2;
 
-// Bilinear, at a place whose pixels' centres are at halves.
-float level_at(const Grid<std::uint8_t>& levels, double x, double y) {
-    const double column = std::clamp(x - 0.5, 0.0, levels.width - 1.0);
-    const double row = std::clamp(y - 0.5, 0.0, levels.height - 1.0);
+// The levels that a picture of linear light has as a mask: means of the encoded values, or the values of
+// the pixels there, where it has fewer.
+Grid<std::uint8_t> levels_of(const Grid<float>& light, glm::ivec2 size) {
+    Grid<std::uint8_t> levels(size.x, size.y);
+    struct Span {
+        int first, end;
+    };
+    // The pixels whose centres lie in one of the mask's, or the one that it lies in.
+    const auto pixels_of = [](int i, int pixels, int all) {
+        const auto begin = [&](int at) { return static_cast<int>(std::int64_t{at} * pixels / all); };
+        return Span{begin(i), std::max(begin(i + 1), begin(i) + 1)};
+    };
+    tbb::parallel_for(0, size.y, [&](int y) {
+        const Span down = pixels_of(y, light.height, size.y);
+        for (int x = 0; x < size.x; ++x) {
+            const Span across = pixels_of(x, light.width, size.x);
+            double sum = 0;
+            for (int row = down.first; row < down.end; ++row)
+                for (int column = across.first; column < across.end; ++column)
+                    sum += linear_to_srgb(std::clamp(light.at(column, row), 0.0f, 1.0f));
+            const double mean = sum / (double(down.end - down.first) * (across.end - across.first));
+            levels.at(x, y) = static_cast<std::uint8_t>(std::lround(255 * mean));
+        }
+    });
+    return levels;
+}
+
+bool same(const Grid<std::uint8_t>& a, const Grid<std::uint8_t>& b) {
+    return a.width == b.width && a.values == b.values;
+}
+
+}  // namespace
+
+float level_at(const Grid<std::uint8_t>& levels, glm::dvec2 place) {
+    // In this order of arguments what is no number becomes 0.
+    const double column = std::min(std::max(0.0, place.x - 0.5), levels.width - 1.0);
+    const double row = std::min(std::max(0.0, place.y - 0.5), levels.height - 1.0);
     const int left = static_cast<int>(column), top = static_cast<int>(row);
     const int right = std::min(left + 1, levels.width - 1), bottom = std::min(top + 1, levels.height - 1);
     const auto across = static_cast<float>(column - left), down = static_cast<float>(row - top);
@@ -29,17 +64,18 @@ float level_at(const Grid<std::uint8_t>& levels, double x, double y) {
     return upper + (lower - upper) * down;
 }
 
-}  // namespace
-
-Mask::Mask(Grid<std::uint8_t> levels) {
-    if (std::ranges::any_of(levels.values, [](std::uint8_t level) { return level != kNeutralLevel; }))
-        levels_ = std::make_shared<const Grid<std::uint8_t>>(std::move(levels));
+Mask::Mask(Grid<std::uint8_t> levels, Grid<std::uint8_t> fineness) {
+    assert(fineness.empty() || (fineness.width == levels.width && fineness.height == levels.height));
+    if (std::ranges::none_of(fineness.values, [](std::uint8_t fine) { return fine > 0; })) fineness = {};
+    const auto neutral = [](std::uint8_t level) { return level == kNeutralLevel; };
+    if (fineness.empty() && std::ranges::all_of(levels.values, neutral)) return;
+    layers_ = std::make_shared<const Layers>(Layers{std::move(levels), std::move(fineness)});
 }
 
 bool Mask::operator==(const Mask& other) const {
-    if (levels_ == other.levels_) return true;
-    if (!levels_ || !other.levels_) return false;
-    return levels_->width == other.levels_->width && levels_->values == other.levels_->values;
+    if (layers_ == other.layers_) return true;
+    if (!layers_ || !other.layers_) return false;
+    return same(levels(), other.levels()) && same(fineness(), other.fineness());
 }
 
 glm::ivec2 mask_size(glm::ivec2 picture) {
@@ -52,25 +88,14 @@ glm::ivec2 mask_size(glm::ivec2 picture) {
 }
 
 Mask mask_of(const Grid<float>& light) {
-    const glm::ivec2 size = mask_size({light.width, light.height});
-    Grid<std::uint8_t> levels(size.x, size.y);
-    // The pixels whose centres lie in one of the mask's; there is at least one.
-    const auto begin = [](int i, int pixels, int all) {
-        return static_cast<int>(static_cast<std::int64_t>(i) * pixels / all);
-    };
-    tbb::parallel_for(0, size.y, [&](int y) {
-        const int top = begin(y, light.height, size.y), bottom = begin(y + 1, light.height, size.y);
-        for (int x = 0; x < size.x; ++x) {
-            const int left = begin(x, light.width, size.x), right = begin(x + 1, light.width, size.x);
-            double sum = 0;
-            for (int row = top; row < bottom; ++row)
-                for (int column = left; column < right; ++column)
-                    sum += linear_to_srgb(std::clamp(light.at(column, row), 0.0f, 1.0f));
-            const double mean = sum / (double(bottom - top) * (right - left));
-            levels.at(x, y) = static_cast<std::uint8_t>(std::lround(255 * mean));
-        }
-    });
-    return Mask(std::move(levels));
+    return Mask(levels_of(light, mask_size({light.width, light.height})));
+}
+
+Mask with_fineness(const Mask& mask, const Grid<float>& light) {
+    const glm::ivec2 size = mask.empty() ? mask_size({light.width, light.height})
+                                         : glm::ivec2(mask.levels().width, mask.levels().height);
+    return Mask(mask.empty() ? Grid<std::uint8_t>(size.x, size.y, kNeutralLevel) : mask.levels(),
+                levels_of(light, size));
 }
 
 float mask_factor(float level) {
@@ -82,14 +107,17 @@ float mask_factor(float level) {
 Grid<float> masked(Grid<float> density, const Mask& mask, const Framing& framing, glm::ivec2 picture) {
     if (mask.empty()) return density;
     const Grid<std::uint8_t>& levels = mask.levels();
+    const Refinement finer(mask, framing, picture);
+    const double longer = std::max(density.width, density.height);
     const glm::dvec2 share(double(levels.width) / picture.x, double(levels.height) / picture.y);
     tbb::parallel_for(0, density.height, [&](int y) {
         float* const row = density.row(y);
         for (int x = 0; x < density.width; ++x) {
             const glm::dvec2 at = opened_pixel(framing, {x + 0.5, y + 0.5}) * share;
-            const float level = level_at(levels, at.x, at.y);
-            if (level == kNeutralLevel) continue;  // to the bit what it was
-            row[x] = std::min(row[x] * mask_factor(level), std::max(row[x], 1.0f));
+            const float level = level_at(levels, at);
+            if (level != kNeutralLevel)  // else to the bit what it was
+                row[x] = std::min(row[x] * mask_factor(level), std::max(row[x], 1.0f));
+            row[x] *= finer.times_at(glm::dvec2(x + 0.5, y + 0.5) / longer);
         }
     });
     return density;

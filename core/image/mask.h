@@ -1,5 +1,6 @@
 #pragma once
-// A mask: where the drawing has more dots than the picture's tone asks for, fewer, or none.
+// A mask: where the drawing has more dots than the picture's tone asks for, fewer, or none, and where they
+// are finer.
 //
 // It lies over the picture as it was opened, whatever its size in pixels, so that it stays where it was
 // painted when the picture is cropped or turned. A level is 0..255; between the levels' centres it is
@@ -7,6 +8,12 @@
 //
 //     level    0    64    128    191.5    255
 //     factor   0   1/2      1        2      4       level / 128 up to 128, 2^(2 (level - 128) / 127) above
+//
+// Where dots are finer there are more of them, each with as much less area, so that the tone stays. How fine
+// they are is 0..255 too, apart from the level, and lies over the picture in the same way:
+//
+//     fineness  0    85   170   255
+//     dots     x 1   x 2   x 3   x 4      1 + 3 fineness / 255; see refinement.h
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -27,17 +34,26 @@ class Mask {
  public:
     /// None: neutral everywhere.
     Mask() = default;
-    /// Levels of a shape of mask_size(). Neutral everywhere is none.
-    explicit Mask(Grid<std::uint8_t> levels);
+    /// Levels of a shape of mask_size(), and as many finenesses, or no pixels of these where no dots are
+    /// finer. Neutral and 0 everywhere is none.
+    explicit Mask(Grid<std::uint8_t> levels, Grid<std::uint8_t> fineness = {});
 
-    bool empty() const { return !levels_; }
+    bool empty() const { return !layers_; }
     /// Not of an empty one.
-    const Grid<std::uint8_t>& levels() const { return *levels_; }
+    const Grid<std::uint8_t>& levels() const { return layers_->levels; }
+
+    bool has_finer() const { return layers_ && !layers_->fineness.empty(); }
+    /// Not of an empty one; without pixels where no dots are finer.
+    const Grid<std::uint8_t>& fineness() const { return layers_->fineness; }
+    Mask without_finer() const { return has_finer() ? Mask(levels()) : *this; }
 
     bool operator==(const Mask& other) const;
 
  private:
-    std::shared_ptr<const Grid<std::uint8_t>> levels_;
+    struct Layers {
+        Grid<std::uint8_t> levels, fineness;
+    };
+    std::shared_ptr<const Layers> layers_;
 };
 
 /// That of a mask for a picture of so many pixels: as many, or fewer of the same shape.
@@ -47,10 +63,26 @@ glm::ivec2 mask_size(glm::ivec2 picture);
 /// white is most. A larger picture becomes means of the encoded values.
 Mask mask_of(const Grid<float>& light);
 
+/// The mask with a picture of linear light as its fineness: black changes nothing, white is finest, between
+/// them as encoded. A mask that is there keeps its shape.
+Mask with_fineness(const Mask& mask, const Grid<float>& light);
+
+/// A level or a fineness at a place in pixels from the mask's corner.
+float level_at(const Grid<std::uint8_t>& levels, glm::dvec2 place);
+
 /// What the density is multiplied with at a level 0..255.
 float mask_factor(float level);
 
-/// The density of a picture of so many pixels that is framed so, under the mask. 0..1, if it was.
+/// How many times as many dots there are where they are finest.
+inline constexpr float kMostTimesFiner = 4;
+
+/// How many times as many there are at a fineness 0..255.
+inline float times_finer(float fineness) {
+    return 1 + (kMostTimesFiner - 1) * fineness / 255;
+}
+
+/// The density of a picture of so many pixels that is framed so, under the mask. 0..1, if it was; up to
+/// kMostTimesFiner where dots are finer.
 Grid<float> masked(Grid<float> density, const Mask& mask, const Framing& framing, glm::ivec2 picture);
 
 }  // namespace dapple

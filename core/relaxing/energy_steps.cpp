@@ -97,20 +97,22 @@ class Pushes {
 
 }  // namespace
 
-float DotAreas::density_of(float ink) const {
-    if (!differ() || ink >= 1) return ink;
-    const float more = 1 - smallest, least = std::max(ink, 0.0f);
-    return 2 * least / (smallest + std::sqrt(smallest * smallest + 4 * more * least));
-}
-
-BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel, DotAreas areas) {
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel,
+                                   const DotAreas& areas) {
     const PageRows page(density, scale);
     const double pixels2 = page.pixels * page.pixels;
     const float on_black = 2 * kernel * kernel * page.spacing * page.spacing;
     Grid<float> ink = density.values();
-    if (areas.differ())
-        for (float& value : ink.values) value *= areas.at(value);
-    return {std::move(ink), std::min(on_black, kMostVariance) * pixels2, kMostVariance * pixels2};
+    if (areas.differ()) {
+        const double longer = density.longer_side();
+        for (int y = 0; y < ink.height; ++y) {
+            float* const row = ink.row(y);
+            for (int x = 0; x < ink.width; ++x)
+                row[x] *= areas.at(row[x], glm::dvec2(x + 0.5, y + 0.5) / longer);
+        }
+    }
+    const float narrowest = on_black / areas.finer.most_times();
+    return {std::move(ink), std::min(narrowest, kMostVariance) * pixels2, kMostVariance * pixels2};
 }
 
 template <bool kWeighed>
@@ -134,7 +136,7 @@ DotStep EnergySteps::by_dots(float x, float y, float variance) {
     return {pushes.sum_x(), pushes.sum_y()};
 }
 
-DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float density) const {
+DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float tone) const {
     const auto pixels = static_cast<float>(page_.pixels);
     const BlurredDensity::Slope seen =
         blurred_.at(x * page_.pixels, y * page_.pixels, kernels.variance * pixels * pixels);
@@ -142,8 +144,7 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float densi
     const float deviation = std::sqrt(kernels.variance);
     const auto end = [&](float away, float from_middle, float inwards, float& slope) {
         if (away > kFarFromEdge * deviation) return;
-        const float beyond =
-            beyond_edge(kWavesOfDensity, from_middle / kernels.apart, density) * kernels.apart;
+        const float beyond = beyond_edge(kWavesOfDensity, from_middle / kernels.apart, tone) * kernels.apart;
         const BlurredStep step((away + beyond) / deviation);
         slope += inwards * step.slope / (deviation * step.value);
         share *= step.value;
@@ -159,7 +160,8 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float densi
 
 DotStep EnergySteps::step(std::size_t dot) {
     const float x = rows_.x[dot], y = rows_.y[dot];
-    const float density = areas_.density_of(blurred_.sharpest(x * page_.pixels, y * page_.pixels));
+    const float tone = areas_.tone_of(blurred_.sharpest(x * page_.pixels, y * page_.pixels));
+    const float density = tone * areas_.finer.times_at(page_.place(x, y));
     const float on_black2 = page_.spacing * page_.spacing;
     Kernels kernels;
     kernels.variance =
@@ -167,7 +169,7 @@ DotStep EnergySteps::step(std::size_t dot) {
     kernels.apart = std::sqrt(kernels.variance / 2) / kernel_;
     const DotStep dots =
         areas_.differ() ? by_dots<true>(x, y, kernels.variance) : by_dots<false>(x, y, kernels.variance);
-    const DotStep rise = slope(x, y, kernels, density);
+    const DotStep rise = slope(x, y, kernels, tone);
     const float ink = 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
     // Half of what would overshoot: the energy bends most along waves as long as kernels are wide.
     float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);

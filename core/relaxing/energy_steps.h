@@ -7,11 +7,11 @@
 // over every few of them: tones and edges come out truer, and the low part of the spectrum all but vanishes.
 // Where dots differ in size each counts by its area, so that the ink is what there should be, not the number.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "core/image/density.h"
+#include "core/image/dot_areas.h"
 #include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
 #include "core/relaxing/page_rows.h"
@@ -22,19 +22,10 @@ namespace dapple {
 /// distances and structure: those of pictures, and those of samples, whose sums are to be near an integral.
 inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
 
-/// The areas of dots, over the largest's, where they go by tone: at density d smallest + (1 - smallest) * d.
-struct DotAreas {
-    float smallest = 1;  // over 0; 1: all are alike
-
-    bool differ() const { return smallest < 1; }
-    float at(float density) const { return smallest + (1 - smallest) * std::min(density, 1.0f); }
-    /// The density whose dots have so much ink, which is density * at(density).
-    float density_of(float ink) const;
-};
-
 /// The ink, which is the density where areas do not differ, as kernels of that width see it, which dots
 /// placed at this scale have.
-BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel, DotAreas areas = {});
+BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel,
+                                   const DotAreas& areas = {});
 
 /// The steps of a row's dots, one row after another. All that is given has to outlive it.
 class EnergySteps {
@@ -46,7 +37,7 @@ class EnergySteps {
 
     /// `blurred` for the same kernel and areas.
     EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel,
-                DotAreas areas = {})
+                const DotAreas& areas = {})
         : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel), areas_(areas) {}
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
@@ -62,7 +53,7 @@ class EnergySteps {
     template <bool kWeighed>
     DotStep by_dots(float x, float y, float variance);
     // The slope of the density that dots are to match, which ends at the page's edges; a row.
-    DotStep slope(float x, float y, const Kernels& kernels, float density) const;
+    DotStep slope(float x, float y, const Kernels& kernels, float tone) const;
 
     const DotRows& rows_;
     const BlurredDensity& blurred_;

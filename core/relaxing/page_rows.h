@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
 
 #include "core/image/density.h"
 
@@ -22,6 +23,12 @@ struct PageRows {
           spacing(
               static_cast<float>(std::min(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale), kMost))),
           pixels(std::ldexp(static_cast<double>(density.longer_side()), -depth)) {}
+
+    /// On the page, of a place in rows.
+    glm::dvec2 place(float x, float y) const {
+        const double units = std::ldexp(1.0, -depth);
+        return {x * units, y * units};
+    }
 
     static int depth_for(double scale) {
         return std::max(0,

@@ -15,8 +15,8 @@ namespace dapple {
 
 namespace {
 
-// A dot stays where the ink is: it does not go where there is less than this share of the density that it
-// comes from.
+// A dot stays where the ink is: it does not go where there is less than this share of the tone that it comes
+// from.
 constexpr float kLeastShare = 0.25f;
 constexpr int kShorterTries = 3;
 
@@ -31,7 +31,11 @@ class Mover {
     // Without a blurred density by Lloyd's steps alone.
     Mover(const DotRows& rows, const Density& density, const RelaxingRequest& request,
           const BlurredDensity* blurred)
-        : rows_(rows), density_(density), page_(density, request.scale), lloyd_(rows, density, page_) {
+        : rows_(rows),
+          density_(density),
+          page_(density, request.scale),
+          lloyd_(rows, density, page_),
+          areas_(request.areas) {
         if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel, request.areas);
         even_from_ = request.even_from;
     }
@@ -46,12 +50,12 @@ class Mover {
     void move_dot(std::size_t dot, float& to_x, float& to_y) {
         to_x = rows_.x[dot];
         to_y = rows_.y[dot];
-        const float density = density_at(to_x, to_y);
-        DotStep step = step_of(dot, density);
+        const float tone = tone_at(to_x, to_y);
+        DotStep step = step_of(dot, tone);
         for (int i = 0; i < kShorterTries; ++i) {
             const float x = std::clamp(to_x + step.x, 0.0f, last_x_);
             const float y = std::clamp(to_y + step.y, 0.0f, last_y_);
-            if (density_at(x, y) > kLeastShare * density) {
+            if (tone_at(x, y) > kLeastShare * tone) {
                 to_x = x;
                 to_y = y;
                 return;
@@ -61,9 +65,9 @@ class Mover {
         }
     }
 
-    DotStep step_of(std::size_t dot, float density) {
+    DotStep step_of(std::size_t dot, float tone) {
         if (!energy_) return lloyd_.step(dot);
-        const float even = std::clamp((density - even_from_) / kEvenWithin, 0.0f, 1.0f);
+        const float even = std::clamp((tone - even_from_) / kEvenWithin, 0.0f, 1.0f);
         if (even == 0) return energy_->step(dot);
         const DotStep a = lloyd_.step(dot);
         if (even == 1) return a;
@@ -71,9 +75,9 @@ class Mover {
         return {even * a.x + (1 - even) * b.x, even * a.y + (1 - even) * b.y};
     }
 
-    float density_at(float x, float y) const {
-        const double units = std::ldexp(1.0, -page_.depth);
-        return static_cast<float>(density_.at({x * units, y * units}));
+    float tone_at(float x, float y) const {
+        const glm::dvec2 place = page_.place(x, y);
+        return areas_.of_tone(static_cast<float>(density_.at(place)), place);
     }
 
     const DotRows& rows_;
@@ -83,6 +87,7 @@ class Mover {
     const float last_x_ = std::nextafter(page_.width, 0.0f), last_y_ = std::nextafter(page_.height, 0.0f);
     LloydSteps lloyd_;
     std::optional<EnergySteps> energy_;
+    const DotAreas& areas_;
     float even_from_ = 0;
 };
 
@@ -132,10 +137,11 @@ bool Relaxation::step(const std::stop_token& stop) {
     if (by_energy && request_.areas.differ()) {
         rows_.areas.resize(rows_.size());
         on_stretches([&](std::int64_t first, std::int64_t end) {
-            const double units = std::ldexp(1.0, -depth_);
-            for (std::size_t i = rows_.begin(first); i < rows_.begin(end); ++i)
-                rows_.areas[i] = request_.areas.at(
-                    static_cast<float>(density_.at({rows_.x[i] * units, rows_.y[i] * units})));
+            const PageRows page(density_, request_.scale);
+            for (std::size_t i = rows_.begin(first); i < rows_.begin(end); ++i) {
+                const glm::dvec2 place = page.place(rows_.x[i], rows_.y[i]);
+                rows_.areas[i] = request_.areas.at(static_cast<float>(density_.at(place)), place);
+            }
         });
     }
     on_stretches([&](std::int64_t first, std::int64_t end) {

@@ -33,11 +33,11 @@ struct RelaxingRequest {
     double scale = 0;                    // that the dots were placed at, over 0
     int threads = 1;                     // the dots are the same for any number; 0: all cores
     int lloyd_steps = kFirstLloydSteps;  // after so many come those down the energy
-    // From this density on the later steps are Lloyd's too: where dots overlap to solid black, paper shows
-    // between them unless they are even. No density is as large where none overlap.
+    // From this density of the tone on the later steps are Lloyd's too: where dots overlap to solid black,
+    // paper shows between them unless they are even. No density is as large where none overlap.
     float even_from = kNeverEven;
     float kernel = kPictureKernel;  // see energy_steps.h
-    DotAreas areas = {};            // with which the later steps weigh dots
+    DotAreas areas = {};            // of the dots; the later steps weigh them by these
     // See blurred_for_kernels(). Without, it is made once it is needed.
     std::shared_ptr<const BlurredDensity> blurred = {};
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h

@@ -97,14 +97,16 @@ void stir(DotPieces& dots, const Density& density, const RelaxingRequest& reques
     const float last_y = std::nextafter(static_cast<float>(density.height() / longer), 0.0f);
     const auto most_apart = static_cast<float>(farthest_stirred(request.scale));
     const auto in_black = static_cast<float>(kDotsPerScale * request.scale);  // dots on an area of 1
+    const Refinement& finer = request.areas.finer;
     const auto move = [&](float& x, float& y) {
-        const auto ink = static_cast<float>(density.at({x, y}));
-        if (!(ink > 0)) return;
-        const float apart = std::min(1 / std::sqrt(std::max(in_black * ink, 1e-30f)), most_apart);
+        const auto here = static_cast<float>(density.at({x, y}));
+        if (!(here > 0)) return;
+        const float tone = here / finer.times_at({x, y});
+        const float apart = std::min(1 / std::sqrt(std::max(in_black * here, 1e-30f)), most_apart);
         glm::vec2 step = strength * stirring_at({x, y}, apart);
         for (int i = 0; i < kShorterTries; ++i) {
             const float to_x = mirrored(x + step.x, last_x), to_y = mirrored(y + step.y, last_y);
-            if (density.at({to_x, to_y}) > double{kLeastShare * ink}) {
+            if (density.at({to_x, to_y}) / finer.times_at({to_x, to_y}) > double{kLeastShare * tone}) {
                 x = to_x;
                 y = to_y;
                 return;

@@ -176,7 +176,8 @@ void Fields::mask(FieldName name, Mask& value) {
         if (!value.empty())
             there = {{"width", value.levels().width},
                      {"height", value.levels().height},
-                     {"levels", packed_levels(value)}};
+                     {"levels", packed_levels(value.levels())}};
+        if (value.has_finer()) there["fineness"] = packed_levels(value.fineness());
         return;
     }
     const Json* const found = read(name);
@@ -193,13 +194,18 @@ void Fields::mask(FieldName name, Mask& value) {
     };
     if (!found->is_object()) refuse_value(name, *found, "a mask, in braces, or null");
     const int width = side("width"), height = side("height");
-    const auto levels = found->find("levels");
-    if (levels == found->end() || !levels->is_string()) refuse(name, "has no levels");
-    try {
-        value = unpacked_mask(levels->get_ref<const std::string&>(), width, height);
-    } catch (const std::runtime_error& error) {
-        refuse(name, fmt::format("has levels that {}", error.what()));
-    }
+    const auto unpacked = [&](const char* which) {
+        const auto text = found->find(which);
+        if (text == found->end() || !text->is_string()) refuse(name, fmt::format("has no {}", which));
+        try {
+            return unpacked_levels(text->get_ref<const std::string&>(), width, height);
+        } catch (const std::runtime_error& error) {
+            refuse(name, fmt::format("has {} that {}", which, error.what()));
+        }
+    };
+    Grid<std::uint8_t> levels = unpacked("levels");
+    value =
+        found->contains("fineness") ? Mask(std::move(levels), unpacked("fineness")) : Mask(std::move(levels));
 }
 
 Json Fields::file_of(FieldName name, const fs::path& file) const {

@@ -94,7 +94,8 @@ class Fields {
     /// A text that `take` understands, or else throws std::runtime_error saying what is wrong with it.
     void text(FieldName name, const std::string& value,
               const std::function<void(const std::string& text)>& take);
-    /// {"width": 512, "height": 341, "levels": see packed_levels()}; an empty one is null.
+    /// {"width": 512, "height": 341, "levels": see packed_levels()}, and "fineness" as these where dots are
+    /// finer; an empty one is null.
     void mask(FieldName name, Mask& value);
     /// A name for tile_named(); for a tile in a file, its path.
     void tile(FieldName name, std::string& value);

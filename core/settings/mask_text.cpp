@@ -2,16 +2,15 @@
 
 #include <zlib.h>
 
-#include <cstdint>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
 #include "core/text/base64.h"
 
 namespace dapple {
 
-std::string packed_levels(const Mask& mask) {
-    const std::vector<std::uint8_t>& levels = mask.levels().values;
+std::string packed_levels(const Grid<std::uint8_t>& grid) {
+    const std::vector<std::uint8_t>& levels = grid.values;
     uLongf size = compressBound(static_cast<uLong>(levels.size()));
     std::string packed(size, '\0');
     const int outcome = compress2(reinterpret_cast<Bytef*>(packed.data()), &size, levels.data(),
@@ -21,7 +20,7 @@ std::string packed_levels(const Mask& mask) {
     return base64_of(packed);
 }
 
-Mask unpacked_mask(std::string_view text, int width, int height) {
+Grid<std::uint8_t> unpacked_levels(std::string_view text, int width, int height) {
     const std::string packed = bytes_of_base64(text);
     Grid<std::uint8_t> levels(width, height);
     uLongf size = static_cast<uLongf>(levels.values.size());
@@ -29,7 +28,7 @@ Mask unpacked_mask(std::string_view text, int width, int height) {
                                    static_cast<uLong>(packed.size()));
     if (outcome != Z_OK || size != levels.values.size())
         throw std::runtime_error("are not as many as width and height say, or damaged");
-    return Mask(std::move(levels));
+    return levels;
 }
 
 }  // namespace dapple

@@ -52,8 +52,8 @@ std::function<PlainDots(const DotsWanted&)> placed_with(const OwnPlacing& how) {
         request.threads = 1;
         Stippling placed;
         if (!stipple(late->tile(), density, how.placer, request, placed, wanted.stop)) return {};
-        const RelaxingRequest relaxing{.scale = placed.scale,
-                                       .stirring = stirring_of(late->tile().placer().table(), placed.scale)};
+        const double stirring = stirring_of(late->tile().placer().table(), placed.scale);
+        const RelaxingRequest relaxing{.scale = placed.scale, .stirring = stirring};
         if (!relax(placed.dots, density, how.steps, relaxing, wanted.stop)) return {};
         PlainDots dots;
         dots.reserve(placed.dots.size());

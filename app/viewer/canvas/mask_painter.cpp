@@ -17,14 +17,30 @@ double longer_of(glm::ivec2 size) {
     return std::max({size.x, size.y, 1});
 }
 
-Grid<glm::u8vec4> tint_of(const Grid<std::uint8_t>& levels) {
+glm::dvec4 tint_of_level(std::uint8_t level) {
+    const double share = level < kNeutralLevel ? double(kNeutralLevel - level) / kNeutralLevel
+                                               : double(level - kNeutralLevel) / (255 - kNeutralLevel);
+    return level < kNeutralLevel ? glm::dvec4(220, 40, 40, kMostTint * share)
+                                 : glm::dvec4(40, 90, 230, kMostTint * share);
+}
+
+// A colour of that alpha, 0..255, over another.
+glm::dvec4 over(glm::dvec4 upper, glm::dvec4 lower) {
+    const double seen = lower.a * (1 - upper.a / 255), alpha = upper.a + seen;
+    if (alpha == 0) return lower;
+    return {(glm::dvec3(upper) * upper.a + glm::dvec3(lower) * seen) / alpha, alpha};
+}
+
+Grid<glm::u8vec4> tint_of(const Mask& mask) {
+    const Grid<std::uint8_t>& levels = mask.levels();
     Grid<glm::u8vec4> picture(levels.width, levels.height);
-    std::ranges::transform(levels.values, picture.values.begin(), [](std::uint8_t level) {
-        const double share = level < kNeutralLevel ? double(kNeutralLevel - level) / kNeutralLevel
-                                                   : double(level - kNeutralLevel) / (255 - kNeutralLevel);
-        const auto alpha = static_cast<glm::u8>(kMostTint * share);
-        return level < kNeutralLevel ? glm::u8vec4(220, 40, 40, alpha) : glm::u8vec4(40, 90, 230, alpha);
-    });
+    std::ranges::transform(levels.values, picture.values.begin(),
+                           [](std::uint8_t level) { return glm::u8vec4(tint_of_level(level)); });
+    if (!mask.has_finer()) return picture;
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        const glm::dvec4 finer(30, 170, 60, kMostTint * mask.fineness().values[i] / 255);
+        picture.values[i] = glm::u8vec4(over(finer, tint_of_level(levels.values[i])));
+    }
     return picture;
 }
 
@@ -92,7 +108,7 @@ void MaskPainter::draw(const Mask& mask, const MaskBrush& tool, const PlacedDraw
     const glm::vec2 far = place.corner + place.size;
     list->PushClipRect({place.corner.x, place.corner.y}, {far.x, far.y}, true);
     if (!mask.empty()) {
-        if (tinted_ != mask) tint_.write(tint_of(mask.levels()));
+        if (tinted_ != mask) tint_.write(tint_of(mask));
         tinted_ = mask;
         const PictureView view = view_of(shown.framing, shown.picture_pixels);
         const glm::vec2 x = view.corner + view.across, y = view.corner + view.down, xy = x + view.down;

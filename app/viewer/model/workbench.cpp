@@ -47,6 +47,7 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
     }
     DrawingRequest drawing = request.drawing;
     if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
+    if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
     return pipeline_.plan(drawing, request.most_dots);
 }
 

@@ -5,19 +5,25 @@
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
-bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
+bool draw_mask_panel(DrawingRequest& drawing, MaskBrush& tool) {
     if (!section("Mask")) {
         tool.on = false;  // what cannot be seen is not to paint
         return false;
     }
     Brush& brush = tool.brush;
     int paints = tool.on ? 1 + static_cast<int>(brush.kind) : 0;
-    if (segmented_row("Brush", paints, std::array{"off", "more", "fewer", "none", "erase"},
+    if (segmented_row("Brush", paints, std::array{"off", "more", "fewer", "none", "finer", "erase"},
                       "The left mouse button paints on the picture; the middle one still moves the page. "
                       "more: up to four times as many dots, where the tone leaves room. fewer: half of them. "
-                      "none: bare paper. erase: as the picture has it.")) {
+                      "none: bare paper. finer: up to four times as many dots of half the width, at the same "
+                      "tone. erase: as the picture has it.")) {
         tool.on = paints > 0;
         if (tool.on) brush.kind = static_cast<BrushKind>(paints - 1);
+    }
+    const bool paints_finer = tool.on && brush.kind == BrushKind::finer;
+    if ((paints_finer || drawing.mask.has_finer()) && !can_be_finer(drawing)) {
+        hint("Lines, and dots as wide as their pen, are not made finer.");
+        note_place("Not finer");
     }
     double percent = 100 * brush.radius;
     if (slider_row("Size, %", percent,
@@ -42,9 +48,9 @@ bool draw_mask_panel(Mask& mask, MaskBrush& tool) {
                 .neutral = 1,
                 .hard_min = 0.01,
                 .tip = "How far one stroke goes; the next goes on from there."});
-    const Absent absent(mask.empty() ? "Nothing is masked." : nullptr);
+    const Absent absent(drawing.mask.empty() ? "Nothing is masked." : nullptr);
     const bool cleared = wide_button("Clear the mask", "The whole picture is drawn as its tone says again.");
-    if (cleared) mask = {};
+    if (cleared) drawing.mask = {};
     return cleared;
 }
 

@@ -92,7 +92,7 @@ void draw_method(Session& session, const std::function<void(Action)>& act) {
 void SidePanel::draw_rows(Session& session) {
     draw_settings(session, nullptr);
     draw_crop(session);
-    draw_mask_panel(session.settings.drawing.mask, session.brush);
+    draw_mask_panel(session.settings.drawing, session.brush);
     section(kMethodTitle);
     draw_method_rows(session.settings, {session.tiles()});
     draw_compare_panel(session.settings, {session.tiles()});
@@ -157,7 +157,7 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
             draw_crop(session);
             break;
         case Column::mask:
-            draw_mask_panel(settings.drawing.mask, session.brush);
+            draw_mask_panel(settings.drawing, session.brush);
             break;
         case Column::method:
             draw_method(session, act);

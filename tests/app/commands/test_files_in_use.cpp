@@ -45,6 +45,7 @@ TEST_CASE("no command writes over what it reads, whatever it reads it for, nor t
         {"render @cat.png -o @k.svg --pens auto:2:@k.svg", "over what --pens reads"},
         {"render @cat.png -o @cat.png --mask @cat.png", "over the "},
         {"render @cat.png -o @x.png --mask @numbers.json --stats @numbers.json", "over the mask"},
+        {"render @cat.png -o @x.png --finer @numbers.json --stats @numbers.json", "over the mask"},
         {"render @m-plan.svg -o @m.svg --sheets 2x2", "over the picture"},
         {"render @m-B1.svg -o @m.svg --sheets 2x2", "over the picture"},
         {"render @cat-2-cyan.svg -o @cat.svg --pens cmyk --pen-files", "over the picture"},

@@ -50,7 +50,7 @@ const std::vector<Values> kSettings{
     {"tone",
      {"", "--tone true", "--tone-strength 1", "--brightness 0.3 --gamma 0.7", "--exposure -2 --detail 1",
       "--black 0.7", "--blur 2"}},
-    {"light", {"", "--invert", "--mask @mask.png", "--crop 10%,0,50%x70%"}},
+    {"light", {"", "--invert", "--mask @mask.png", "--crop 10%,0,50%x70%", "--finer @mask.png"}},
     {"order", {"", "--order space", "--order recursion", "--order priority"}},
 };
 
@@ -74,6 +74,9 @@ const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>>
      {"--dot-shape point", "--dot-shape spiral", "--dot-shape 'M0,0 L1,1'"}},
     {{"--black 0.7"}, {"--dot-radius 1.5..3", "--style line", "--style nearest"}},
     {{"@black.png"}, {"--invert"}},  // nothing is left to draw
+    {{"--finer @mask.png"},
+     {"--style line", "--style nearest", "--dot-shape point", "--pens Red:#f00:0.3,Blue:#00f:0.6",
+      "--pens cmyk:0.4:black=0.5"}},
 };
 
 bool named(const std::vector<std::string>& names, const Value& value) {

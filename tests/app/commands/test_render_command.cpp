@@ -409,3 +409,27 @@ TEST_CASE("a mask leaves paper bare where it is black, and goes with the drawing
     CHECK(run_dapple(render + scene("d.svg") + " --mask " + scene("a.svg")).err.find("--mask: ") !=
           std::string::npos);
 }
+
+TEST_CASE("dots are finer where a picture says so, which goes with the drawing's own settings too") {
+    const Scene scene;
+    PictureFile white{.width = 4, .height = 4};
+    white.values.assign(16, 1.0f);
+    write_picture(scene("white.png"), white);
+    const auto run = [&](const std::string& output, const std::string& arguments) {
+        return run_dapple("render " + scene("cat.png") + " --dots 500 -o " + scene(output) + arguments);
+    };
+    REQUIRE(run("plain.svg", "").status == 0);
+    REQUIRE(run("fine.svg", " --finer " + scene("white.png")).status == 0);
+    // Where all are finer a count of dots is drawn in the size that it has anyway.
+    const auto radius = [](const auto& svg) { return svg.circles().at(0).attribute("r").as_double(); };
+    const auto plain = read_svg(scene("plain.svg")), fine = read_svg(scene("fine.svg"));
+    CHECK(fine.circles().size() == 500);
+    CHECK(radius(fine) == doctest::Approx(radius(plain)).epsilon(0.01));
+    CHECK(run("again.svg", " --settings-from " + scene("fine.svg")).status == 0);
+    CHECK(text_of(scene("again.svg")) == text_of(scene("fine.svg")));
+    CHECK(run("none.svg", " --finer none --settings-from " + scene("fine.svg")).status == 0);
+    CHECK(text_of(scene("none.svg")) == text_of(scene("plain.svg")));
+    const Outcome lines = run("lines.svg", " --style line --finer " + scene("white.png"));
+    CHECK(lines.status != 0);
+    CHECK(lines.err.find("--finer") != std::string::npos);
+}

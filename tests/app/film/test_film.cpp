@@ -137,12 +137,16 @@ TEST_CASE("the first dots are those of the first pieces, and the first points en
 
 TEST_CASE("a zoom stays as light and as finely dotted, however far it goes") {
     Pipeline pipeline = pipeline_of(even_grey(0.5f));
-    const FilmFrame frame =
-        film_frames(pipeline, settings_for(3000), {.kind = FilmKind::zoom, .longer_side = 240, .depth = 1e4});
-    const double begin = light_of(frame(0));
-    CHECK(begin == doctest::Approx(0.5).epsilon(0.04));
-    for (const double share : {0.3, 0.6, 1.0})
-        CHECK(light_of(frame(share)) == doctest::Approx(begin).epsilon(0.05));
+    DrawingSettings settings = settings_for(3000);
+    for (const std::uint8_t fineness : {std::uint8_t{0}, std::uint8_t{255}}) {
+        settings.mask = Mask(Grid<std::uint8_t>(4, 4, kNeutralLevel), Grid<std::uint8_t>(4, 4, fineness));
+        const FilmFrame frame =
+            film_frames(pipeline, settings, {.kind = FilmKind::zoom, .longer_side = 240, .depth = 1e4});
+        const double begin = light_of(frame(0));
+        CHECK(begin == doctest::Approx(0.5).epsilon(0.04));
+        for (const double share : {0.3, 0.6, 1.0})
+            CHECK(light_of(frame(share)) == doctest::Approx(begin).epsilon(0.05));
+    }
 }
 
 TEST_CASE(

@@ -49,7 +49,7 @@ ViewerSettings nothing_usual() {
                  .detail = 0.6f,
                  .black = 0.85,
                  .invert = true},
-        .mask = Mask(Grid<std::uint8_t>(3, 2, 77)),
+        .mask = Mask(Grid<std::uint8_t>(3, 2, 77), Grid<std::uint8_t>(3, 2, 33)),
         .placer = PlacerKind::figure8,
         .placing = {.scale = 1234.5, .count = {}, .threads = 0},
         .relax = 7,
@@ -365,8 +365,8 @@ TEST_CASE("a mask's levels as text come back level for level") {
     Grid<std::uint8_t> levels(40, 30);
     for (std::size_t i = 0; i < levels.values.size(); ++i)
         levels.values[i] = static_cast<std::uint8_t>(i * i % 251);
-    CHECK(unpacked_mask(packed_levels(Mask(levels)), 40, 30) == Mask(levels));
-    CHECK_THROWS(unpacked_mask(packed_levels(Mask(levels)), 40, 29));
+    CHECK(unpacked_levels(packed_levels(levels), 40, 30).values == levels.values);
+    CHECK_THROWS(unpacked_levels(packed_levels(levels), 40, 29));
 }
 
 TEST_CASE("a project brings back every setting") {
@@ -473,6 +473,9 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
     CHECK(complaint_about(
               R"({"dapple": 1, "drawing": {"mask": {"width": 9, "height": 9, "levels": "Zm9v"}}})") ==
           "p.dapple: drawing.mask has levels that are not as many as width and height say, or damaged");
+    const std::string levels = packed_levels(Grid<std::uint8_t>(9, 9, 5));
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"mask": {"width": 9, "height": 9, "levels": ")" +
+                          levels + R"(", "fineness": 3}}})") == "p.dapple: drawing.mask has no fineness");
     CHECK(complaint_about(R"({"dapple": 9})") ==
           "p.dapple: written by a newer Dapple, in version 9 of the format; this one reads version 1");
     CHECK(complaint_about("[1, 2]") == "p.dapple: not Dapple settings, which have \"dapple\": 1");

@@ -73,9 +73,8 @@ bool same(const Dots& a, const Dots& b) {
 Dots whole_page(const Density& density, const PlacingRequest& request, int steps, double& scale) {
     Stippling all;
     REQUIRE(stipple(test_tile(), density, PlacerKind::exact, request, all));
-    const RelaxingRequest relaxing{.scale = all.scale,
-                                   .threads = request.threads,
-                                   .stirring = stirring_of(test_tile().placer().table(), all.scale)};
+    const double stirring = stirring_of(test_tile().placer().table(), all.scale);
+    const RelaxingRequest relaxing{.scale = all.scale, .threads = request.threads, .stirring = stirring};
     REQUIRE(relax(all.dots, density, steps, relaxing));
     scale = all.scale;
     return joined(all.dots);

@@ -110,6 +110,61 @@ TEST_CASE("a stroke over itself is one stroke, however often the mouse is asked,
     CHECK(erase.mask().empty());
 }
 
+TEST_CASE("where dots are finer the density is as many times higher, under whatever level") {
+    const Grid<float> grey(80, 20, 0.3f);
+    const glm::ivec2 size(80, 20);
+    Grid<std::uint8_t> levels(8, 2, 64), fineness(8, 2);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 4; x < 8; ++x) fineness.at(x, y) = 170;
+    const Grid<float> under = masked(grey, Mask(levels, fineness), whole_picture(size), size);
+    CHECK(under.at(20, 10) == doctest::Approx(0.15));
+    CHECK(under.at(60, 10) == doctest::Approx(0.45));
+    CHECK(masked(Grid<float>(80, 20, 1.0f), Mask(levels, fineness), whole_picture(size), size).at(60, 10) ==
+          doctest::Approx(1.5));
+    CHECK(Mask(levels, fineness).without_finer() == Mask(levels));
+    CHECK(Mask(levels, Grid<std::uint8_t>(8, 2)) == Mask(levels));
+    CHECK(Mask(Grid<std::uint8_t>(8, 2, kNeutralLevel), Grid<std::uint8_t>(8, 2)).empty());
+    CHECK(Mask(levels, fineness) != Mask(levels));
+}
+
+TEST_CASE("what is no number is a place on the mask too") {
+    Grid<std::uint8_t> levels(3, 2, 7);
+    levels.at(0, 0) = 9;
+    CHECK(level_at(levels, {NAN, NAN}) == 9);
+    CHECK(level_at(levels, {INFINITY, -INFINITY}) == 7);
+}
+
+TEST_CASE("the finer brush leaves the levels as they are, and the eraser takes both away") {
+    const Brush wide{.kind = BrushKind::fewer, .radius = 0.4, .softness = 0};
+    const Mask fewer = dab_at({0.5, 0.25}, wide).mask();
+    Brush fine = wide;
+    fine.kind = BrushKind::finer;
+    fine.strength = 0.5;
+    const Mask both = dab_at({0.5, 0.25}, fine, fewer).mask();
+    CHECK(both.without_finer() == fewer);
+    REQUIRE(both.has_finer());
+    CHECK(both.fineness().at(100, 50) == 128);
+    CHECK(both.fineness().at(2, 2) == 0);
+    Brush erase = wide;
+    erase.kind = BrushKind::erase;
+    CHECK(dab_at({0.5, 0.25}, erase, both).mask().empty());
+    // One that paints levels keeps what is finer.
+    CHECK(dab_at({0.5, 0.25}, wide, both).mask().has_finer());
+}
+
+TEST_CASE("a picture as a mask's fineness has the mask's shape, and black is none") {
+    Grid<std::uint8_t> levels(8, 2, 64);
+    Grid<float> light(4, 4);
+    light.at(3, 0) = light.at(3, 1) = 1;
+    const Mask mask = with_fineness(Mask(levels), light);
+    REQUIRE(mask.has_finer());
+    CHECK(mask.levels().values == levels.values);
+    CHECK(mask.fineness().at(7, 0) == 255);
+    CHECK(mask.fineness().at(5, 0) == 0);
+    CHECK(with_fineness({}, light).fineness().at(3, 0) == 255);
+    CHECK(with_fineness(Mask(levels), Grid<float>(4, 4)) == Mask(levels));
+}
+
 TEST_CASE("no dots are placed under black, all asked for lie elsewhere, and the mask gone all is as before") {
     Pipeline pipeline;
     pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));

@@ -116,7 +116,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
          [&] {
              draw_crop_rows(drawing.page, one.cropping, {400, 300}, {1, 1});
          }},
-        {"mask", [&] { draw_mask_panel(drawing.mask, one.brush); }},
+        {"mask", [&] { draw_mask_panel(drawing, one.brush); }},
         {"dots", [&] { draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25}); }},
         {"page",
          [&] {

@@ -9,10 +9,11 @@
 namespace dapple {
 
 TEST_CASE("the brush is chosen by what it paints, and is off where its section is folded") {
-    Mask mask;
+    DrawingRequest drawing;
     MaskBrush brush;
-    HeadlessUi ui([&] { draw_mask_panel(mask, brush); });
-    for (const auto& [name, kind] : {std::pair("none", BrushKind::none), {"fewer", BrushKind::fewer}}) {
+    HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
+    for (const auto& [name, kind] :
+         {std::pair("none", BrushKind::none), {"fewer", BrushKind::fewer}, {"finer", BrushKind::finer}}) {
         ui.click(name);
         CHECK(brush.on);
         CHECK(brush.brush.kind == kind);
@@ -26,9 +27,9 @@ TEST_CASE("the brush is chosen by what it paints, and is off where its section i
 }
 
 TEST_CASE("the brush's size is typed in percent, or stepped by keys") {
-    Mask mask;
+    DrawingRequest drawing;
     MaskBrush brush;
-    HeadlessUi ui([&] { draw_mask_panel(mask, brush); });
+    HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
     ui.click("more");
     ui.enter("Size, %", "10");
     CHECK(brush.brush.radius == doctest::Approx(0.1));
@@ -36,20 +37,31 @@ TEST_CASE("the brush's size is typed in percent, or stepped by keys") {
     CHECK(brush.brush.radius == doctest::Approx(0.125));
 }
 
+TEST_CASE("the brush for finer dots says so where a drawing has none") {
+    DrawingRequest drawing;
+    MaskBrush brush;
+    HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
+    ui.click("finer");
+    CHECK_FALSE(ui.has("Not finer"));
+    drawing.style = DrawingStyle::line;
+    ui.frame();
+    CHECK(ui.has("Not finer"));
+}
+
 TEST_CASE("a mask is cleared by its button, which is not there without one") {
-    Mask mask;
+    DrawingRequest drawing;
     MaskBrush brush;
     bool cleared = false;
-    HeadlessUi ui([&] { cleared |= draw_mask_panel(mask, brush); });
+    HeadlessUi ui([&] { cleared |= draw_mask_panel(drawing, brush); });
     CHECK_FALSE(ui.has("Clear the mask"));
-    BrushStroke stroke(mask, {100, 100}, {.kind = BrushKind::none});
+    BrushStroke stroke(drawing.mask, {100, 100}, {.kind = BrushKind::none});
     stroke.go_to({0.5, 0.5});
-    mask = stroke.mask();
-    REQUIRE_FALSE(mask.empty());
+    drawing.mask = stroke.mask();
+    REQUIRE_FALSE(drawing.mask.empty());
     ui.frame();
     ui.click("Clear the mask");
     CHECK(cleared);
-    CHECK(mask.empty());
+    CHECK(drawing.mask.empty());
 }
 
 }  // namespace dapple
