@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
         "recent files, window, theme) is read or written");
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
+    program.add_flag("--own-dialog", viewer.own_dialog)->group("");
     const dapple::RenderCommand render(program);
     const dapple::RecordCommand record(program);
     const dapple::ReproduceCommand reproduce(program);
@@ -127,8 +128,8 @@ int main(int argc, char** argv) {
             settings.tile = map->tile;
             settings.stops = map->exposure.value_or(0);
             settings.turn_degrees = map->rotation_degrees;
-            status = dapple::run_viewer(
-                dapple::LightViewerOptions{map->map, settings, viewer.log_status, viewer.fresh});
+            status = dapple::run_viewer(dapple::LightViewerOptions{map->map, settings, viewer.log_status,
+                                                                   viewer.fresh, viewer.own_dialog});
             return;
         }
         if (!program.get_subcommands().empty()) return;

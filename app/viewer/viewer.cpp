@@ -13,8 +13,10 @@
 
 namespace dapple {
 
-static Memory memory_of_person(bool fresh) {
-    return fresh ? Memory() : Memory(config_folder(), state_folder());
+static Memory memory_of_person(const auto& options) {
+    Memory memory = options.fresh ? Memory() : Memory(config_folder(), state_folder());
+    if (options.own_dialog) memory.preferences.dialog = DialogChoice::own;
+    return memory;
 }
 
 static UnsavedDrawings unsaved_of_person(bool fresh) {
@@ -24,7 +26,7 @@ static UnsavedDrawings unsaved_of_person(bool fresh) {
 
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status, memory_of_person(options.fresh), unsaved_of_person(options.fresh));
+    Shell shell(options.log_status, memory_of_person(options), unsaved_of_person(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
                                                        options.fresh ? "" : presets_folder(),
                                                        options.fresh ? "" : palettes_folder()));
@@ -32,7 +34,7 @@ int run_viewer(const ViewerOptions& options) {
 
 int run_viewer(const LightViewerOptions& options) {
     load_tile(options.settings.tile);
-    Shell shell(options.log_status, memory_of_person(options.fresh), UnsavedDrawings());
+    Shell shell(options.log_status, memory_of_person(options), UnsavedDrawings());
     return shell.run(std::make_unique<LightsDocument>(options.map, options.settings));
 }
 

@@ -17,6 +17,8 @@ struct ViewerOptions {
     bool log_status = false;
     /// Neither reads nor writes what is remembered between runs (see memory.h) or kept of pictures.
     bool fresh = false;
+    /// Asks for files by our own dialog, whatever was chosen: one that such scripts can use.
+    bool own_dialog = false;
 };
 
 struct LightViewerOptions {
@@ -24,6 +26,7 @@ struct LightViewerOptions {
     LightsSettings settings;
     bool log_status = false;
     bool fresh = false;
+    bool own_dialog = false;
 };
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the

@@ -66,6 +66,7 @@ class Display {
 /// What the window remembers and keeps is in this folder; none: nothing is remembered.
 struct WindowMemory {
     fs::path folder = {};
+    bool own_dialog = true;  // else the desktop's, unless the folder says otherwise
 };
 
 /// The program on it.
@@ -221,6 +222,7 @@ class RunningViewer {
         return text;
     }
     static std::vector<std::string> command(std::vector<std::string> arguments, const WindowMemory& memory) {
+        if (memory.own_dialog) arguments.insert(arguments.begin(), "--own-dialog");
         arguments.insert(arguments.begin(), {dapple_program(), "--log-status"});
         if (memory.folder.empty()) {
             // What a person's own windows remember is no test's business.

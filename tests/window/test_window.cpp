@@ -622,14 +622,12 @@ TEST_CASE(
     "of") {
     const TemporaryFolder folder;
     put_text(folder / "moved.dapple", R"({"dapple": 1, "picture": "gone.png", "drawing": {"count": 500}})");
-    fs::create_directories(folder / "memory/dapple");
-    put_text(folder / "memory/dapple/preferences.json", R"({"dapple": 1, "dialog": "desktop"})");
     put_text(folder / "zenity", "#!/bin/sh\nexit 255\n");
     fs::permissions(folder / "zenity", fs::perms::owner_all);
     Display display;
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
-    RunningViewer viewer(folder.path(), {"moved.dapple"}, {folder / "memory"});
+    RunningViewer viewer(folder.path(), {"moved.dapple"}, {folder / "memory", false});
     ::setenv("PATH", path.c_str(), 1);
     viewer.click("Find the picture");
     CHECK(viewer.shows([&] {

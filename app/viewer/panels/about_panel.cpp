@@ -37,7 +37,8 @@ bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* 
     if (segmented_row(
             "Open with", whose, std::array{"own dialog", "desktop's"},
             "Which dialog asks for a file to open. The desktop's is shown by zenity or kdialog, where "
-            "one of them is installed; exporting keeps Dapple's own, which has its options.")) {
+            "one of them is installed; exporting keeps Dapple's own, which has its options.",
+            1)) {
         desktop_dialog = whose == 1;
         changed = true;
     }

@@ -20,7 +20,7 @@
 
 namespace dapple {
 
-/// Whose dialog asks for a file to open.
+/// Whose dialog asks for a file to open; where the desktop has none, our own.
 enum class DialogChoice { own, desktop };
 constexpr auto names_of(DialogChoice) {
     return names("own", "desktop");
@@ -28,7 +28,7 @@ constexpr auto names_of(DialogChoice) {
 
 struct Preferences {
     Appearance appearance = {};
-    DialogChoice dialog = DialogChoice::own;
+    DialogChoice dialog = DialogChoice::desktop;
 
     bool operator==(const Preferences&) const = default;
 };

@@ -62,6 +62,19 @@ TEST_CASE("what was chosen and what just was so is there on the next day") {
     CHECK(home.states()["window"]["width"] == 1000);
 }
 
+TEST_CASE("the desktop's dialog asks for files at first, and our own where that was chosen") {
+    const Home home;
+    CHECK(Memory().preferences.dialog == DialogChoice::desktop);
+    write(home.config / "preferences.json", R"({"dapple": 1, "theme": "dark"})");
+    CHECK(home.window().preferences.dialog == DialogChoice::desktop);
+    write(home.config / "preferences.json", R"({"dapple": 1, "dialog": "own"})");
+    Memory own = home.window();
+    CHECK(own.preferences.dialog == DialogChoice::own);
+    own.preferences.appearance.theme = Theme::dark;
+    own.save();
+    CHECK(home.window().preferences.dialog == DialogChoice::own);
+}
+
 TEST_CASE("two windows leave each other's recent files and choices alone") {
     const Home home;
     Memory one = home.window(), other = home.window();
