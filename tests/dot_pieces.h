@@ -1,6 +1,9 @@
 #pragma once
 // Dots into pieces, as threads leave them, and back.
 
+#include <cstddef>
+
+#include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
 
 namespace dapple {
@@ -21,6 +24,17 @@ inline DotPieces split(const Dots& dots) {
 inline Dots joined(const DotPieces& dots) {
     Dots whole;
     for (const Dots& piece : dots.pieces) append(whole, piece);
+    return whole;
+}
+
+/// Counts the pieces too, if asked to.
+inline Dots all_of(const DotStream& stream, std::size_t* pieces = nullptr) {
+    Dots whole;
+    stream.for_each_piece([&](const Dots& piece) {
+        append(whole, piece);
+        if (pieces) ++*pieces;
+        return true;
+    });
     return whole;
 }
 

@@ -82,15 +82,6 @@ bool same(const Dots& a, const Dots& b) {
     return a.x == b.x && a.y == b.y && a.radius == b.radius && a.pen == b.pen;
 }
 
-Dots all_of(const DotStream& stream) {
-    Dots result;
-    stream.for_each_piece([&](const Dots& piece) {
-        append(result, piece);
-        return true;
-    });
-    return result;
-}
-
 }  // namespace
 
 TEST_CASE("so many times as many dots of as much less area keep the tone, as placed and as settled") {

@@ -48,15 +48,6 @@ Pipeline pipeline_of(Grid<float> light) {
     return pipeline;
 }
 
-Dots all_of(const DotStream& stream) {
-    Dots result;
-    stream.for_each_piece([&](const Dots& piece) {
-        append(result, piece);
-        return true;
-    });
-    return result;
-}
-
 Dots drawn_by(Pipeline& pipeline, const DrawingPlan& plan) {
     Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));

@@ -55,16 +55,6 @@ RankedTile& test_tile() {
     return tile;
 }
 
-Dots all_of(const DotStream& stream, std::size_t* pieces = nullptr) {
-    Dots result;
-    stream.for_each_piece([&](const Dots& piece) {
-        append(result, piece);
-        if (pieces) ++*pieces;
-        return true;
-    });
-    return result;
-}
-
 bool same(const Dots& a, const Dots& b) {
     return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical &&
            a.radius == b.radius;
