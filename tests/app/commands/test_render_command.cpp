@@ -416,7 +416,8 @@ TEST_CASE("dots are finer where a picture says so, which goes with the drawing's
     white.values.assign(16, 1.0f);
     write_picture(scene("white.png"), white);
     const auto run = [&](const std::string& output, const std::string& arguments) {
-        return run_dapple("render " + scene("cat.png") + " --dots 500 -o " + scene(output) + arguments);
+        return run_dapple("render " + scene("cat.png") + " --margin 0 --dots 500 -o " + scene(output) +
+                          arguments);
     };
     REQUIRE(run("plain.svg", "").status == 0);
     REQUIRE(run("fine.svg", " --finer " + scene("white.png")).status == 0);
