@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/image/dot_areas.h"
 #include "core/placing/page_density.h"
 
 namespace dapple {
@@ -41,7 +42,10 @@ int steps_of_one_pen(int among) {
 class OverlappingDots {
  public:
     OverlappingDots(const PenMixer& mixer, InkedDots dots)
-        : ink_(dots), joined_(dots.joined), pens_(mixer.pens().size()) {
+        : ink_(dots),
+          joined_(dots.joined),
+          sizes_{static_cast<float>(dots.smallest_area)},
+          pens_(mixer.pens().size()) {
         dots.relaxing_steps = steps_of_one_pen(dots.relaxing_steps);
         alone_ = InkCurve(dots, ink_.full_load());
         const auto darkness_of = [&](glm::vec3 light) { return luminance(mixer.paper() - light); };
@@ -96,6 +100,7 @@ class OverlappingDots {
         for (int round = 0;; ++round) {
             for (std::size_t pen = 0; pen < pens_; ++pen)
                 dots[pen] = density_of(covered[pen], all, own_power(all));
+            if (sizes_.differ()) fit_sizes(dots, all.density);
             const float sum = sum_of(dots);
             if (sum > 1) {  // more than there can be: no more is covered, in the same proportions
                 for (float& density : dots) density /= sum;
@@ -196,6 +201,15 @@ class OverlappingDots {
         return share * all.density;
     }
 
+    // Dots that are right if they were as large as at another density of all dots become as many as cover as
+    // much with the size that they have.
+    void fit_sizes(Shares& dots, float as_at) const {
+        const float sum = sum_of(dots);
+        if (sum <= 0) return;
+        const float ratio = sizes_.tone_of(sum * sizes_.at(as_at, {})) / sum;
+        for (float& density : dots) density *= ratio;
+    }
+
     // Luminance of the bare paper less that of the place, if dots lie side by side.
     float darkness(const Shares& covered) const {
         float sum = 0;
@@ -206,6 +220,7 @@ class OverlappingDots {
     InkCurve ink_;    // of all dots, where many pens share them
     InkCurve alone_;  // where one pen has all
     bool joined_;     // by lines, whose length follows from each pen's own dots
+    DotAreas sizes_;  // by tone
     std::size_t pens_;
     Shares darkness_{};  // of each pen, as of a pair
     std::vector<Pair> pairs_;
@@ -264,12 +279,7 @@ glm::vec3 colour_at(const ColourTone& tone, int x, int y) {
 PenDensities separated(const ColourTone& tone, const Separation& separation, std::span<const Pen> pens,
                        const InkedDots& dots) {
     const int width = tone.seen.width, height = tone.seen.height;
-    const double widest = width_of_pens(pens).value_or(1);
-    std::vector<float> dots_for_area;  // of each pen, over those of the widest
-    for (const Pen& pen : pens) {
-        const double ratio = widest / (pen.width_mm > 0 ? dot_width_mm(pen) : widest);
-        dots_for_area.push_back(static_cast<float>(ratio * ratio));
-    }
+    const std::vector<double> areas = dot_areas(pens);
     const OverlappingDots overlapping(separation.mixer(), dots);
     const bool transparent = pens.front().ink == PenInk::transparent;
     const auto opened = [&](Shares shares) {
@@ -290,13 +300,20 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
             const Shares of_pens = dots_of.shares(colour_at(tone, x, y));
             float sum = 0;
             for (std::size_t pen = 0; pen < pens.size(); ++pen)
-                sum += each[pen].at(x, y) = of_pens[pen] * dots_for_area[pen];
+                sum += each[pen].at(x, y) = of_pens[pen] / static_cast<float>(areas[pen]);
             all.at(x, y) = sum;
         }
     });
     PenDensities densities{std::make_shared<const Density>(page_density(std::move(all))), {}};
     for (Grid<float>& grid : each) densities.each.push_back(std::make_shared<const Density>(std::move(grid)));
     return densities;
+}
+
+std::vector<double> dot_areas(std::span<const Pen> pens) {
+    const double widest = width_of_pens(pens).value_or(1);
+    std::vector<double> areas;
+    for (const Pen& pen : pens) areas.push_back(std::pow(2 * dot_radius_mm(pen, widest / 2) / widest, 2));
+    return areas;
 }
 
 double dot_radius_mm(const Pen& pen, double usual) {

@@ -49,6 +49,9 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
 /// The radius of a pen's dots, in millimetres, where all dots together have `usual`; see dot_width_mm().
 double dot_radius_mm(const Pen& pen, double usual);
 
+/// The area of a dot of each pen, over the widest one's.
+std::vector<double> dot_areas(std::span<const Pen> pens);
+
 /// The width that all dots are drawn as large as, in millimetres, if a pen says so: the widest dots'.
 std::optional<double> width_of_pens(std::span<const Pen> pens);
 

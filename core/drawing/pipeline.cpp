@@ -57,12 +57,16 @@ std::function<void(Dots&)> sizes_by_place(const DrawingPlan& plan, double scale)
     };
 }
 
+// Those of each pen's dots; none where all pens' are alike.
+std::vector<double> areas_by_pen(const DrawingPlan& plan) {
+    std::vector<double> areas = dot_areas(plan.pens);
+    if (plan.size.sizing != DotSizing::fixed || std::ranges::all_of(areas, [](double a) { return a == 1; }))
+        areas.clear();
+    return areas;
+}
+
 void give_sizes(const DrawingPlan& plan, double scale, DotPieces& dots) {
-    // Pens of several widths, whose dots are not sized otherwise.
-    const auto width = [](const Pen& pen) { return dot_width_mm(pen); };
-    const bool one_width =
-        std::ranges::adjacent_find(plan.pens, std::ranges::not_equal_to{}, width) == plan.pens.end();
-    if (!one_width && plan.size.sizing == DotSizing::fixed) {
+    if (!areas_by_pen(plan).empty()) {
         for (Dots& piece : dots.pieces) {
             const Pen& pen = plan.pens[static_cast<std::size_t>(piece.pen)];
             const double radius = dot_radius_mm(pen, plan.size.radius_mm) / plan.page.mm_per_page_unit;
@@ -332,7 +336,7 @@ DrawingRequest with_pens_sizes(const DrawingRequest& asked) {
         request.dot_size.sizing = DotSizing::fixed;
         request.dot_size.radius_mm = request.pen_width_mm / 2;
     }
-    if (draws_strokes(request) && !touches) {
+    if ((draws_strokes(request) && !touches) || request.dot_size.sizing == DotSizing::by_tone) {
         request.pens.width_mm = 0;
         for (Pen& pen : request.pens.own) pen.width_mm = 0;
     }
@@ -425,9 +429,12 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         drawn.dots = relaxation.dots();
     }
     if (!plan.pens.empty() && drawn.dots.size() > 0) {
-        DotPieces by_pen = pen_dots(
-            drawn.dots, plan.by_pen,
-            {.scale = drawn.scale, .move = drawn.steps > 0, .threads = plan.placing.threads}, watch.stop);
+        DotPieces by_pen = pen_dots(drawn.dots, plan.by_pen,
+                                    {.scale = drawn.scale,
+                                     .move = drawn.steps > 0,
+                                     .areas = areas_by_pen(plan),
+                                     .threads = plan.placing.threads},
+                                    watch.stop);
         if (by_pen.pieces.empty()) return false;
         drawn.dots = std::move(by_pen);
     }

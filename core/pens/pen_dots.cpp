@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "core/placing/dot_order.h"
 #include "core/placing/pieces.h"
@@ -15,6 +17,8 @@ constexpr int kMovingRounds = 4;  // of exchanging and moving
 constexpr int kFirstSweeps = 24;  // of exchanging
 constexpr int kSweeps = 12;
 constexpr float kForAll = 0.65f;       // of a move; the rest is for the pen's own dots
+constexpr int kRoundsForSizes = 8;     // of moving alone, where pens' dots differ in size
+constexpr float kForAllSizes = 0.8f;   // of such a move
 constexpr float kFarthestOwn = 0.22f;  // that a dot moves for its own pen, over the distance between dots
 
 // All dots in one piece, near ones near each other.
@@ -37,7 +41,10 @@ class Sharing {
     // Each dot goes towards the middle of its Voronoi cell, some of the way that among all dots and some of
     // the way that among its own pen's. False if stopped.
     bool move(const PenLabels& labels, float for_all, const std::stop_token& stop) {
-        Dots to = stepped(dots_, *densities_.all, stop);
+        const bool several_sizes = !request_.areas.empty();
+        if (several_sizes) give_room(labels);
+        Dots to = stepped(dots_, *densities_.all, several_sizes, stop);
+        dots_.radius.clear();
         if (stop.stop_requested()) return false;
         for (std::size_t i = 0; i < dots_.size(); ++i) {
             to.x[i] = dots_.x[i] + for_all * (to.x[i] - dots_.x[i]);
@@ -53,7 +60,7 @@ class Sharing {
                 numbers.push_back(i);
             }
             if (own.size() < 2) continue;
-            const Dots moved = stepped(own, *densities_.each[pen], stop);
+            const Dots moved = stepped(own, *densities_.each[pen], false, stop);
             if (stop.stop_requested()) return false;
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 const std::size_t i = numbers[k];
@@ -76,9 +83,21 @@ class Sharing {
     }
 
  private:
-    Dots stepped(const Dots& dots, const Density& density, const std::stop_token& stop) const {
+    // Each dot's radius becomes that of the disc that is its part of the paper, which goes by its area.
+    void give_room(const PenLabels& labels) {
+        const std::vector<double>& areas = request_.areas;
+        dots_.radius.resize(dots_.size());
+        for (std::size_t i = 0; i < dots_.size(); ++i) {
+            const double mean = std::inner_product(areas.begin(), areas.end(), shares_[i].begin(), 0.0);
+            dots_.radius[i] =
+                static_cast<float>(std::sqrt(area_[i] * areas[labels[i]] / (mean * std::numbers::pi)));
+        }
+    }
+
+    Dots stepped(const Dots& dots, const Density& density, bool by_radius,
+                 const std::stop_token& stop) const {
         Relaxation relaxation(in_one_piece(dots), density,
-                              {.scale = request_.scale, .threads = request_.threads});
+                              {.scale = request_.scale, .threads = request_.threads, .by_radius = by_radius});
         relaxation.step(stop);
         return relaxation.dots_as_taken();
     }
@@ -135,6 +154,9 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
         if (!sharing.move(labels, kForAll, stop)) return {};
         exchange.exchange(labels, kSweeps);
     }
+    // Exchanging would undo it: it does not see sizes.
+    for (int round = 0; request.move && !request.areas.empty() && round < kRoundsForSizes; ++round)
+        if (!sharing.move(labels, kForAllSizes, stop)) return {};
     if (stop.stop_requested()) return {};
     DotPieces pieces;
     pieces.pieces.resize(densities.each.size());

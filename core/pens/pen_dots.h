@@ -6,6 +6,8 @@
 //                                                       ▲                            │
 //                                                       └── dots moved for both ◄────┘   (a few times)
 //
+// Where pens have dots of several sizes, these are moved further once it is settled which dot is whose.
+//
 // Layers made one by one would collide wherever two pens draw; screens at angles make moire.
 
 #include <functional>
@@ -30,11 +32,14 @@ struct PenDensities {
 struct PenDotsRequest {
     double scale = 0;  // that the dots were placed at
     bool move = true;  // else the dots stay where they are
-    int threads = 1;   // the result is the same for any number; 0: all cores
+    /// The area of a dot of each pen, in any unit; empty: all are as large. Larger ones then push smaller
+    /// ones away until all of them cover as much paper as dots of one size would.
+    std::vector<double> areas = {};
+    int threads = 1;  // the result is the same for any number; 0: all cores
 };
 
-/// A piece for each pen, in the order of the palette; Dots::pen says which. Dots keep their other columns.
-/// No pieces if stopped.
+/// A piece for each pen, in the order of the palette; Dots::pen says which. Dots keep their other columns,
+/// but for radii where there are areas. No pieces if stopped.
 DotPieces pen_dots(const DotPieces& dots, const PenDensities& densities, const PenDotsRequest& request,
                    const std::stop_token& stop = {});
 

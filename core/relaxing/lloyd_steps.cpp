@@ -54,14 +54,16 @@ VoronoiCell LloydSteps::cell_of(std::int64_t row, std::size_t dot, float density
         return std::clamp(away + beyond * apart_here, 0.0f, kCellReach);
     };
     const float across = x - page_.width / 2, down = y - page_.height / 2;
+    const float* const radii2 = rows_.radii2.empty() ? nullptr : rows_.radii2.data();
+    const float own = radii2 ? radii2[dot] : 0;
     VoronoiCell cell(-to_edge(x, down), -to_edge(y, across), to_edge(page_.width - x, down),
-                     to_edge(page_.height - y, across));
+                     to_edge(page_.height - y, across), rows_.most_radius2 - own);
     const float* const xs = rows_.x.data();
     const float* const ys = rows_.y.data();
     const auto cut = [&](std::size_t other) {
         const float dx = xs[other] - x, dy = ys[other] - y;
         const float distance2 = dx * dx + dy * dy;
-        if (distance2 < cell.reach2() && distance2 > 0) cell.cut(dx, dy);
+        if (distance2 < cell.reach2() && distance2 > 0) cell.cut(dx, dy, radii2 ? radii2[other] - own : 0);
     };
     const int near_rows = std::min(static_cast<int>(apart_here) + 1, kMostNearRows);
     Stretch near[2 * kMostNearRows + 1];

@@ -91,6 +91,13 @@ class Mover {
     float even_from_ = 0;
 };
 
+FloatBuffer in_one_column(const DotPieces& dots, FloatBuffer Dots::*column) {
+    FloatBuffer values;
+    for (const Dots& piece : dots.pieces)
+        values.insert(values.end(), (piece.*column).begin(), (piece.*column).end());
+    return values;
+}
+
 }  // namespace
 
 double relaxing_rim(double scale, int steps) {
@@ -144,6 +151,15 @@ bool Relaxation::step(const std::stop_token& stop) {
             }
         });
     }
+    if (request_.by_radius) {
+        const FloatBuffer radius = in_one_column(placed_, &Dots::radius);
+        rows_.radii2.resize(rows_.size());
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const auto in_rows = static_cast<float>(std::ldexp(radius[rows_.numbers[i]], depth_));
+            rows_.radii2[i] = in_rows * in_rows;
+        }
+        rows_.most_radius2 = rows_.radii2.empty() ? 0 : std::ranges::max(rows_.radii2);
+    }
     on_stretches([&](std::int64_t first, std::int64_t end) {
         Mover mover(rows_, density_, request_, by_energy ? request_.blurred.get() : nullptr);
         for (std::int64_t row = first; row < end; ++row) mover.move_row(row, next_x_, next_y_);
@@ -162,9 +178,7 @@ DotPieces Relaxation::dots() const {
     for (FloatBuffer* column : {&all.x, &all.y})
         for (float& position : *column) position *= to_page;
     for (FloatBuffer Dots::*column : {&Dots::threshold, &Dots::critical, &Dots::radius}) {
-        FloatBuffer values;
-        for (const Dots& piece : placed_.pieces)
-            values.insert(values.end(), (piece.*column).begin(), (piece.*column).end());
+        const FloatBuffer values = in_one_column(placed_, column);
         if (values.empty()) continue;
         (all.*column).resize(values.size());
         for (std::size_t i = 0; i < values.size(); ++i) (all.*column)[i] = values[rows_.numbers[i]];

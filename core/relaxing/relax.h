@@ -40,6 +40,9 @@ struct RelaxingRequest {
     DotAreas areas = {};            // of the dots; the later steps weigh them by these
     // See blurred_for_kernels(). Without, it is made once it is needed.
     std::shared_ptr<const BlurredDensity> blurred = {};
+    // The first steps give each dot room for the disc that its own radius says, which many dots of another
+    // size beside it would not leave it.
+    bool by_radius = false;
     double stirring = 1;  // how much dots are stirred, 0..1; see stir.h
 };
 

@@ -1,7 +1,10 @@
 #pragma once
-// One dot's Voronoi cell: the part of a rectangle around it that is nearer to it than to any other dot.
+// One dot's Voronoi cell: the part of a rectangle around it that is nearer to it than to any other dot. Or of
+// a power diagram (Aurenhammer 1987), where larger dots have larger cells.
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace dapple {
@@ -15,9 +18,10 @@ class VoronoiCell {
         float distance2;  // from the dot, squared
     };
 
-    /// A rectangle with the dot in it.
-    VoronoiCell(float left, float top, float right, float bottom)
-        : corners_{at(left, top), at(right, top), at(right, bottom), at(left, bottom)} {
+    /// A rectangle with the dot in it. No dot that cuts it is further `ahead`.
+    VoronoiCell(float left, float top, float right, float bottom, float most_ahead = 0)
+        : corners_{at(left, top), at(right, top), at(right, bottom), at(left, bottom)},
+          most_ahead_(most_ahead) {
         find_reach();
     }
 
@@ -25,14 +29,17 @@ class VoronoiCell {
     const Corner& operator[](int i) const { return corners_[i]; }
 
     /// The square of the distance from which on other dots leave the cell as it is: twice the farthest
-    /// corner's.
+    /// corner's, where none is ahead.
     float reach2() const { return reach2_; }
 
-    /// Cuts off what is nearer to another dot; not the same place. One by one in plain numbers: vectors would
+    /// Cuts off what is nearer to another dot; not the same place. `ahead`: the square of the other's radius
+    /// less that of the own one, by which the squares of the distances to both differ in a power diagram. It
+    /// has bounds, so that no dot loses the place where it lies. One by one in plain numbers: vectors would
     /// wait for the corners that the last cut has just written.
-    [[gnu::always_inline]] inline void cut(float other_x, float other_y) {
+    [[gnu::always_inline]] inline void cut(float other_x, float other_y, float ahead = 0) {
         // Beyond the bisector: x * other_x + y * other_y > half the square of the distance.
-        const float half = 0.5f * (other_x * other_x + other_y * other_y);
+        const float distance2 = other_x * other_x + other_y * other_y, most = kMostAhead * distance2;
+        const float half = 0.5f * (distance2 - std::min(std::max(ahead, -most), most));
         float beyond[kMost];
         std::uint32_t outside = 0;
         for (int i = 0; i < size_; ++i) {
@@ -43,7 +50,8 @@ class VoronoiCell {
     }
 
  private:
-    static constexpr int kMost = 24;  // corners
+    static constexpr int kMost = 24;           // corners
+    static constexpr float kMostAhead = 0.7f;  // of the square of the distance between two dots
 
     static Corner at(float x, float y) { return {x, y, x * x + y * y}; }
 
@@ -86,11 +94,15 @@ class VoronoiCell {
         for (int i = 1; i < size_; ++i)
             farthest2 = corners_[i].distance2 > farthest2 ? corners_[i].distance2 : farthest2;
         reach2_ = 4 * farthest2;
+        if (most_ahead_ > 0) {
+            const float reach = std::sqrt(farthest2) + std::sqrt(farthest2 + most_ahead_);
+            reach2_ = reach * reach;
+        }
     }
 
     Corner corners_[kMost];
     int size_ = 4;
-    float reach2_ = 0;
+    float most_ahead_, reach2_ = 0;
 };
 
 }  // namespace dapple

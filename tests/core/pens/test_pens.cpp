@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -336,4 +337,40 @@ TEST_CASE("a pen has no dots where it has no share") {
     // Over the pixel between the two, both have a share.
     for (const float x : dots.pieces[0].x) CHECK(x < 16.5f / 32);
     for (const float x : dots.pieces[1].x) CHECK(x >= 15.5f / 32);
+}
+
+TEST_CASE("large dots and small ones cover as much paper as dots of one size") {
+    // As much area of both: of the dots a fifth is twice as wide.
+    const PenDensities densities = constant_densities({0.2f, 0.8f});
+    const Stippling from = relaxed_dots(*densities.all, 4000);
+    const auto covered = [&](const std::vector<double>& areas) {
+        const DotPieces dots = pen_dots(from.dots, densities, {.scale = from.scale, .areas = areas});
+        const DotPieces on_three =
+            pen_dots(from.dots, densities, {.scale = from.scale, .areas = areas, .threads = 3});
+        CHECK(places_of(on_three) == places_of(dots));
+        constexpr int kSide = 600, kEdge = 60;
+        constexpr double kLoad = 0.9;
+        Grid<std::uint8_t> paper(kSide, kSide);
+        for (const Dots& piece : dots.pieces) {
+            CHECK(piece.radius.empty());
+            const double share =
+                areas.empty() ? densities.each[std::size_t(piece.pen)]->at({0.5, 0.5}) / 0.5 : 0.5;
+            const double radius = std::sqrt(share * kLoad / (double(piece.size()) * std::numbers::pi));
+            for (std::size_t i = 0; i < piece.size(); ++i)
+                for (int y = std::max(0, int((piece.y[i] - radius) * kSide));
+                     y <= std::min(kSide - 1, int((piece.y[i] + radius) * kSide)); ++y)
+                    for (int x = std::max(0, int((piece.x[i] - radius) * kSide));
+                         x <= std::min(kSide - 1, int((piece.x[i] + radius) * kSide)); ++x)
+                        if (std::hypot((x + 0.5) / kSide - piece.x[i], (y + 0.5) / kSide - piece.y[i]) <
+                            radius)
+                            paper.at(x, y) = 1;
+        }
+        double sum = 0;
+        for (int y = kEdge; y < kSide - kEdge; ++y)
+            sum += std::accumulate(paper.row(y) + kEdge, paper.row(y) + kSide - kEdge, 0.0);
+        return sum / std::pow(kSide - 2 * kEdge, 2);
+    };
+    const double of_one_size = covered({}), of_two = covered({1, 0.25});
+    CHECK(of_one_size == doctest::Approx(0.847).epsilon(0.01));
+    CHECK(of_two == doctest::Approx(of_one_size).epsilon(0.015));
 }

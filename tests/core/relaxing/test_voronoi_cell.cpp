@@ -187,3 +187,53 @@ TEST_CASE("more neighbours than a cell has room for leave it convex and too larg
         CHECK(cross(corner(cell, i + 1) - corner(cell, i), corner(cell, i + 2) - corner(cell, i + 1)) >
               -1e-6);
 }
+
+TEST_CASE("in a power diagram a place belongs to the dot whose circle it is least far from") {
+    int inside = 0, outside = 0;
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        const Scene scene = random_scene(seed);
+        std::mt19937 random(seed + 1000);
+        std::uniform_real_distribution<float> share(-0.7f, 0.7f);  // as far as one circle may swallow another
+        std::vector<float> ahead;
+        for (const glm::vec2 other : scene.others) ahead.push_back(share(random) * glm::dot(other, other));
+        const float most = ahead.empty() ? 0 : std::max(std::ranges::max(ahead), 0.0f);
+        VoronoiCell cell(scene.around.left, scene.around.top, scene.around.right, scene.around.bottom, most);
+        for (std::size_t i = 0; i < ahead.size(); ++i)
+            cell.cut(scene.others[i].x, scene.others[i].y, ahead[i]);
+        CAPTURE(seed);
+        CHECK(holds(cell, {0, 0}));
+        std::uniform_real_distribution<double> x(scene.around.left, scene.around.right),
+            y(scene.around.top, scene.around.bottom);
+        int wrong = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double to_x = x(random);
+            const glm::dvec2 p(to_x, y(random));
+            double margin = std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < ahead.size(); ++k) {
+                const glm::dvec2 away = p - glm::dvec2(scene.others[k]);
+                margin = std::min(margin, glm::dot(away, away) - double{ahead[k]} - glm::dot(p, p));
+            }
+            if (std::abs(margin) < 1e-5) continue;
+            wrong += holds(cell, p) != (margin > 0);
+            ++(margin > 0 ? inside : outside);
+        }
+        CHECK(wrong == 0);
+        // What is beyond its reach leaves it as it is.
+        VoronoiCell after = cell;
+        const float reach = 1.001f * std::sqrt(cell.reach2());
+        for (int turn = 0; turn < 32; ++turn) {
+            const double angle = turn * std::numbers::pi / 16;
+            after.cut(reach * float(std::cos(angle)), reach * float(std::sin(angle)), most);
+        }
+        CHECK(same(after, cell));
+    }
+    CHECK(inside > 3000);
+    CHECK(outside > 5000);
+}
+
+TEST_CASE("however large another dot is, each keeps the place where it lies") {
+    VoronoiCell cell(-1, -1, 1, 1, 100);
+    cell.cut(0.5f, 0.25f, 100);
+    CHECK(holds(cell, {0, 0}));
+    CHECK(!holds(cell, {0.25, 0.125}));  // half the way
+}
