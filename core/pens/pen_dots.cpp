@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "core/placing/dot_order.h"
 #include "core/placing/pieces.h"
@@ -33,6 +35,7 @@ class Sharing {
  public:
     Sharing(Dots& dots, const PenDensities& densities, const PenDotsRequest& request)
         : dots_(dots), densities_(densities), request_(request) {
+        if (!request_.areas.empty()) ink_.emplace(ink());
         look();
     }
 
@@ -41,9 +44,8 @@ class Sharing {
     // Each dot goes towards the middle of its Voronoi cell, some of the way that among all dots and some of
     // the way that among its own pen's. False if stopped.
     bool move(const PenLabels& labels, float for_all, const std::stop_token& stop) {
-        const bool several_sizes = !request_.areas.empty();
-        if (several_sizes) give_room(labels);
-        Dots to = stepped(dots_, *densities_.all, several_sizes, stop);
+        if (ink_) give_room(labels);
+        Dots to = ink_ ? stepped(dots_, *ink_, true, stop) : stepped(dots_, *densities_.all, false, stop);
         dots_.radius.clear();
         if (stop.stop_requested()) return false;
         for (std::size_t i = 0; i < dots_.size(); ++i) {
@@ -83,6 +85,16 @@ class Sharing {
     }
 
  private:
+    // The density of the ink: of dots of area 1 as many as have it.
+    Density ink() const {
+        Grid<float> sum(densities_.all->width(), densities_.all->height());
+        for (std::size_t pen = 0; pen < densities_.each.size(); ++pen)
+            std::ranges::transform(densities_.each[pen]->values().values, sum.values, sum.values.begin(),
+                                   [area = static_cast<float>(request_.areas[pen])](
+                                       float density, float before) { return before + area * density; });
+        return Density(std::move(sum));
+    }
+
     // Each dot's radius becomes that of the disc that is its part of the paper, which goes by its area.
     void give_room(const PenLabels& labels) {
         const std::vector<double>& areas = request_.areas;
@@ -122,6 +134,7 @@ class Sharing {
     Dots& dots_;
     const PenDensities& densities_;
     const PenDotsRequest& request_;
+    std::optional<Density> ink_;  // where dots differ in size
     std::vector<Shares> shares_;
     std::vector<float> area_;
 };

@@ -46,7 +46,10 @@ DotStep LloydSteps::step(std::size_t dot) {
 // that reach it.
 VoronoiCell LloydSteps::cell_of(std::int64_t row, std::size_t dot, float density) {
     const float x = rows_.x[dot], y = rows_.y[dot];
-    const float apart_here = page_.spacing / std::sqrt(std::max(density, 1e-6f));
+    const float* const radii2 = rows_.radii2.empty() ? nullptr : rows_.radii2.data();
+    const float own = radii2 ? radii2[dot] : 0;
+    const float apart_here = radii2 ? std::sqrt(std::numbers::pi_v<float> * own)
+                                    : page_.spacing / std::sqrt(std::max(density, 1e-6f));
     // To where the cell ends at an edge so far away, at that place along it.
     const auto to_edge = [&](float away, float from_middle) {
         if (away - kFarFromEdge * apart_here > kCellReach) return kCellReach;
@@ -54,8 +57,6 @@ VoronoiCell LloydSteps::cell_of(std::int64_t row, std::size_t dot, float density
         return std::clamp(away + beyond * apart_here, 0.0f, kCellReach);
     };
     const float across = x - page_.width / 2, down = y - page_.height / 2;
-    const float* const radii2 = rows_.radii2.empty() ? nullptr : rows_.radii2.data();
-    const float own = radii2 ? radii2[dot] : 0;
     VoronoiCell cell(-to_edge(x, down), -to_edge(y, across), to_edge(page_.width - x, down),
                      to_edge(page_.height - y, across), rows_.most_radius2 - own);
     const float* const xs = rows_.x.data();
