@@ -81,34 +81,23 @@ void give_sizes(const DrawingPlan& plan, double scale, DotPieces& dots) {
 }  // namespace
 
 double DrawingPlan::radius(double scale) const {
-    switch (size.sizing) {
-        case DotSizing::automatic:
-            return radius_for_tone(scale, full_load);
-        case DotSizing::fixed:
-        case DotSizing::by_tone:
-            return radius_mm(scale) / page.mm_per_page_unit;
-    }
-    return 0;
+    if (size.sizing == DotSizing::automatic) return radius_for_tone(scale, full_load);
+    return reach_mm(size) / page.mm_per_page_unit;
 }
 
 double DrawingPlan::radius_mm(double scale) const {
-    switch (size.sizing) {
-        case DotSizing::automatic:
-            return radius(scale) * layout(scale).page.mm_per_page_unit;
-        case DotSizing::fixed:
-            return size.radius_mm;
-        case DotSizing::by_tone:
-            return size.largest_mm;
-    }
-    return 0;
+    if (size.sizing == DotSizing::automatic)
+        return largest_share() * radius(scale) * layout(scale).page.mm_per_page_unit;
+    return largest_share() * reach_mm(size);
 }
 
 PageLayout DrawingPlan::layout(double scale) const {
     const double half_line = stroke_width_mm / 2;
     if (joined && half_line > 0) return layout_of(setup, pixels, {.mm = half_line});
+    const bool automatic = size.sizing == DotSizing::automatic;
     return layout_of(setup, pixels,
-                     {.mm = std::max(reach_mm(size), half_line),
-                      .picture_units = size.sizing == DotSizing::automatic ? radius(scale) : 0});
+                     {.mm = std::max(largest_share() * reach_mm(size), half_line),
+                      .picture_units = automatic ? largest_share() * radius(scale) : 0});
 }
 
 void Pipeline::set_light(Grid<float> light, float usual_exposure, int pixels_in_one) {
@@ -246,7 +235,8 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const double longer = std::max(width, height), pixels = double(width) * height;
     plan.setup = request.page;
     plan.pixels = {width, height};
-    const PageLayout layout = layout_of(plan.setup, plan.pixels, {.mm = reach_mm(plan.size)});
+    const PageLayout layout =
+        layout_of(plan.setup, plan.pixels, {.mm = plan.largest_share() * reach_mm(plan.size)});
     const glm::dvec2 picture = layout.picture.size();
     plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 

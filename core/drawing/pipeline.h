@@ -6,6 +6,7 @@
 //
 // A stage is done again only if something that it depends on has changed.
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,10 +52,13 @@ struct DrawingPlan {
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
     /// The radius of all dots, or of the largest ones, in page units, in a drawing that came to that scale;
-    /// where all are finer, of dots that were not.
+    /// where dots are finer, of those that are not.
     double radius(double scale) const;
-    /// The same in millimetres, on the page as it is then laid out.
+    /// That of the largest dots that there are in millimetres, on the page as it is then laid out.
     double radius_mm(double scale) const;
+
+    /// The radius of the largest dots over that of dots that are not finer.
+    double largest_share() const { return 1 / std::sqrt(double{finer.least_times()}); }
 
     /// The page, and where on it the picture lies, of a drawing that came to that scale.
     PageLayout layout(double scale) const;

@@ -14,7 +14,9 @@ Refinement::Refinement(const Mask& mask, const Framing& framing, glm::ivec2 pict
     corner_ = in_mask({0, 0});
     across_ = in_mask({unit, 0}) - corner_;
     down_ = in_mask({0, unit}) - corner_;
-    most_times_ = times_finer(*std::ranges::max_element(fineness.values));
+    const auto [least, most] = std::ranges::minmax(fineness.values);
+    least_times_ = times_finer(least);
+    most_times_ = times_finer(most);
 }
 
 }  // namespace dapple

@@ -27,11 +27,13 @@ class Refinement {
     }
     /// The most that there is anywhere.
     float most_times() const { return most_times_; }
+    /// And the least: not 1 only where all of the picture is finer.
+    float least_times() const { return least_times_; }
 
  private:
     Mask mask_;                                   // with finer dots, or none
     glm::dvec2 corner_{0}, across_{0}, down_{0};  // of the page, and a page unit of it, in the mask's pixels
-    float most_times_ = 1;
+    float least_times_ = 1, most_times_ = 1;
 };
 
 }  // namespace dapple

@@ -36,8 +36,7 @@ class DotRows {
 
     Positions x, y;   // in rows' heights; row after row, in each by x and then by y
     Positions areas;  // over the largest's, as whoever moves the dots tells them; empty: all are alike
-    Positions
-        radii2;  // squared, in rows' heights, as whoever moves the dots tells them; empty: all are alike
+    Positions radii2;  // rows' heights squared, told likewise
     float most_radius2 = 0;
     Numbers numbers;  // as they came
 

@@ -109,7 +109,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         if (request.outlines)
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
-        placed.dot_radius = made.radius(placed.scale);
+        placed.dot_radius = made.largest_share() * made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;

@@ -200,3 +200,23 @@ TEST_CASE("lines, and dots as wide as their pen, are drawn as if nothing was fin
     requests[3].mark = {DotShape::spiral};
     CHECK(has_several_sizes(requests[3]));
 }
+
+TEST_CASE("where all of a picture is finer, the radius that is told and the usual margin are its dots'") {
+    Pipeline pipeline = pipeline_of(Grid<float>(kWidth, kHeight, 0.5f));
+    DrawingRequest request{.placing = {.count = 2000}, .relax = 0};
+    request.mask = Mask(Grid<std::uint8_t>(kWidth, kHeight, kNeutralLevel),
+                        Grid<std::uint8_t>(kWidth, kHeight, std::uint8_t{255}));
+    for (const DotSize& size : {DotSize(), DotSize{.sizing = DotSizing::fixed, .radius_mm = 0.6}, kByTone}) {
+        request.dot_size = size;
+        const DrawingPlan plan = pipeline.plan(request);
+        Stippling drawn;
+        REQUIRE(pipeline.draw(plan, drawn));
+        const Dots dots = joined(drawn.dots);
+        const PageLayout layout = plan.layout(drawn.scale);
+        const double largest = std::ranges::max(dots.radius) * layout.page.mm_per_page_unit;
+        if (size.sizing == DotSizing::fixed) CHECK(largest == doctest::Approx(0.3));
+        if (size.sizing != DotSizing::by_tone) CHECK(plan.radius_mm(drawn.scale) == doctest::Approx(largest));
+        if (size.sizing == DotSizing::by_tone) CHECK(plan.radius_mm(drawn.scale) == doctest::Approx(0.35));
+        CHECK(layout.reach_mm == doctest::Approx(plan.radius_mm(drawn.scale)));
+    }
+}
