@@ -131,7 +131,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
         *command, "--radiance", request.radiance,
         "A sample's radiance: mean over its region; or point, the map's where it is, with --position random");
     add_choice(*command, "--position", request.position,
-               "Where in its region a sample is: centroid, the least error; dot, where the placer put it; "
+               "Where in its region a sample is: settled, the least error; dot, where the placer put it; "
                "random, without any bias");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },

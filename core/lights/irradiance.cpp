@@ -48,13 +48,26 @@ std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_s
     return lights;
 }
 
-std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights,
-                                   std::span<const glm::dvec3> normals) {
+namespace {
+
+double to_the(unsigned exponent, double base) {
+    double power = 1;
+    for (; exponent > 0; exponent >>= 1, base *= base)
+        if (exponent & 1) power *= base;
+    return power;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals,
+                                   unsigned exponent) {
     std::vector<glm::dvec3> result(normals.size());
     tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t i) {
         glm::dvec3 sum{};
-        for (const DistantLight& light : lights)
-            sum += light.weight * std::max(0.0, glm::dot(light.direction, normals[i]));
+        for (const DistantLight& light : lights) {
+            const double cosine = glm::dot(light.direction, normals[i]);
+            if (cosine > 0) sum += light.weight * to_the(exponent, cosine);
+        }
         result[i] = sum;
     });
     return result;

@@ -1,5 +1,6 @@
 #pragma once
 // What lights do to a diffuse surface: the integral of radiance times cosine over the hemisphere of a normal.
+// Or to a glossy one, which has a power of the cosine (Phong 1975).
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -23,9 +24,10 @@ std::vector<DistantLight> texel_lights(const EnvironmentMap& map);
 /// maps whose texels are far finer than anything that a surface shows of them.
 std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side);
 
-/// Sum of weight * max(0, direction . normal), for each normal (unit vectors). The result does not depend on
-/// the number of cores.
-std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals);
+/// Sum of weight * max(0, direction . normal)^exponent, for each normal (unit vectors). The exponent is 1 or
+/// more. The result does not depend on the number of cores.
+std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals,
+                                   unsigned exponent = 1);
 
 /// Evenly spread unit vectors: the golden angle around, equal steps in height (Swinbank & Purser 2006).
 std::vector<glm::dvec3> fibonacci_normals(int count);

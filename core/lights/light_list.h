@@ -28,7 +28,7 @@ glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style);
 /// Bytes of the source that are not ASCII become '?', since JSON must be UTF-8 and file names need not.
 void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
-/// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# position: centroid",
+/// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# position: settled",
 /// "# radiance: mean", "# seed: 0", "# count: n" and "# total_flux: r g b", then
 /// x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b and a line a sample.
 void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style);

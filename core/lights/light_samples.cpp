@@ -9,9 +9,11 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/lights/direction.h"
 #include "core/lights/regions.h"
+#include "core/lights/settling.h"
 #include "core/tile/neighbours.h"
 #include "core/tile/random.h"
 
@@ -70,26 +72,112 @@ std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, con
 
 }  // namespace
 
-std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
-                                   const std::stop_token& stop) {
-    if (request.count < 1 || request.count > kMostLightSamples) {
+namespace {
+
+void check_count(std::uint64_t count) {
+    if (count < 1 || count > kMostLightSamples)
         throw std::runtime_error(
-            fmt::format("{} samples are not possible; ask for 1 to {}", request.count, kMostLightSamples));
-    }
-    const int turn =
-        request.seed == 0
-            ? 0
-            : static_cast<int>(Random(request.seed).below(static_cast<std::size_t>(map.width())));
-    const Density density = light_density(map, request.importance, turn);
+            fmt::format("{} samples are not possible; ask for 1 to {}", count, kMostLightSamples));
+}
+
+int turn_of(const EnvironmentMap& map, std::uint64_t seed) {
+    return seed == 0 ? 0 : static_cast<int>(Random(seed).below(static_cast<std::size_t>(map.width())));
+}
+
+// Of a density that is turned by so many columns.
+std::vector<glm::dvec2> dots_of(const Density& density, int turn, RankedTile& tile,
+                                const LightRequest& request, const std::stop_token& stop) {
     std::vector<glm::dvec2> places = request.placer == PlacerKind::figure8
                                          ? figure8_dots(tile, density, request.count, stop)
                                          : exact_dots(tile, density, request, stop);
     for (glm::dvec2& p : places) {
-        p.x += static_cast<double>(turn) / map.width();
+        p.x += static_cast<double>(turn) / density.width();
         if (p.x >= 1) p.x -= 1;
         p.y = std::min(2 * p.y, 1.0);  // the page's unit is the map's width
     }
     return places;
+}
+
+// Samples that are settled, of a map with as many texels that have light. None if stopped.
+class SettledSamples {
+ public:
+    SettledSamples(const EnvironmentMap& map, Grid<float> power, const LightRequest& request)
+        : map_(map), power_(std::move(power)), request_(request) {
+        take_own_texels();
+    }
+
+    std::vector<glm::dvec2> dots(RankedTile& tile, const std::stop_token& stop) const {
+        const int turn = turn_of(map_, request_.seed);
+        Grid<float> rest(power_.width, power_.height);
+        for (int y = 0; y < rest.height; ++y)
+            for (int x = 0; x < rest.width; ++x)
+                rest.at(x, y) = std::max(power_.at((x + turn) % rest.width, y), 0.0f);
+        const float most = std::ranges::max(rest.values);
+        for (float& value : rest.values) value /= most;
+        LightRequest of_rest = request_;
+        of_rest.count -= own_.size();
+        return dots_of(Density(std::move(rest), Sides::wrap), turn, tile, of_rest, stop);
+    }
+
+    std::vector<LightSample> settled(std::span<const glm::dvec2> dots, const LightWatch& watch) const {
+        std::vector<glm::dvec3> lights;
+        for (const glm::dvec2 uv : dots) lights.push_back(direction_of(uv, SphereConvention::openexr));
+        const TexelTree tree(map_, power_, request_.threads);
+        const auto sums = settle(tree, lights, steps_for(request_.count), watch);
+        if (!sums) return {};
+        std::vector<LightSample> samples;
+        for (const glm::ivec2 texel : own_)
+            samples.push_back(sample((glm::dvec2(texel) + 0.5) / glm::dvec2(map_.width(), map_.height()),
+                                     glm::dvec3(map_.radiance().at(texel.x, texel.y)),
+                                     map_.solid_angle(texel.y)));
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            samples.push_back(sample(uv_of(lights[i], SphereConvention::openexr),
+                                     (*sums)[i].flux / (*sums)[i].solid_angle, (*sums)[i].solid_angle));
+        return samples;
+    }
+
+ private:
+    // More have less to gain, and take longer.
+    static int steps_for(std::uint64_t count) { return count <= 10'000 ? 8 : count <= 100'000 ? 4 : 2; }
+
+    LightSample sample(glm::dvec2 uv, const glm::dvec3& radiance, double solid_angle) const {
+        return {uv, radiance * solid_angle, radiance,
+                1 / (solid_angle * static_cast<double>(request_.count))};
+    }
+
+    // A texel that has as much power as a sample is to have, or more, is a sample's alone, and so on with
+    // what is left; one sample at least is for the others.
+    void take_own_texels() {
+        while (own_.size() + 1 < request_.count) {
+            double rest = 0;
+            for (const float power : power_.values) rest += std::max(power, 0.0f);
+            const double share = rest / static_cast<double>(request_.count - own_.size());
+            std::vector<glm::ivec2> found;
+            for (int y = 0; y < power_.height; ++y)
+                for (int x = 0; x < power_.width; ++x)
+                    if (power_.at(x, y) > 0 && power_.at(x, y) >= share) found.emplace_back(x, y);
+            std::ranges::stable_sort(found, std::ranges::greater{},
+                                     [&](glm::ivec2 texel) { return power_.at(texel.x, texel.y); });
+            found.resize(std::min<std::size_t>(found.size(), request_.count - own_.size() - 1));
+            if (found.empty()) return;
+            for (const glm::ivec2 texel : found) power_.at(texel.x, texel.y) = -1;
+            own_.insert(own_.end(), found.begin(), found.end());
+        }
+    }
+
+    const EnvironmentMap& map_;
+    Grid<float> power_;  // of the texels that are no sample's alone; below 0 for those
+    const LightRequest& request_;
+    std::vector<glm::ivec2> own_;
+};
+
+}  // namespace
+
+std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                                   const std::stop_token& stop) {
+    check_count(request.count);
+    const int turn = turn_of(map, request.seed);
+    return dots_of(light_density(map, request.importance, turn), turn, tile, request, stop);
 }
 
 LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
@@ -101,8 +189,17 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
                         .radiance = request.radiance,
                         .seed = request.seed,
                         .total_flux = map.total_flux()};
+    check_count(request.count);
     const Stopwatch placing;
-    const std::vector<glm::dvec2> dots = light_dots(map, tile, request, watch.stop);
+    std::optional<SettledSamples> settling;
+    if (request.position == SamplePosition::settled) {
+        Grid<float> power = light_density(map, request.importance).values();
+        const auto lit = std::ranges::count_if(power.values, [](float value) { return value > 0; });
+        if (static_cast<std::uint64_t>(lit) >= request.count)
+            settling.emplace(map, std::move(power), request);
+    }
+    const std::vector<glm::dvec2> dots =
+        settling ? settling->dots(tile, watch.stop) : light_dots(map, tile, request, watch.stop);
     if (!watch.goes_on(kPlacingShare)) return result;
     result.place_ms = placing.ms();
 
@@ -110,6 +207,11 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
     const bool drawn = request.position == SamplePosition::random;
     const LightWatch while_sharing{
         watch.stop, [&watch](double share) { watch.goes_on(kPlacingShare + (1 - kPlacingShare) * share); }};
+    if (settling) {
+        result.samples = settling->settled(dots, while_sharing);
+        result.share_ms = sharing.ms();
+        return result;
+    }
     const std::vector<LightRegion> regions =
         share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt, while_sharing);
     if (regions.empty()) return result;
@@ -118,7 +220,7 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
         const LightRegion& region = regions[i];
         LightSample& sample = result.samples[i];
         sample.uv = dots[i];
-        if (request.position == SamplePosition::centroid && glm::length(region.moment) > 0)
+        if (request.position == SamplePosition::settled && glm::length(region.moment) > 0)
             sample.uv = uv_of(region.moment, SphereConvention::openexr);
         if (request.position == SamplePosition::random && region.luminance > 0) sample.uv = region.drawn;
         sample.weight = region.flux;

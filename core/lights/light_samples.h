@@ -4,7 +4,8 @@
 //      map -> density -> placer -> dots -> regions -> samples
 //
 // The placer puts n dots in proportion to luminance * sin theta. Each dot stands for a region: the texels'
-// light is shared out among the dots (core/lights/regions.h) so that none is lost or counted twice. The
+// light is shared out among the dots (core/lights/settling.h, core/lights/regions.h) so that none is lost or
+// counted twice. The
 // weights therefore sum to the map's flux for every n, every map and every seed: what a light list of fixed
 // weights L / (n pdf) only does on average.
 
@@ -23,15 +24,17 @@ namespace dapple {
 
 /// Where in its region a sample is. All three agree in weight.
 enum class SamplePosition {
-    centroid,  // where the region's light has its centre of gravity: by far the least error, since any
-               // integrand that is linear over the regions comes out exactly; one step of Lloyd's relaxation
-    dot,       // where the placer put the dot
-    random,    // drawn from the region's light: unbiased in luminance for any integrand, since a region's
-               // flux times an integrand at a place drawn in proportion to its light has the region's
-               // integral as its mean
+    settled,  // where the region's light has its centre of gravity, after steps towards such places on the
+              // sphere (core/lights/settling.h): by far the least error, since any integrand that is linear
+              // over the regions comes out exactly. A texel with more light than a sample's share has a
+              // sample of its own
+    dot,      // where the placer put the dot
+    random,   // drawn from the region's light: unbiased in luminance for any integrand, since a region's
+              // flux times an integrand at a place drawn in proportion to its light has the region's
+              // integral as its mean
 };
 constexpr auto names_of(SamplePosition) {
-    return names("centroid", "dot", "random");
+    return names("settled", "dot", "random");
 }
 
 /// What a sample's radiance and pdf say. Its weight is the same either way, and the sum of f * radiance / (n
@@ -48,11 +51,11 @@ struct LightRequest {
     std::uint64_t count = 1024;  // exactly so many samples, 1 .. kMostLightSamples
     PlacerKind placer = PlacerKind::exact;
     LightImportance importance = LightImportance::light;
-    SamplePosition position = SamplePosition::centroid;
+    SamplePosition position = SamplePosition::settled;
     SampleRadiance radiance = SampleRadiance::mean;
     std::uint64_t seed = 0;  // 0: the tile as it is; else it lies turned about the up axis by whole texels,
                              // each turn equally likely (Cranley-Patterson rotation), and random draws differ
-    int threads = 1;         // for placing; the samples are the same for any number; 0: all cores
+    int threads = 1;         // the samples are the same for any number; 0: all cores
 
     bool operator==(const LightRequest&) const = default;
 };

@@ -34,18 +34,22 @@ double irradiance_error(std::span<const glm::dvec3> found, std::span<const glm::
 LightComparison compare_samplers(const EnvironmentMap& map, RankedTile& tile,
                                  const ComparisonRequest& request) {
     const std::vector<glm::dvec3> normals = fibonacci_normals(request.normals);
-    const std::vector<glm::dvec3> exact = irradiance(texel_lights(map), normals);
+    const std::vector<DistantLight> texels = texel_lights(map);
+    const std::vector<glm::dvec3> exact = irradiance(texels, normals),
+                                  glossy = irradiance(texels, normals, kGlossy);
     LightComparison comparison{request, {}};
     for (const LightSampler sampler : kLightSamplers) {
         SamplerErrors result{.sampler = sampler};
         for (const std::uint64_t count : request.counts) {
-            double sum = 0;
+            double sum = 0, glossy_sum = 0;
             for (int run = 1; run <= request.runs; ++run) {
                 const auto lights =
                     sampled_lights(map, tile, sampler, count, static_cast<std::uint64_t>(run));
                 sum += irradiance_error(irradiance(lights, normals), exact);
+                glossy_sum += irradiance_error(irradiance(lights, normals, kGlossy), glossy);
             }
             result.errors.push_back(sum / request.runs);
+            result.glossy_errors.push_back(glossy_sum / request.runs);
         }
         result.slope = slope_of(request.counts, result.errors);
         comparison.samplers.push_back(std::move(result));

@@ -1,5 +1,6 @@
 #pragma once
-// How well samples stand for their map: the error of irradiance, for each sampler and count.
+// How well samples stand for their map: the error of irradiance, and of a glossy surface's light, for each
+// sampler and count.
 
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,8 @@
 
 namespace dapple {
 
+inline constexpr unsigned kGlossy = 50;
+
 struct ComparisonRequest {
     std::vector<std::uint64_t> counts{16, 64, 256, 1024, 4096, 16'384, 65'536};
     int normals = 1000;  // surfaces, evenly spread over the sphere
@@ -17,8 +20,9 @@ struct ComparisonRequest {
 
 struct SamplerErrors {
     LightSampler sampler{};
-    std::vector<double> errors{};  // one a count
-    double slope = 0;              // of log error over log count, least squares; -1/2: at random
+    std::vector<double> errors{};         // of irradiance, one a count
+    std::vector<double> glossy_errors{};  // of cosine^kGlossy, one a count
+    double slope = 0;                     // of log error over log count, least squares; -1/2: at random
 };
 
 struct LightComparison {

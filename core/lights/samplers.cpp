@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
 
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
@@ -46,6 +48,77 @@ DistantLight inverted_light(const EnvironmentMap& map, const LightInversion& inv
     const glm::dvec3 radiance(map.radiance().at(place.column, place.row));
     return {direction_of(place.uv, SphereConvention::openexr),
             radiance * (inversion.total() / (static_cast<double>(count) * luminance(radiance)))};
+}
+
+// The brightest rectangle is cut where it has half of its light on either side, across its longer side as
+// seen on the sphere. There is nothing random about it.
+std::vector<DistantLight> median_cut(const EnvironmentMap& map, std::uint64_t count) {
+    const int width = map.width(), height = map.height();
+    Grid<double> sums(width + 1, height + 1);  // of all texels above and to the left
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            sums.at(x + 1, y + 1) = luminance(map.radiance().at(x, y)) * map.solid_angle(y) +
+                                    sums.at(x, y + 1) + sums.at(x + 1, y) - sums.at(x, y);
+    struct Part {
+        int left, top, right, bottom;
+        double light;
+    };
+    const auto part = [&](int left, int top, int right, int bottom) {
+        return Part{
+            left, top, right, bottom,
+            sums.at(right, bottom) - sums.at(left, bottom) - sums.at(right, top) + sums.at(left, top)};
+    };
+    const auto brightest_last = [](const Part& a, const Part& b) {
+        return std::tie(a.light, a.left, a.top) < std::tie(b.light, b.left, b.top);
+    };
+    std::vector<Part> parts{part(0, 0, width, height)}, whole;
+    while (parts.size() + whole.size() < count && !parts.empty()) {
+        std::ranges::pop_heap(parts, brightest_last);
+        const Part cut = parts.back();
+        parts.pop_back();
+        const int across = cut.right - cut.left, down = cut.bottom - cut.top;
+        if (across == 1 && down == 1) {
+            whole.push_back(cut);
+            continue;
+        }
+        const double middle = std::numbers::pi * (cut.top + cut.bottom) / (2 * height);
+        const bool by_columns = down == 1 || (across > 1 && across * std::sin(middle) > down);
+        int low = 1, high = (by_columns ? across : down) - 1;
+        const auto first = [&](int length) {
+            return by_columns ? part(cut.left, cut.top, cut.left + length, cut.bottom)
+                              : part(cut.left, cut.top, cut.right, cut.top + length);
+        };
+        while (low < high) {
+            const int at = (low + high) / 2;
+            if (first(at).light < cut.light / 2)
+                low = at + 1;
+            else
+                high = at;
+        }
+        const Part half = first(low);
+        parts.push_back(half);
+        std::ranges::push_heap(parts, brightest_last);
+        parts.push_back(by_columns ? part(half.right, cut.top, cut.right, cut.bottom)
+                                   : part(cut.left, half.bottom, cut.right, cut.bottom));
+        std::ranges::push_heap(parts, brightest_last);
+    }
+    parts.insert(parts.end(), whole.begin(), whole.end());
+    std::vector<DistantLight> lights;
+    for (const Part& of : parts) {
+        DistantLight& light = lights.emplace_back();
+        for (int y = of.top; y < of.bottom; ++y)
+            for (int x = of.left; x < of.right; ++x) {
+                const glm::dvec3 flux = map.solid_angle(y) * glm::dvec3(map.radiance().at(x, y));
+                light.weight += flux;
+                light.direction += luminance(flux) * direction_of({(x + 0.5) / width, (y + 0.5) / height},
+                                                                  SphereConvention::openexr);
+            }
+        if (glm::length(light.direction) > 0)
+            light.direction = glm::normalize(light.direction);
+        else
+            lights.pop_back();
+    }
+    return lights;
 }
 
 std::vector<DistantLight> own_lights(const EnvironmentMap& map, RankedTile& tile, SamplePosition position,
@@ -108,10 +181,12 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
             }
             return lights;
         }
+        case LightSampler::median_cut:
+            return median_cut(map, count);
         case LightSampler::unbiased:
             return own_lights(map, tile, SamplePosition::random, count, seed);
-        case LightSampler::centroid:
-            return own_lights(map, tile, SamplePosition::centroid, count, seed);
+        case LightSampler::settled:
+            return own_lights(map, tile, SamplePosition::settled, count, seed);
     }
     return lights;
 }

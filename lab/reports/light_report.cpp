@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "lab/reports/html.h"
@@ -13,9 +14,10 @@ namespace dapple {
 
 namespace {
 
-constexpr std::array<glm::vec3, 5> kColours{{{0.55f, 0.55f, 0.55f},
+constexpr std::array<glm::vec3, 6> kColours{{{0.55f, 0.55f, 0.55f},
                                              {0.85f, 0.6f, 0.1f},
                                              {0.75f, 0.2f, 0.2f},
+                                             {0.2f, 0.55f, 0.3f},
                                              {0.3f, 0.6f, 0.85f},
                                              {0.1f, 0.25f, 0.6f}}};
 
@@ -23,9 +25,14 @@ const SamplerErrors& of(const LightComparison& comparison, LightSampler sampler)
     return *std::ranges::find(comparison.samplers, sampler, &SamplerErrors::sampler);
 }
 
-double ratio_to_stratified(const LightComparison& comparison, std::size_t count_index) {
-    const double ours = of(comparison, LightSampler::centroid).errors[count_index];
-    return ours > 0 ? of(comparison, LightSampler::stratified).errors[count_index] / ours : 0;
+// How many times as large the least error of the others is.
+double ratio_to_best(const LightComparison& comparison, std::size_t count_index) {
+    const double ours = of(comparison, LightSampler::settled).errors[count_index];
+    double best = std::numeric_limits<double>::max();
+    for (const SamplerErrors& sampler : comparison.samplers)
+        if (sampler.sampler != LightSampler::settled && sampler.sampler != LightSampler::unbiased)
+            best = std::min(best, sampler.errors[count_index]);
+    return ours > 0 ? best / ours : 0;
 }
 
 std::string per_cent(double error) {
@@ -35,11 +42,11 @@ std::string per_cent(double error) {
 }  // namespace
 
 void write_comparison_csv(std::ostream& out, const LightComparison& comparison) {
-    out << "sampler,samples,relative_error,slope\n";
+    out << "sampler,samples,relative_error,glossy_error,slope\n";
     for (const SamplerErrors& sampler : comparison.samplers) {
         for (std::size_t i = 0; i < sampler.errors.size(); ++i) {
-            out << fmt::format("\"{}\",{},{},{}\n", name_of(sampler.sampler), comparison.request.counts[i],
-                               sampler.errors[i], sampler.slope);
+            out << fmt::format("\"{}\",{},{},{},{}\n", name_of(sampler.sampler), comparison.request.counts[i],
+                               sampler.errors[i], sampler.glossy_errors[i], sampler.slope);
         }
     }
 }
@@ -77,13 +84,13 @@ std::string comparison_page(const LightComparison& comparison, std::string_view 
                   "samples that share the map evenly among themselves gain a whole one or more.");
     std::vector<std::string> head{"samples"};
     for (const SamplerErrors& sampler : comparison.samplers) head.emplace_back(name_of(sampler.sampler));
-    head.emplace_back("stratified / dapple");
+    head.emplace_back("best other / dapple");
     std::vector<HtmlPage::Row> rows;
     for (std::size_t i = 0; i < request.counts.size(); ++i) {
         HtmlPage::Row row{.cells = {fmt::format("{}", request.counts[i])}};
         for (const SamplerErrors& sampler : comparison.samplers)
             row.cells.push_back(per_cent(sampler.errors[i]));
-        row.cells.push_back(fmt::format("{:.1f}", ratio_to_stratified(comparison, i)));
+        row.cells.push_back(fmt::format("{:.1f}", ratio_to_best(comparison, i)));
         rows.push_back(std::move(row));
     }
     HtmlPage::Row slopes{.cells = {"slope"}};
@@ -92,6 +99,17 @@ std::string comparison_page(const LightComparison& comparison, std::string_view 
     slopes.cells.emplace_back("");
     rows.push_back(std::move(slopes));
     page.table(head, rows);
+    page.paragraph(fmt::format(
+        "The same of a glossy surface, which sees the light by the cosine to the power {}:", kGlossy));
+    head.pop_back();
+    rows.clear();
+    for (std::size_t i = 0; i < request.counts.size(); ++i) {
+        HtmlPage::Row row{.cells = {fmt::format("{}", request.counts[i])}};
+        for (const SamplerErrors& sampler : comparison.samplers)
+            row.cells.push_back(per_cent(sampler.glossy_errors[i]));
+        rows.push_back(std::move(row));
+    }
+    page.table(head, rows);
     return page.text();
 }
 
@@ -99,16 +117,23 @@ std::string comparison_table(const LightComparison& comparison) {
     std::string text = fmt::format("{:>8}", "samples");
     for (const SamplerErrors& sampler : comparison.samplers)
         text += fmt::format("{:>22}", name_of(sampler.sampler));
-    text += fmt::format("{:>21}\n", "stratified / dapple");
+    text += fmt::format("{:>21}\n", "best other / dapple");
     for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
         text += fmt::format("{:>8}", comparison.request.counts[i]);
         for (const SamplerErrors& sampler : comparison.samplers)
             text += fmt::format("{:>22}", per_cent(sampler.errors[i]));
-        text += fmt::format("{:>21.1f}\n", ratio_to_stratified(comparison, i));
+        text += fmt::format("{:>21.1f}\n", ratio_to_best(comparison, i));
     }
     text += fmt::format("{:>8}", "slope");
     for (const SamplerErrors& sampler : comparison.samplers) text += fmt::format("{:>22.2f}", sampler.slope);
-    return text + "\n";
+    text += fmt::format("\nof a glossy surface, cosine^{}:\n", kGlossy);
+    for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
+        text += fmt::format("{:>8}", comparison.request.counts[i]);
+        for (const SamplerErrors& sampler : comparison.samplers)
+            text += fmt::format("{:>22}", per_cent(sampler.glossy_errors[i]));
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace dapple

@@ -29,7 +29,7 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     bool changed = slider_row("Samples", request.count, kCount);
     const LightRequest usual;
     changed |=
-        segmented_row("Placed", request.position, std::array{"centroid", "dot", "random"},
+        segmented_row("Placed", request.position, std::array{"settled", "dot", "random"},
                       "Where in its region a sample is: at the light's centre of gravity, where the placer "
                       "put it, or drawn at random, which has no bias.",
                       usual.position);

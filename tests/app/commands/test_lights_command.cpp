@@ -60,7 +60,7 @@ TEST_CASE("dapple lights writes exactly so many samples, whose weights sum to th
     const json file = json::parse(text_of(folder / "samples.json"));
     CHECK(file["convention"] == "openexr");
     CHECK(file["source"] == "map.exr");
-    CHECK(file["position"] == "centroid");
+    CHECK(file["position"] == "settled");
     CHECK(file["radiance"] == "mean");
     CHECK(file["seed"] == 0);
     REQUIRE(file["samples"].size() == 257);

@@ -96,10 +96,13 @@ TEST_CASE("random samples err with the root of their number, ours faster and les
     const auto& samplers = comparison.samplers;
     CHECK(samplers[1].slope == doctest::Approx(-0.5).epsilon(0.25));
     CHECK(samplers[2].slope < samplers[1].slope);
-    CHECK(samplers[4].slope < -0.65);
+    const SamplerErrors& ours = samplers.back();
+    CHECK(ours.slope < -0.65);
     for (const std::size_t i : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
         CHECK(samplers[1].errors[i] > samplers[2].errors[i]);
-        CHECK(samplers[2].errors[i] > samplers[4].errors[i]);
+        CHECK(samplers[2].errors[i] > ours.errors[i]);
+        for (std::size_t other = 0; other + 1 < samplers.size(); ++other)
+            CHECK(samplers[other].glossy_errors[i] > ours.glossy_errors[i]);
     }
 }
 
@@ -107,17 +110,19 @@ TEST_CASE("a comparison is written as a table, a plot and a page that are well-f
     LightComparison comparison;
     comparison.request.counts = {16, 64};
     for (const LightSampler sampler : kLightSamplers)
-        comparison.samplers.push_back({.sampler = sampler, .errors = {0.25, 0.125}, .slope = -0.5});
+        comparison.samplers.push_back(
+            {.sampler = sampler, .errors = {0.25, 0.125}, .glossy_errors = {0.5, 0.375}, .slope = -0.5});
     std::ostringstream csv;
     write_comparison_csv(csv, comparison);
     CHECK(
-        csv.str().starts_with("sampler,samples,relative_error,slope\n\"uniform "
-                              "random\",16,0.25,-0.5\n\"uniform random\",64,0.125,-0.5\n"));
+        csv.str().starts_with("sampler,samples,relative_error,glossy_error,slope\n\"uniform "
+                              "random\",16,0.25,0.5,-0.5\n\"uniform random\",64,0.125,0.375,-0.5\n"));
     pugi::xml_document document;
     CHECK(document.load_string(comparison_plot(comparison).c_str()));
     CHECK(document.load_string(comparison_page(comparison, "a < b").c_str()));
     const std::string table = comparison_table(comparison);
     CHECK(table.find("12.5 %") != table.npos);
+    CHECK(table.find("37.5 %") != table.npos);
     CHECK(table.find("1.0\n") != table.npos);
 }
 
@@ -125,4 +130,28 @@ TEST_CASE("the error of irradiance is the mean of what luminance is wrong by") {
     const std::vector<glm::dvec3> exact{glm::dvec3(1), glm::dvec3(2), glm::dvec3(0)};
     const std::vector<glm::dvec3> found{glm::dvec3(1.1), glm::dvec3(1), glm::dvec3(5)};
     CHECK(irradiance_error(found, exact) == doctest::Approx((0.1 + 0.5) / 2));
+}
+
+TEST_CASE("the median cut parts a map where it has half of its light on either side") {
+    // Light in four texels, by twos far apart.
+    Grid<glm::vec3> grid(16, 8, glm::vec3(0));
+    for (const glm::ivec2 lit : {glm::ivec2(2, 3), glm::ivec2(3, 4), glm::ivec2(11, 3), glm::ivec2(12, 4)})
+        grid.at(lit.x, lit.y) = glm::vec3(1);
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    const double flux = luminance(map.total_flux());
+    for (const std::uint64_t count : {1u, 2u, 4u, 100u}) {
+        const auto lights = sampled_lights(map, tile, LightSampler::median_cut, count, 1);
+        REQUIRE(lights.size() == std::min<std::size_t>(count, 4));
+        for (const DistantLight& light : lights)
+            CHECK(luminance(light.weight) == doctest::Approx(flux / double(lights.size())));
+    }
+}
+
+TEST_CASE("a glossy surface sees light by the power of its cosine") {
+    const std::vector<DistantLight> lights{{{0, 1, 0}, glm::dvec3(2)}, {{0.6, 0.8, 0}, glm::dvec3(1)}};
+    const std::vector<glm::dvec3> normals{{0, 1, 0}, {0, -1, 0}};
+    const auto seen = irradiance(lights, normals, 50);
+    CHECK(seen[0].x == doctest::Approx(2 + std::pow(0.8, 50)));
+    CHECK(seen[1].x == 0);
 }

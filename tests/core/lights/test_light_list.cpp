@@ -55,7 +55,7 @@ TEST_CASE("a CSV light list says what it is of, and has a line a sample") {
     std::istringstream lines(written(write_light_csv, {.rotation_degrees = 90, .source = "a\nb.hdr"}));
     std::string line;
     for (const char* expected :
-         {"# convention: openexr", "# rotation_degrees: 90", "# source: a?b.hdr", "# position: centroid",
+         {"# convention: openexr", "# rotation_degrees: 90", "# source: a?b.hdr", "# position: settled",
           "# radiance: mean", "# seed: 0", "# count: 2", "# total_flux: 0.10000010000000001 3.2 100000.3",
           "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b"}) {
         std::getline(lines, line);

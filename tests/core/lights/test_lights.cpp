@@ -91,7 +91,7 @@ TEST_CASE("position, radiance, compensation and seed leave the sum of the weight
     const EnvironmentMap map = small_sky();
     RankedTile tile = paper_tile();
     using enum SamplePosition;
-    for (const SamplePosition position : {centroid, dot, random}) {
+    for (const SamplePosition position : {settled, dot, random}) {
         LightRequest request{.count = 300, .position = position, .seed = 5};
         check_flux(map, light_samples(map, tile, request));
         request.importance = LightImportance::compensated;
@@ -163,7 +163,7 @@ TEST_CASE("point radiance over n times its pdf has the map's light as its mean, 
         for (int c = 0; c < 3; ++c) CHECK(mean[k][c] == doctest::Approx(exact[k][c]).epsilon(0.03));
 }
 
-TEST_CASE("a sun of one texel gets its share of the samples and all of its light is kept") {
+TEST_CASE("a sun of one texel gets its share of the dots and all of its light is kept") {
     Grid<glm::vec3> grid(256, 128, glm::vec3(0.5f));
     grid.at(40, 50) = glm::vec3(1e5f);
     const EnvironmentMap map(grid);
@@ -171,7 +171,8 @@ TEST_CASE("a sun of one texel gets its share of the samples and all of its light
     const double sun = 1e5 * map.solid_angle(50);
     const double share = sun / map.total_flux().x;
     for (const std::uint64_t count : {64u, 1000u, 30'000u}) {
-        const LightSamples lights = light_samples(map, tile, {.count = count});
+        const LightSamples lights =
+            light_samples(map, tile, {.count = count, .position = SamplePosition::dot});
         double in_sun = 0, light = 0;
         for (const LightSample& sample : lights.samples) {
             // The density is bilinear, so the sun's dots lie up to a texel beside it.
@@ -183,6 +184,38 @@ TEST_CASE("a sun of one texel gets its share of the samples and all of its light
         CHECK(in_sun / static_cast<double>(count) == doctest::Approx(share).epsilon(0.05));
         // Few samples: some that stand for the sun have a piece of the sky too, and lie between.
         CHECK(light == doctest::Approx(sun).epsilon(count < 100 ? 0.1 : 0.01));
+    }
+}
+
+TEST_CASE("a sun of two by two texels is where it is, and takes a settled sample for each of them at most") {
+    Grid<glm::vec3> grid(512, 256, glm::vec3(0.3f));
+    for (const int y : {75, 76})
+        for (const int x : {150, 151}) grid.at(x, y) = glm::vec3(3e4f);
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    const glm::dvec3 sun = direction_of({151.0 / 512, 76.0 / 256}, SphereConvention::openexr);
+    const double flux = 2 * 3e4 * (map.solid_angle(75) + map.solid_angle(76));
+    for (const std::uint64_t count : {1u, 2u, 4u, 8u, 16u, 64u, 1000u}) {
+        CAPTURE(count);
+        const LightSamples lights = light_samples(map, tile, {.count = count});
+        check_flux(map, lights);
+        double from_sun = 0;
+        int in_sun = 0, beside = 0;
+        for (const LightSample& sample : lights.samples) {
+            CHECK(sample.weight.x > 0);
+            const double away = glm::distance(direction_of(sample.uv, SphereConvention::openexr), sun);
+            const bool near = away < kPi / 256;  // a texel
+            in_sun += near;
+            beside += !near && away < 5 * kPi / 256;
+            if (near) from_sun += sample.weight.x;
+        }
+        CHECK(in_sun >= 1);
+        CHECK(in_sun <= 4);
+        if (count < 100) CHECK(beside == 0);
+        if (count >= 8)
+            CHECK(from_sun == doctest::Approx(flux).epsilon(1e-6));
+        else
+            CHECK(from_sun >= flux);
     }
 }
 
@@ -275,10 +308,10 @@ TEST_CASE("1,024 samples light surfaces within half a per cent, at random places
     const auto error = [&](SamplePosition position) {
         return irradiance_error(map, light_samples(map, tile, {.count = 1024, .position = position}));
     };
-    CHECK(error(SamplePosition::centroid) < 0.005);
+    CHECK(error(SamplePosition::settled) < 0.005);
     CHECK(error(SamplePosition::dot) < 0.005);
     CHECK(error(SamplePosition::random) < 0.01);
-    CHECK(error(SamplePosition::centroid) < error(SamplePosition::dot));
+    CHECK(error(SamplePosition::settled) < error(SamplePosition::dot));
 }
 
 TEST_CASE("random positions have the exact irradiance as their mean over seeds") {
@@ -338,19 +371,19 @@ TEST_CASE("the weights within a fixed piece of the map have its flux as their me
 TEST_CASE("the same request gives the same samples, another seed others") {
     const EnvironmentMap map = small_sky();
     RankedTile tile = paper_tile();
-    LightRequest request{.count = 200, .seed = 3};
+    LightRequest request{.count = 1200, .seed = 3};
     const LightSamples once = light_samples(map, tile, request);
     request.threads = 2;
     const LightSamples again = light_samples(map, tile, request);
     request.seed = 4;
     const LightSamples other = light_samples(map, tile, request);
     int moved = 0;
-    for (std::size_t i = 0; i < 200; ++i) {
+    for (std::size_t i = 0; i < 1200; ++i) {
         CHECK(once.samples[i].uv == again.samples[i].uv);
         CHECK(once.samples[i].weight == again.samples[i].weight);
         moved += once.samples[i].uv != other.samples[i].uv;
     }
-    CHECK(moved > 190);
+    CHECK(moved > 1000);
 }
 
 TEST_CASE("a region's light is that of the texels nearer to its dot than to any other") {
