@@ -90,7 +90,7 @@ class Stipple(inkex.EffectExtension):
             style, paths = paths_of(layer, to_mm)
             dots = self.group_in_mm(part, picture)
             dots.style = style
-            dots.extend(inkex.PathElement(d=path) for path in paths)
+            dots.extend([inkex.PathElement(d=path) for path in paths])
         if settings["picture"] == "remove":
             picture.delete()
         elif settings["picture"] == "lock":
@@ -132,7 +132,7 @@ def release(picture, parts):
             part.getparent().replace(part, picture)
         else:
             part.delete()
-        picture.style.pop("display", None)
+        picture.style["display"] = "inline"
         picture.set_sensitive(True)
 
 
@@ -183,7 +183,7 @@ def pixels_of(file):
 
 
 def page_of(svg, picture, pixels_wide, pixels_high):
-    """Of the part of a picture that is shown, as preserveAspectRatio has it: the options that draw it on a page as large
+    """Of the part of a picture that preserveAspectRatio shows: the options that draw it on a page as large
     as in the document, and what takes that page, as a unit square, to millimetres of the document. If the document
     stretches it, the page is as large in area, so that the dots give the picture's tone."""
     x, y, width, height = (picture.to_dimensionless(picture.get(name) or 0) for name in ("x", "y", "width", "height"))
