@@ -12,9 +12,7 @@ The dots' coordinates are millimetres of the document, whatever the groups aroun
 dots are round where the picture is turned, stretched or skewed.
 """
 import json
-import math
 import os
-import shutil
 import subprocess
 import tempfile
 import urllib.parse
@@ -29,7 +27,6 @@ PICTURE, SETTINGS = f"{{{DAPPLE}}}picture", f"{{{DAPPLE}}}settings"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 SVG = "{http://www.w3.org/2000/svg}"
 etree.register_namespace("dapple", DAPPLE)
-
 MM_PER_PX = 25.4 / 96
 DOTS_A_PATH = 500  # Inkscape is slow with an object for each dot, and with all dots in one
 
@@ -141,31 +138,31 @@ def settings_of(part):
     try:
         kept = json.loads(part.attrib[SETTINGS])
         return {row: type(usual)(kept[row]) for row, usual in ROWS.items()}
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, OverflowError, TypeError, ValueError):
         raise AbortExtension(f'"{part.label}" does not say how it was drawn; draw it with the settings of the dialog.')
 
 
 def options_of(settings):
     """The settings as options of `dapple render`."""
     draw, inks, pen = settings["draw"], settings["inks"], settings["pen_width"]
-    by_pen = {"pen": "--dot-shape=point", "spiral": "--dot-shape=spiral", "line": "--style=line",
-              "nearest": "--style=nearest"}.get(draw)
-    options = [by_pen, f"--pen-width={pen}"] if by_pen else []
+    by_pen = draw not in ("dots", "tone")
+    shapes = {"pen": "--dot-shape=point", "spiral": "--dot-shape=spiral"}
+    options = [shapes.get(draw, f"--style={draw}"), f"--pen-width={pen}"] if by_pen else []
     if inks != "one":
         options.append(f"--pens={settings['pens'] if inks == 'own' else f'{inks}:{pen}' if by_pen else inks}")
-    dots = f"--dots={settings['dots']}"
-    if draw == "tone":
-        dots = f"--dot-radius={settings['smallest']}..{settings['largest']}"
-    return options + [dots, f"--relax={settings['settle']}", f"--tone-strength={settings['tone']}"]
+    radii = f"--dot-radius={settings['smallest']}..{settings['largest']}"
+    options.append(radii if draw == "tone" else f"--dots={settings['dots']}")
+    return options + [f"--relax={settings['settle']}", f"--tone-strength={settings['tone']}"]
 
 
 def run_dapple(file, *options):
     """The SVG that `dapple render` draws of a picture, given by its bytes or its path."""
-    if shutil.which("dapple") is None:
+    name, data = ("-", file) if isinstance(file, bytes) else (file, b"")
+    try:
+        done = subprocess.run(["dapple", "render", name, "-o", "-", *options], input=data, capture_output=True)
+    except FileNotFoundError:
         raise AbortExtension("The program dapple is not installed, or not on Inkscape's PATH; install the package "
                              "dapple, and start Inkscape again.")
-    name, data = ("-", file) if isinstance(file, bytes) else (file, b"")
-    done = subprocess.run(["dapple", "render", name, "-o", "-", *options], input=data, capture_output=True, check=False)
     if done.returncode != 0:
         said = done.stderr.decode(errors="replace").strip().splitlines() or [f"dapple: ended with {done.returncode}"]
         raise AbortExtension(said[-1].replace("the standard input", "the embedded picture") + ".")
@@ -183,13 +180,11 @@ def pixels_of(file):
 
 
 def page_of(svg, picture, pixels_wide, pixels_high):
-    """Of the part of a picture that preserveAspectRatio shows: the options that draw it on a page as large
-    as in the document, and what takes that page, as a unit square, to millimetres of the document. If the document
-    stretches it, the page is as large in area, so that the dots give the picture's tone."""
+    """Of the part of a picture that preserveAspectRatio shows: the options that draw it on a page as large as in the
+    document, and what takes that page, as a unit square, to millimetres of the document. If the document stretches it,
+    the page is as large in area, so that the dots give the picture's tone."""
     x, y, width, height = (picture.to_dimensionless(picture.get(name) or 0) for name in ("x", "y", "width", "height"))
-    if not width and not height:
-        width, height = pixels_wide, pixels_high
-    width, height = width or height * pixels_wide / pixels_high, height or width * pixels_high / pixels_wide
+    width, height = width or pixels_wide, height or pixels_high  # as Inkscape shows it
     x_scale, y_scale = width / pixels_wide, height / pixels_high
     fit = picture.get("preserveAspectRatio") or "xMidYMid"
     if "none" not in fit:
@@ -202,7 +197,7 @@ def page_of(svg, picture, pixels_wide, pixels_high):
     area_mm2 = abs(in_mm.a * in_mm.d - in_mm.b * in_mm.c) * width * height
     if not area_mm2 > 0:
         raise AbortExtension(f'The picture "{picture.get_id()}" has no width or no height; make it larger.')
-    options = ["--margin=0", f"--width={math.sqrt(area_mm2 * (width / x_scale) / (height / y_scale)):.6f}"]
+    options = ["--margin=0", f"--width={(area_mm2 * (width / x_scale) / (height / y_scale)) ** 0.5:.6f}"]
     if "slice" in fit:
         box = -min(left, 0) / all_wide, -min(top, 0) / all_high, width / all_wide, height / all_high
         options.append("--crop={:.6f}%,{:.6f}%,{:.6f}%x{:.6f}%".format(*(100 * each for each in box)))
@@ -213,7 +208,6 @@ def paths_of(layer, to_mm):
     """A layer of dapple's page as few paths: their style, and the `d` of each."""
     def place(x, y):
         return to_mm.a * x + to_mm.c * y + to_mm.e, to_mm.b * x + to_mm.d * y + to_mm.f
-
     circles = [[float(circle.get(name)) for name in ("cx", "cy", "r")] for circle in layer.iter(SVG + "circle")]
     radii = {radius for _, _, radius in circles}
     pen = {"fill": "none", "stroke": layer.get("stroke"), "stroke-linecap": "round", "stroke-linejoin": "round"}
@@ -221,11 +215,11 @@ def paths_of(layer, to_mm):
         style = {"fill": layer.get("fill"), "stroke": "none"}
         pieces = [disc(place(x, y), radius * MM_PER_PX) for x, y, radius in circles]
     elif circles:
-        # Touches of a pen as wide as the dots, a micrometre long: some readers drop what has no length.
+        # Touches of a pen as wide as the dots, a micrometre long: vpype and others drop what has no length.
         style = pen | {"stroke": layer.get("fill"), "stroke-width": number(2 * radii.pop() * MM_PER_PX)}
         pieces = [line([place(x, y)]) + "h.001" for x, y, _ in circles]
     else:
-        style = pen | {"stroke-width": number(float(layer.get("stroke-width")) * MM_PER_PX)}
+        style = pen | {"stroke-width": number(float(layer.get("stroke-width") or 0) * MM_PER_PX)}
         pieces = [stroke(path.get("d"), place) for path in layer.iter(SVG + "path")]
     return style, ["".join(pieces[i:i + DOTS_A_PATH]) for i in range(0, len(pieces), DOTS_A_PATH)]
 
