@@ -34,8 +34,8 @@ class DotRows {
     std::size_t begin(std::int64_t row) const { return begins_[static_cast<std::size_t>(row)]; }
     std::size_t end(std::int64_t row) const { return begins_[static_cast<std::size_t>(row) + 1]; }
 
-    Positions x, y;   // in rows' heights; row after row, in each by x and then by y
-    Positions areas;  // over the largest's, as whoever moves the dots tells them; empty: all are alike
+    Positions x, y;    // in rows' heights; row after row, in each by x and then by y
+    Positions areas;   // over the largest's, as whoever moves the dots tells them; empty: all are alike
     Positions radii2;  // rows' heights squared, told likewise
     float most_radius2 = 0;
     Numbers numbers;  // as they came
