@@ -18,7 +18,7 @@ namespace dapple {
 
 struct LightsOptions {
     std::optional<std::filesystem::path> map;  // none: a sky of our own
-    std::filesystem::path output;              // .json, .csv, .pbrt, .xml or .png; empty: a window
+    std::filesystem::path output;              // see kLightEndings; empty: a window
     LightRequest request{.threads = 0};
     std::optional<SphereConvention> convention;  // none: the one of the program that reads such a file
     bool compare = false;                        // instead: how samplers err; output .html, .csv or .svg

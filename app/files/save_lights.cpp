@@ -24,6 +24,8 @@ SphereConvention usual_convention(LightFile kind) {
             return SphereConvention::pbrt;
         case LightFile::mitsuba:
             return SphereConvention::mitsuba;
+        case LightFile::blender:
+            return SphereConvention::blender;
         default:
             return SphereConvention::openexr;
     }
@@ -44,6 +46,9 @@ std::optional<LightFile> light_file_of(const fs::path& path) {
     if (ending == ".csv") return LightFile::csv;
     if (ending == ".pbrt") return LightFile::pbrt;
     if (ending == ".xml") return LightFile::mitsuba;
+    if (ending == ".usda") return LightFile::usd;
+    if (ending == ".gltf") return LightFile::gltf;
+    if (ending == ".py") return LightFile::blender;
     if (ending == ".png") return LightFile::png;
     return std::nullopt;
 }
@@ -64,6 +69,12 @@ void save_lights(const fs::path& path, const EnvironmentMap& map, const LightSam
                 return write_light_pbrt(out, lights, style);
             case LightFile::mitsuba:
                 return write_light_mitsuba(out, lights, style);
+            case LightFile::usd:
+                return write_light_usd(out, lights, style);
+            case LightFile::gltf:
+                return write_light_gltf(out, lights, style);
+            case LightFile::blender:
+                return write_light_blender(out, lights, style);
             case LightFile::png:
                 return write_picture(out, map, lights, saving.stops);
         }

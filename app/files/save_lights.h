@@ -16,10 +16,13 @@ enum class LightFile {
     csv,
     pbrt,
     mitsuba,
-    png,  // the map with the samples drawn over it, as it lies in its file
+    usd,
+    gltf,
+    blender,  // a script
+    png,      // the map with the samples drawn over it, as it lies in its file
 };
 
-inline constexpr const char* kLightEndings = ".json, .csv, .pbrt, .xml or .png";
+inline constexpr const char* kLightEndings = ".json, .csv, .pbrt, .xml, .usda, .gltf, .py or .png";
 
 /// By the ending, in small or capital letters; none if it is another.
 std::optional<LightFile> light_file_of(const std::filesystem::path& path);

@@ -1,6 +1,8 @@
 #include "core/lights/light_list.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/text/text_buffer.h"
@@ -34,6 +36,37 @@ std::string comment_text(std::string_view bytes) {
     return text;
 }
 
+// What the first comment of a file says.
+void put_what_it_is(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
+    text << static_cast<std::int64_t>(lights.samples.size()) << " lights from " << comment_text(style.source)
+         << ", convention " << name_of(style.convention) << ", turned by " << style.rotation_degrees
+         << " degrees; total flux ";
+    put(text, lights.total_flux, " ");
+}
+
+// Turns +Z to the direction; such lights shine the other way.
+struct Quaternion {
+    double w, x, y, z;
+
+    explicit Quaternion(const glm::dvec3& to) {
+        // Half the angle, about the axis at right angles to both.
+        const double length = std::sqrt(std::max(2 * (1 + to.z), 0.0));
+        if (length < 1e-6)
+            w = 0, x = 1, y = 0, z = 0;
+        else
+            w = length / 2, x = -to.y / length, y = to.x / length, z = 0;
+    }
+};
+
+// A colour whose largest part is 1, and how strong it is.
+struct Strength {
+    double most;
+    glm::dvec3 colour;
+
+    explicit Strength(const glm::dvec3& weight)
+        : most(std::max({weight.r, weight.g, weight.b})), colour(most > 0 ? weight / most : glm::dvec3(1)) {}
+};
+
 // Zeros without a sign.
 glm::dvec3 negated(const glm::dvec3& v) {
     return glm::dvec3(0) - v;
@@ -44,6 +77,12 @@ glm::dvec3 negated(const glm::dvec3& v) {
 glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style) {
     return turned_about_up(direction_of(sample.uv, style.convention), style.rotation_degrees,
                            style.convention);
+}
+
+double angular_radius(const LightSample& sample, std::size_t samples) {
+    const double solid_angle = 1 / (static_cast<double>(samples) * sample.pdf);
+    return std::acos(std::clamp(1 - solid_angle / (2 * std::numbers::pi), -1.0, 1.0)) * 180 /
+           std::numbers::pi;
 }
 
 void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
@@ -65,7 +104,7 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
         put(text, sample.radiance, ", ");
         text << "], \"pdf\": " << sample.pdf << ", \"weight\": [";
         put(text, sample.weight, ", ");
-        text << "]}";
+        text << "], \"angular_radius\": " << angular_radius(sample, lights.samples.size()) << '}';
     }
     text << "\n]\n}\n";
     text.flush();
@@ -82,24 +121,22 @@ void write_light_csv(std::ostream& out, const LightSamples& lights, const LightL
          << "\n# count: " << static_cast<std::int64_t>(lights.samples.size()) << "\n# total_flux: ";
     put(text, lights.total_flux, " ");
     text << '\n';
-    text << "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b\n";
+    text << "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b,angular_radius\n";
     for (const LightSample& sample : lights.samples) {
         put(text, direction_of(sample, style), ",");
         text << ',' << sample.uv.x << ',' << sample.uv.y << ',';
         put(text, sample.radiance, ",");
         text << ',' << sample.pdf << ',';
         put(text, sample.weight, ",");
-        text << '\n';
+        text << ',' << angular_radius(sample, lights.samples.size()) << '\n';
     }
     text.flush();
 }
 
 void write_light_pbrt(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
     TextBuffer text(out);
-    text << "# " << static_cast<std::int64_t>(lights.samples.size()) << " lights from "
-         << comment_text(style.source) << ", convention " << name_of(style.convention) << ", turned by "
-         << style.rotation_degrees << " degrees; total flux ";
-    put(text, lights.total_flux, " ");
+    text << "# ";
+    put_what_it_is(text, lights, style);
     text << "\n";
     for (const LightSample& sample : lights.samples) {
         text << "LightSource \"distant\" \"point3 from\" [ ";
@@ -113,10 +150,8 @@ void write_light_pbrt(std::ostream& out, const LightSamples& lights, const Light
 
 void write_light_mitsuba(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
     TextBuffer text(out);
-    text << "<scene version=\"3.0.0\">\n    <!-- " << static_cast<std::int64_t>(lights.samples.size())
-         << " lights from " << comment_text(style.source) << ", convention " << name_of(style.convention)
-         << ", turned by " << style.rotation_degrees << " degrees; total flux ";
-    put(text, lights.total_flux, " ");
+    text << "<scene version=\"3.0.0\">\n    <!-- ";
+    put_what_it_is(text, lights, style);
     text << " -->\n";
     for (const LightSample& sample : lights.samples) {
         const glm::dvec3 travel = negated(direction_of(sample, style));
@@ -126,6 +161,85 @@ void write_light_mitsuba(std::ostream& out, const LightSamples& lights, const Li
         text << "\"/></emitter>\n";
     }
     text << "</scene>\n";
+    text.flush();
+}
+
+void write_light_usd(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
+    TextBuffer text(out);
+    text << "#usda 1.0\n(\n    doc = \"";
+    put_what_it_is(text, lights, style);
+    text << "\"\n    defaultPrim = \"Lights\"\n    upAxis = \"Y\"\n)\n\ndef Xform \"Lights\"\n{\n";
+    std::int64_t number = 0;
+    for (const LightSample& sample : lights.samples) {
+        const Quaternion turn(direction_of(sample, style));
+        const double width = 2 * angular_radius(sample, lights.samples.size());
+        text << "    def DistantLight \"Light_" << number++
+             << "\"\n    {\n        float inputs:angle = " << std::min(width, 180.0)
+             << "\n        color3f inputs:color = (";
+        put(text, sample.weight, ", ");
+        text << ")\n        float inputs:intensity = 1\n        bool inputs:normalize = 1\n"
+                "        quatf xformOp:orient = ("
+             << turn.w << ", " << turn.x << ", " << turn.y << ", " << turn.z
+             << ")\n        uniform token[] xformOpOrder = [\"xformOp:orient\"]\n    }\n";
+    }
+    text << "}\n";
+    text.flush();
+}
+
+void write_light_gltf(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
+    TextBuffer text(out);
+    text << "{\n\"asset\": {\"version\": \"2.0\", \"generator\": \"Dapple\", \"extras\": {\"what\": \"";
+    put_what_it_is(text, lights, style);
+    text
+        << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": {\"KHR_lights_punctual\": "
+           "{\"lights\": [";
+    for (std::size_t i = 0; i < lights.samples.size(); ++i) {
+        const Strength strength(lights.samples[i].weight);
+        text << (i == 0 ? "" : ",") << "\n{\"type\": \"directional\", \"color\": [";
+        put(text, strength.colour, ", ");
+        text << "], \"intensity\": " << strength.most << '}';
+    }
+    text << "\n]}},\n\"scene\": 0,\n\"scenes\": [{\"nodes\": [0]}],\n\"nodes\": [\n{\"name\": \"Lights\", "
+            "\"children\": [";
+    for (std::size_t i = 1; i <= lights.samples.size(); ++i)
+        text << (i == 1 ? "" : ", ") << static_cast<std::int64_t>(i);
+    text << "]}";
+    std::int64_t number = 0;
+    for (const LightSample& sample : lights.samples) {
+        const Quaternion turn(direction_of(sample, style));
+        text << ",\n{\"rotation\": [" << turn.x << ", " << turn.y << ", " << turn.z << ", " << turn.w
+             << "], \"extensions\": {\"KHR_lights_punctual\": {\"light\": " << number++ << "}}}";
+    }
+    text << "\n]\n}\n";
+    text.flush();
+}
+
+void write_light_blender(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
+    TextBuffer text(out);
+    text << "# ";
+    put_what_it_is(text, lights, style);
+    text << "\n# To be run in Blender: blender scene.blend --python THIS_FILE. The world's own light is left "
+            "as it "
+            "is.\nimport bpy\n\n# The rotation w, x, y, z, the colour, the strength, the width in radians.\n"
+            "lights = [\n";
+    for (const LightSample& sample : lights.samples) {
+        const Quaternion turn(direction_of(sample, style));
+        const Strength strength(sample.weight);
+        const double radius = angular_radius(sample, lights.samples.size()) * std::numbers::pi / 180;
+        text << "    ((" << turn.w << ", " << turn.x << ", " << turn.y << ", " << turn.z << "), (";
+        put(text, strength.colour, ", ");
+        text << "), " << strength.most << ", " << std::min(2 * radius, std::numbers::pi) << "),\n";
+    }
+    text << R"(]
+collection = bpy.data.collections.new("Lights")
+bpy.context.scene.collection.children.link(collection)
+for rotation, colour, strength, width in lights:
+    light = bpy.data.lights.new("Light", "SUN")
+    light.color, light.energy, light.angle = colour, strength, width
+    sun = bpy.data.objects.new("Light", light)
+    sun.rotation_mode, sun.rotation_quaternion = "QUATERNION", rotation
+    collection.objects.link(sun)
+)";
     text.flush();
 }
 
