@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "core/image/linear_colour.h"
 

@@ -292,16 +292,27 @@ def test_threads_may_share_a_stippler():
 
 
 def test_other_threads_go_on_while_it_draws_and_an_interrupt_ends_it():
-    stippler, here, over = dapple.Stippler(ramp()), threading.get_ident(), threading.Event()
+    stippler, here, over, handled = dapple.Stippler(ramp()), threading.get_ident(), threading.Event(), []
 
-    # Only a thread that runs while the other one is in there can see it there.
+    def handler(*_):
+        handled.append("while it draws")
+        if len(handled) == 2:
+            raise KeyboardInterrupt
+
+    def draws():
+        frame = sys._current_frames()[here]
+        return frame.f_code is dapple.Stippler.draw.__code__ and frame.f_lineno > frame.f_code.co_firstlineno + 1
+
+    # Only a thread that runs while the other one is in there sees it there, and what is handled there.
     def interrupt():
-        while not over.is_set():
-            frame = sys._current_frames()[here]
-            if frame.f_code is dapple.Stippler.draw.__code__ and frame.f_lineno > frame.f_code.co_firstlineno + 1:
-                return os.kill(os.getpid(), signal.SIGINT)
-            time.sleep(0.001)
+        for already in 0, 1:
+            while not (draws() and len(handled) == already):
+                if over.is_set():
+                    return
+                time.sleep(0.001)
+            os.kill(os.getpid(), signal.SIGINT)
 
+    before = signal.signal(signal.SIGINT, handler)
     thread = threading.Thread(target=interrupt)
     thread.start()
     try:
@@ -310,6 +321,7 @@ def test_other_threads_go_on_while_it_draws_and_an_interrupt_ends_it():
     finally:
         over.set()
         thread.join()
+        signal.signal(signal.SIGINT, before)
     assert places(stippler.draw(300)) == same(ramp())
 
 
