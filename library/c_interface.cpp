@@ -1,4 +1,3 @@
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -68,16 +67,7 @@ char* copied_text(const std::string& text) {
 }
 
 dapple::FileFormat format_named(const char* name) {
-    using dapple::FileFormat;
-    constexpr std::array<std::pair<const char*, FileFormat>, 6> kNames{{{"svg", FileFormat::svg},
-                                                                        {"gcode", FileFormat::gcode},
-                                                                        {"hpgl", FileFormat::hpgl},
-                                                                        {"dxf", FileFormat::dxf},
-                                                                        {"csv", FileFormat::csv},
-                                                                        {"json", FileFormat::json}}};
-    for (const auto& each : kNames)
-        if (std::strcmp(given(name, "the format"), each.first) == 0) return each.second;
-    throw std::runtime_error(std::string(name) + ": not a format; give svg, gcode, hpgl, dxf, csv or json");
+    return dapple::file_format(given(name, "the format"));
 }
 
 }  // namespace

@@ -2,28 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <glm/geometric.hpp>
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "core/image/linear_colour.h"
 
 namespace dapple {
 namespace {
 
-constexpr glm::vec3 kRec709{0.2126f, 0.7152f, 0.0722f};
-
-std::array<float, 256> light_of_bytes() {
-    std::array<float, 256> light;
-    for (int i = 0; i < 256; ++i)
-        light[static_cast<std::size_t>(i)] = srgb_to_linear(static_cast<float>(i) / 255.0f);
-    return light;
-}
-
-}  // namespace
-
-LightPicture picture_of_srgb(std::span<const std::uint8_t> pixels, int width, int height, int channels) {
+/// `light_of` a value of a pixel; alpha is full at `full`.
+template <class Value, class LightOf>
+LightPicture picture_of(std::span<const Value> pixels, int width, int height, int channels, float full,
+                        const LightOf& light_of) {
     if (width < 1 || height < 1 || channels < 1 || channels > 4)
         throw std::runtime_error(
             fmt::format("a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 "
@@ -33,23 +27,59 @@ LightPicture picture_of_srgb(std::span<const std::uint8_t> pixels, int width, in
     const auto each = static_cast<std::size_t>(channels);
     if (pixels.size() != count * each)
         throw std::runtime_error(
-            fmt::format("{} bytes for a picture of {} x {} pixels with {} channels, which has {}",
+            fmt::format("{} values for a picture of {} x {} pixels with {} channels, which has {}",
                         pixels.size(), width, height, channels, count * each));
-    static const std::array<float, 256> light = light_of_bytes();
     const bool coloured = channels > 2, transparent = channels % 2 == 0;
     LightPicture picture{width, height, std::vector<float>(count), {}};
     if (coloured) picture.colours.resize(3 * count);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* const pixel = &pixels[i * each];
-        glm::vec3 colour = coloured ? glm::vec3(light[pixel[0]], light[pixel[1]], light[pixel[2]])
-                                    : glm::vec3(light[pixel[0]]);
-        if (transparent)
-            colour = glm::mix(glm::vec3(1), colour, static_cast<float>(pixel[each - 1]) / 255.0f);
-        picture.light[i] = glm::dot(colour, kRec709);
+        const Value* const pixel = &pixels[i * each];
+        glm::vec3 colour = coloured ? glm::vec3(light_of(pixel[0]), light_of(pixel[1]), light_of(pixel[2]))
+                                    : glm::vec3(light_of(pixel[0]));
+        if (transparent) colour = glm::mix(glm::vec3(1), colour, static_cast<float>(pixel[each - 1]) / full);
+        picture.light[i] = luminance(colour);
         for (int k = 0; coloured && k < 3; ++k)
             picture.colours[3 * i + static_cast<std::size_t>(k)] = colour[k];
     }
     return picture;
+}
+
+template <class Value>
+LightPicture picture_of_whole_numbers(std::span<const Value> pixels, int width, int height, int channels) {
+    constexpr std::size_t kMost = std::numeric_limits<Value>::max();
+    static const std::vector<float> light = [] {
+        std::vector<float> of_value(kMost + 1);
+        for (std::size_t i = 0; i <= kMost; ++i)
+            of_value[i] = srgb_to_linear(static_cast<float>(i) / static_cast<float>(kMost));
+        return of_value;
+    }();
+    return picture_of(pixels, width, height, channels, static_cast<float>(kMost),
+                      [&](Value value) { return light[value]; });
+}
+
+}  // namespace
+
+LightPicture picture_of_srgb(std::span<const std::uint8_t> pixels, int width, int height, int channels) {
+    return picture_of_whole_numbers(pixels, width, height, channels);
+}
+
+LightPicture picture_of_srgb(std::span<const std::uint16_t> pixels, int width, int height, int channels) {
+    return picture_of_whole_numbers(pixels, width, height, channels);
+}
+
+LightPicture picture_of_srgb(std::span<const float> pixels, int width, int height, int channels) {
+    const auto wrong = std::ranges::find_if_not(pixels, [](float value) { return value >= 0 && value <= 1; });
+    if (wrong != pixels.end())
+        throw std::runtime_error(
+            fmt::format("a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear "
+                        "light alone may be "
+                        "more",
+                        *wrong));
+    return picture_of(pixels, width, height, channels, 1, srgb_to_linear);
+}
+
+LightPicture picture_of_light(std::span<const float> pixels, int width, int height, int channels) {
+    return picture_of(pixels, width, height, channels, 1, [](float value) { return value; });
 }
 
 }  // namespace dapple

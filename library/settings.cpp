@@ -27,7 +27,7 @@ void check_known(const Json& given, const Json& known, const std::string& within
         const auto found = known.find(name);
         if (found == known.end())
             throw std::runtime_error(
-                fmt::format("settings: {}{} is not known; text() lists all fields", within, name));
+                fmt::format("settings: {}{} is not known; the usual settings list all fields", within, name));
         if (value.is_object() && found->is_object()) check_known(value, *found, within + name + ".");
     }
 }

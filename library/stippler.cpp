@@ -60,6 +60,18 @@ Grid<float> grid_of(std::span<const float> values, int width, int height, const 
 
 }  // namespace
 
+FileFormat file_format(std::string_view name) {
+    const std::size_t point = name.rfind('.');
+    std::string ending = point == name.npos ? "." + std::string(name) : std::string(name.substr(point));
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::optional<DrawingFormat> named = format_with_ending(ending);
+    for (const FileFormat format : {FileFormat::svg, FileFormat::gcode, FileFormat::hpgl, FileFormat::dxf,
+                                    FileFormat::csv, FileFormat::json})
+        if (named == format_of(format)) return format;
+    throw std::runtime_error(fmt::format("{}: not a format; give svg, gcode, hpgl, dxf, csv or json", name));
+}
+
 struct Drawing::State {
     PlannedDrawing drawing;
     DrawingFile file;
@@ -170,6 +182,7 @@ std::vector<Advice> Drawing::advice(FileFormat kind, const Watch& watch) const {
 }
 
 PagePixels Drawing::pixels(double dpi) const {
+    if (!(dpi > 0)) throw std::runtime_error(fmt::format("{} pixels to the inch; give more than 0", dpi));
     DrawingToSave drawing = state_->to_save(DrawingFormat::png);
     drawing.saving.dpi = dpi;
     const Grid<glm::u8vec3> pixels = page_pixels(state_->file.settings, drawing);

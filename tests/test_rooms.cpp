@@ -181,7 +181,8 @@ TEST_CASE("each room of the laboratory knows only the rooms below it, and only t
     CHECK(wrong.empty());
 }
 
-TEST_CASE("the library knows core alone, and its headers nothing but C++ and each other") {
+TEST_CASE(
+    "the library knows core alone, its headers nothing but C++ and each other, and the Python module those") {
     std::string wrong;
     const auto read = [&](const char* folder, const std::regex& allowed) {
         int includes = 0;
@@ -197,6 +198,7 @@ TEST_CASE("the library knows core alone, and its headers nothing but C++ and eac
     };
     CHECK(read("include", std::regex(R"(#include (<[a-z_.]+>|"dapple/[a-z_]+\.h"))")) > 15);
     CHECK(read("library", std::regex(R"(#include (<.+>|"(core|dapple|library)/.+"))")) > 30);
+    CHECK(read("python", std::regex(R"(#include <.+>)")) > 10);
     CAPTURE(wrong);
     CHECK(wrong.empty());
 }

@@ -68,6 +68,10 @@ struct Advice {
 
 enum class FileFormat { svg, gcode, hpgl, dxf, csv, json };
 
+/// By the ending of a file's name, "cat.svg" or "cat.NC", or by its word alone, "gcode". Throws
+/// std::runtime_error if it is none of these.
+DAPPLE_API FileFormat file_format(std::string_view name);
+
 /// Never changes, and is cheap to copy. Up to five million dots are held in memory; of more, each pass over
 /// them places them anew, except for those of several pens.
 class DAPPLE_API Drawing {
@@ -88,8 +92,8 @@ class DAPPLE_API Drawing {
     /// well, or if stopped. Takes as long as finding the pen's way.
     std::vector<Advice> advice(FileFormat format, const Watch& watch = {}) const;
 
-    /// As pixels, so many to the inch, with the settings' ink and paper. Throws std::runtime_error if there
-    /// would be too many.
+    /// As pixels, so many to the inch, with the settings' ink and paper. Throws std::runtime_error if that is
+    /// not above 0, or if there would be too many.
     PagePixels pixels(double dpi) const;
 
     struct State;

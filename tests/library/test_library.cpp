@@ -217,9 +217,9 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"count": 0}})"),
                       "settings: drawing.count is 0; give a whole number from 1 to 1000000000, or null");
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"dots": 5}})"),
-                      "settings: drawing.dots is not known; text() lists all fields");
+                      "settings: drawing.dots is not known; the usual settings list all fields");
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"tone": {"contrst": 5}}})"),
-                      "settings: drawing.tone.contrst is not known; text() lists all fields");
+                      "settings: drawing.tone.contrst is not known; the usual settings list all fields");
     CHECK_THROWS_WITH(Settings(R"({"count": 5})"),
                       "settings: count is not known; fields are in \"drawing\" and \"saving\"");
     CHECK_THROWS_WITH(Settings("{"), doctest::Contains("settings: line 1 is not JSON"));
@@ -241,7 +241,10 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
     stippler.set_picture(ramp());
     CHECK_THROWS_WITH(stippler.draw(Settings(R"({"drawing": {"tile": "/etc/hostname"}})")),
                       doctest::Contains("set_tile()"));
-    CHECK(stippler.draw(Settings(R"({"drawing": {"count": 100}})"))->count() == 100);
+    const auto drawing = stippler.draw(Settings(R"({"drawing": {"count": 100}})"));
+    CHECK(drawing->count() == 100);
+    CHECK_THROWS_WITH(drawing->pixels(0), "0 pixels to the inch; give more than 0");
+    CHECK_THROWS_WITH(drawing->pixels(std::nan("")), doctest::Contains("nan pixels to the inch"));
 }
 
 TEST_CASE("whoever waits is told, and can stop") {
@@ -256,6 +259,41 @@ TEST_CASE("whoever waits is told, and can stop") {
     CHECK_FALSE(stippler.draw(Settings(R"({"drawing": {"count": 50000}})"), {stop.get_token(), {}}));
     std::ostringstream out;
     CHECK_FALSE(drawing->write(out, FileFormat::svg, {stop.get_token(), {}}));
+}
+
+TEST_CASE("a picture is the same from 8 bits, 16 bits, numbers and light") {
+    // Grey and alpha: half transparent black, and a grey.
+    const std::vector<std::uint8_t> eight{0, 51, 102, 255};
+    const LightPicture picture = picture_of_srgb(eight, 2, 1, 2);
+    CHECK(picture.light[0] == doctest::Approx(0.8));
+    CHECK(picture.light[1] == doctest::Approx(std::pow((0.4 + 0.055) / 1.055, 2.4)));
+    std::vector<std::uint16_t> sixteen;
+    std::vector<float> numbers;
+    for (const std::uint8_t value : eight) {
+        sixteen.push_back(static_cast<std::uint16_t>(257 * value));
+        numbers.push_back(static_cast<float>(value) / 255);
+    }
+    CHECK(picture_of_srgb(sixteen, 2, 1, 2).light == picture.light);
+    CHECK(picture_of_srgb(numbers, 2, 1, 2).light == picture.light);
+    numbers[2] = picture.light[1];
+    CHECK(picture_of_light(numbers, 2, 1, 2).light == picture.light);
+
+    const LightPicture coloured = picture_of_light(std::vector<float>{3, 0.5f, 0}, 1, 1, 3);
+    CHECK(coloured.colours == std::vector<float>{3, 0.5f, 0});
+    CHECK(coloured.light[0] == doctest::Approx(0.2126 * 3 + 0.7152 * 0.5));
+    CHECK_THROWS_WITH(picture_of_srgb(std::vector<float>{0.5f, 255}, 2, 1, 1),
+                      doctest::Contains("has the value 255; sRGB-encoded numbers are within 0 to 1"));
+    CHECK_THROWS_WITH(picture_of_srgb(std::vector<float>{std::nanf("")}, 1, 1, 1), doctest::Contains("nan"));
+}
+
+TEST_CASE("a file's name says its format") {
+    CHECK(file_format("a.b/cat.SVG") == FileFormat::svg);
+    CHECK(file_format("cat.nc") == FileFormat::gcode);
+    CHECK(file_format(".plt") == FileFormat::hpgl);
+    CHECK(file_format("json") == FileFormat::json);
+    CHECK_THROWS_WITH(file_format("cat.pdf"),
+                      "cat.pdf: not a format; give svg, gcode, hpgl, dxf, csv or json");
+    CHECK_THROWS_WITH(file_format(""), doctest::Contains("not a format"));
 }
 
 TEST_CASE("lights carry the map's flux, and points are measured") {
