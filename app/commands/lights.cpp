@@ -33,7 +33,23 @@ std::string source_of(const LightsOptions& options) {
 }
 
 EnvironmentMap map_of(const LightsOptions& options) {
-    return options.map ? read_environment(*options.map) : sky_map();
+    if (!options.map) return sky_map();
+    EnvironmentFile file = read_environment(*options.map, LightBelowZero::none);
+    const std::string name = printable(options.map->string());
+    const std::string pixels = fmt::format("{} pixel{}", file.below_zero, file.below_zero == 1 ? "" : "s");
+    if (file.below_zero > 0 && !options.clamp)
+        throw std::runtime_error(fmt::format(
+            "{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none", name,
+            pixels));
+    if (file.below_zero > 0)
+        fmt::print(stderr, "dapple: {}: light below 0 at {} is taken as none\n", name, pixels);
+    if (file.ends_at_white)
+        fmt::print(stderr,
+                   "dapple: {}: this picture has no light above white, so that a sun in it is far too dim; a "
+                   ".hdr or "
+                   ".exr has all of it\n",
+                   name);
+    return std::move(file.map);
 }
 
 void check_that_fit(const CLI::App& command, const LightsOptions& options) {
@@ -136,6 +152,8 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
+    command->add_flag("--clamp", options_.clamp,
+                      "Take light below 0, which some programs leave in maps, as none");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
     add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,

@@ -21,6 +21,7 @@ struct LightsOptions {
     std::filesystem::path output;              // see kLightEndings; empty: a window
     LightRequest request{.threads = 0};
     std::optional<SphereConvention> convention;  // none: the one of the program that reads such a file
+    bool clamp = false;                          // light below 0 is none
     bool compare = false;                        // instead: how samplers err; output .html, .csv or .svg
     double rotation_degrees = 0;
     std::string tile = "paper16";

@@ -1,6 +1,7 @@
 #pragma once
 // Environment maps from files.
 
+#include <cstddef>
 #include <filesystem>
 #include <stop_token>
 
@@ -8,12 +9,22 @@
 
 namespace dapple {
 
+struct EnvironmentFile {
+    EnvironmentMap map;
+    bool ends_at_white = false;  // of a picture that was made to be looked at, such as a JPEG
+    std::size_t below_zero = 0;  // pixels with light below 0, which was taken as none
+};
+
+enum class LightBelowZero { refused, none };
+
 /// Reads a latitude-longitude map in any of picture_formats(), Radiance HDR and OpenEXR above all. Float
 /// pixels are linear radiance, others sRGB-encoded; grey is taken as white light; transparency is ignored.
 ///
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
 /// damaged or over 400 megapixels, or reading was stopped, or what EnvironmentMap says, with the file's name
 /// before it.
-EnvironmentMap read_environment(const std::filesystem::path& path, const std::stop_token& stop = {});
+EnvironmentFile read_environment(const std::filesystem::path& path,
+                                 LightBelowZero below_zero = LightBelowZero::refused,
+                                 const std::stop_token& stop = {});
 
 }  // namespace dapple

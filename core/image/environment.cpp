@@ -43,6 +43,9 @@ double luminance(const glm::dvec3& light) {
 }
 
 EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(radiance)) {
+    constexpr int kEven = 64;
+    if (radiance_.width == 1 && radiance_.height == 1)
+        radiance_ = Grid<glm::vec3>(2 * kEven, kEven, radiance_.at(0, 0));
     check(radiance_);
     for (int y = 0; y < height(); ++y) {
         glm::dvec3 row{};

@@ -21,7 +21,7 @@ double luminance(const glm::dvec3& light);
 class EnvironmentMap {
  public:
     /// Linear RGB radiance. Throws std::runtime_error saying what is wrong if the grid is not twice as wide
-    /// as high, if a value is NaN, infinite or negative, or if all of it is black.
+    /// as high (one pixel is an even sky), if a value is NaN, infinite or negative, or if all is black.
     explicit EnvironmentMap(Grid<glm::vec3> radiance);
 
     int width() const { return radiance_.width; }

@@ -49,7 +49,7 @@ void add_light_figures(HtmlPage& page, const std::vector<std::filesystem::path>&
     std::vector<NamedMap> named;
     if (maps.empty()) named.push_back({"a sky made by this program", sky_map()});
     for (const std::filesystem::path& map : maps)
-        named.push_back({map.filename().string(), read_environment(map)});
+        named.push_back({map.filename().string(), read_environment(map).map});
     // Every map, and every number of samples; each in a row of its own, wide enough for its dots to be seen.
     for (std::size_t i = 0; i < std::max(named.size(), kPaperMaps.size()); ++i)
         add_sampled(page, named[i % named.size()], kPaperMaps[i % kPaperMaps.size()]);

@@ -64,7 +64,7 @@ TEST_CASE("dapple lights writes exactly so many samples, whose weights sum to th
     CHECK(file["radiance"] == "mean");
     CHECK(file["seed"] == 0);
     REQUIRE(file["samples"].size() == 257);
-    const EnvironmentMap map = read_environment(folder / "map.exr");
+    const EnvironmentMap map = read_environment(folder / "map.exr").map;
     for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (const json& sample : file["samples"])
@@ -210,7 +210,7 @@ TEST_CASE("the samples of a sky with a sun keep its flux and light surfaces with
         for (int x = 0; x < sky.width(); ++x)
             for (int c = 0; c < 3; ++c) file.values.push_back(sky.radiance().at(x, y)[c]);
     write_picture(folder / "sky.hdr", file);
-    const EnvironmentMap map = read_environment(folder / "sky.hdr");
+    const EnvironmentMap map = read_environment(folder / "sky.hdr").map;
     // Radiance's format keeps eight bits of the brightest colour of a texel.
     for (int c = 0; c < 3; ++c)
         CHECK(map.total_flux()[c] == doctest::Approx(sky.total_flux()[c]).epsilon(0.01));
@@ -225,4 +225,34 @@ TEST_CASE("the samples of a sky with a sun keep its flux and light surfaces with
     for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(map.total_flux()[c]).epsilon(1e-9));
     const auto normals = fibonacci_normals(100);
     CHECK(irradiance_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)) < 0.005);
+}
+
+TEST_CASE("light below 0 is refused or taken as none, and a picture whose light ends at white is told of") {
+    const TemporaryFolder folder;
+    write_picture(folder / "map.exr", test_map(-0.5f));
+    const std::string map = quoted(folder / "map.exr"), output = " -n 50 -o " + quoted(folder / "s.json");
+    check_refused(run_dapple("lights " + map + output),
+                  "light is below 0 at 1 pixel; repair the map first, or give --clamp to take it as none");
+    const Outcome clamped = run_dapple("lights " + map + " --clamp" + output);
+    CHECK(clamped.status == 0);
+    CHECK(clamped.err.find("light below 0 at 1 pixel is taken as none") != clamped.err.npos);
+    CHECK(json::parse(text_of(folder / "s.json"))["samples"].size() == 50);
+    CHECK(run_dapple("lights " + map + " --clamp" + output).err.find("white") == clamped.err.npos);
+
+    REQUIRE(std::system(("convert -size 16x8 gradient: " + quoted(folder / "map.png")).c_str()) == 0);
+    const Outcome dim = run_dapple("lights " + quoted(folder / "map.png") + output);
+    CHECK(dim.status == 0);
+    CHECK(dim.err.find("no light above white") != dim.err.npos);
+}
+
+TEST_CASE("a map of one pixel is an even sky") {
+    const TemporaryFolder folder;
+    write_picture(folder / "sky.exr", PictureFile{.channels = 3, .values = {2, 2, 2}, .type = "float"});
+    const Outcome outcome =
+        run_dapple("lights " + quoted(folder / "sky.exr") + " -n 100 -o " + quoted(folder / "s.json"));
+    CHECK_MESSAGE(outcome.status == 0, outcome.err);
+    const json file = json::parse(text_of(folder / "s.json"));
+    CHECK(file["total_flux"][0].get<double>() == doctest::Approx(8 * std::acos(-1.0)));
+    for (const json& sample : file["samples"])
+        CHECK(sample["radiance"][0].get<double>() == doctest::Approx(2));
 }
