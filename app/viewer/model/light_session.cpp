@@ -59,7 +59,8 @@ void LightSession::read_next() {
     reading_.begin([path = *to_read_](const auto& todo) -> std::optional<ReadMap> {
         const std::stop_token& stop = todo.stop();
         try {
-            EnvironmentMap map = path.empty() ? sky_map() : read_environment(path, LightBelowZero::refused, stop).map;
+            EnvironmentMap map =
+                path.empty() ? sky_map() : read_environment(path, LightBelowZero::refused, stop).map;
             if (stop.stop_requested()) return std::nullopt;
             return ReadMap{path, std::make_shared<const LitMap>(std::move(map))};
         } catch (const std::exception&) {
