@@ -48,6 +48,7 @@ TexelTree::TexelTree(const EnvironmentMap& map, const Grid<float>& power, int th
     for (int y = 0; y < height; ++y) {
         down_cosine_.push_back(std::cos(std::numbers::pi * (y + 0.5) / height));
         down_sine_.push_back(std::sin(std::numbers::pi * (y + 0.5) / height));
+        solid_angle_.push_back(map.solid_angle(y));
     }
     const auto halves = [](int count, int by) { return (count + by - 1) / by; };
     Grid<TexelSum>& first = levels_.emplace_back(halves(width, kLeaf), halves(height, kLeaf));
@@ -73,7 +74,7 @@ glm::dvec3 TexelTree::direction(int column, int row) const {
 TexelSum TexelTree::texel(int column, int row) const {
     const double power = power_.at(column, row);
     if (power < 0) return {};
-    const double solid_angle = map_.solid_angle(row);
+    const double solid_angle = solid_angle_[std::size_t(row)];
     return {solid_angle * glm::dvec3(map_.radiance().at(column, row)), solid_angle, power,
             power * direction(column, row)};
 }
@@ -194,61 +195,77 @@ std::vector<TexelTree::Task> TexelTree::tasks(std::span<const glm::dvec3> lights
     return tasks;
 }
 
-std::optional<std::vector<TexelSum>> TexelTree::nearest_to(std::span<const glm::dvec3> lights,
-                                                           const LightWatch& watch) const {
+// What comes of each light's texels: of the tasks side by side, added up in their order.
+template <class Result, class Whole, class Texel>
+bool TexelTree::for_each_light(std::span<const glm::dvec3> lights, const LightWatch& watch,
+                               const Whole& whole, const Texel& texel, std::vector<Result>& results) const {
     const std::vector<Task> all = tasks(lights);
-    // A task's own sums, one for each of its lights, added in the order of the tasks.
-    std::vector<TexelSum> sums(lights.size());
-    std::vector<std::vector<TexelSum>> parts(kAtOnce);
+    results.assign(lights.size(), {});
+    std::vector<std::vector<Result>> parts(kAtOnce);
     for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
         const std::size_t count = std::min(kAtOnce, all.size() - first);
         for_each_on_threads(count, threads_, [&](std::size_t i) {
             const std::vector<std::uint32_t>& own = all[first + i].lights;  // ascending
             parts[i].assign(own.size(), {});
-            const auto part = [&](std::uint32_t light) -> TexelSum& {
+            const auto part = [&](std::uint32_t light) -> Result& {
                 return parts[i][std::size_t(std::ranges::lower_bound(own, light) - own.begin())];
             };
             Descent(
                 *this, lights,
-                [&](const Square& square, std::uint32_t light) {
-                    part(light) += levels_[std::size_t(square.level)].at(square.column, square.row);
-                },
-                [&](int column, int row, std::uint32_t light) { part(light) += texel(column, row); })
+                [&](const Square& square, std::uint32_t light) { whole(square, light, part(light)); },
+                [&](int column, int row, std::uint32_t light) { texel(column, row, light, part(light)); })
                 .into(all[first + i]);
         });
         for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t k = 0; k < parts[i].size(); ++k) sums[all[first + i].lights[k]] += parts[i][k];
-        if (!watch.goes_on(double(first + count) / double(all.size()))) return std::nullopt;
+            for (std::size_t k = 0; k < parts[i].size(); ++k)
+                results[all[first + i].lights[k]] += parts[i][k];
+        if (!watch.goes_on(double(first + count) / double(all.size()))) return false;
     }
+    return true;
+}
+
+std::optional<std::vector<TexelSum>> TexelTree::nearest_to(std::span<const glm::dvec3> lights,
+                                                           const LightWatch& watch) const {
+    std::vector<TexelSum> sums;
+    const auto add = [&](const Square& square, std::uint32_t, TexelSum& sum) {
+        sum += levels_[std::size_t(square.level)].at(square.column, square.row);
+    };
+    const auto add_texel = [&](int column, int row, std::uint32_t, TexelSum& sum) {
+        sum += texel(column, row);
+    };
+    if (!for_each_light(lights, watch, add, add_texel, sums)) return std::nullopt;
     return sums;
 }
 
 std::vector<glm::ivec2> TexelTree::texels_with(Most most, std::span<const glm::dvec3> lights,
                                                std::span<const std::size_t> which) const {
-    struct Texel {
+    struct Best {
         double worth = -1;
-        glm::ivec2 place{};
+        glm::ivec2 texel{};
+        void operator+=(const Best& other) {
+            if (other.worth > worth) *this = other;
+        }
     };
-    std::vector<Texel> found(lights.size());
     std::vector<bool> wanted(lights.size());
     for (const std::size_t light : which) wanted[light] = true;
-    const auto look = [&](int column, int row, std::uint32_t light) {
+    const auto look = [&](int column, int row, std::uint32_t light, Best& best) {
         if (!wanted[light]) return;
         double worth = power_.at(column, row);
         if (most == Most::spread) worth *= distance2(lights[light], direction(column, row));
-        if (worth > found[light].worth) found[light] = {worth, {column, row}};
+        best += {worth, {column, row}};
     };
-    const auto look_at_all = [&](const Square& square, std::uint32_t light) {
+    const auto look_at_all = [&](const Square& square, std::uint32_t light, Best& best) {
+        if (!wanted[light]) return;
         const int side = kLeaf << square.level;
         for (int row = square.row * side; row < std::min((square.row + 1) * side, map_.height()); ++row)
             for (int column = square.column * side;
                  column < std::min((square.column + 1) * side, map_.width()); ++column)
-                look(column, row, light);
+                look(column, row, light, best);
     };
-    Descent descent(*this, lights, look_at_all, look);
-    for (const Task& task : tasks(lights)) descent.into(task);
+    std::vector<Best> found;
+    for_each_light(lights, {}, look_at_all, look, found);
     std::vector<glm::ivec2> texels;
-    for (const std::size_t light : which) texels.push_back(found[light].place);
+    for (const std::size_t light : which) texels.push_back(found[light].texel);
     return texels;
 }
 

@@ -59,6 +59,9 @@ class TexelTree {
         Square square;
         std::vector<std::uint32_t> lights;  // that may be nearest to a texel of it
     };
+    template <class Result, class Whole, class Texel>
+    bool for_each_light(std::span<const glm::dvec3> lights, const LightWatch& watch, const Whole& whole,
+                        const Texel& texel, std::vector<Result>& results) const;
     // Calls whole(square, light) for the largest squares all of whose texels are nearest to one light, and
     // of smaller ones texel(column, row, light).
     template <class Whole, class Texel>
@@ -68,7 +71,7 @@ class TexelTree {
     const EnvironmentMap& map_;
     const Grid<float>& power_;
     std::size_t threads_;
-    std::vector<double> around_cosine_, around_sine_, down_cosine_, down_sine_;
+    std::vector<double> around_cosine_, around_sine_, down_cosine_, down_sine_, solid_angle_;
     std::vector<Grid<TexelSum>> levels_;  // of squares of 4 texels a side, 8, ...
 };
 
