@@ -56,7 +56,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
     if (options.compare) {
         refuse(command,
                {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
-                "--placer", "--seed", "--threads", "--exposure"},
+                "--order", "--placer", "--seed", "--threads", "--exposure"},
                "is not for --compare, which tries samples of several kinds and numbers");
         return;
     }
@@ -149,6 +149,10 @@ LightsCommand::LightsCommand(CLI::App& program) {
     add_choice(*command, "--position", request.position,
                "Where in its region a sample is: settled, the least error; dot, where the placer put it; "
                "random, without any bias");
+    add_choice(*command, "--order", request.order,
+               "priority: the most important first, so that the first few are a set of their own, once the "
+               "weight of "
+               "each of the others goes to the nearest of them. placed: as the tile has them");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");

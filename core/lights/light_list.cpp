@@ -90,8 +90,8 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
     text << "{\n\"convention\": \"" << name_of(style.convention)
          << "\",\n\"rotation_degrees\": " << style.rotation_degrees << ",\n\"source\": \""
          << json_text(style.source) << "\",\n\"position\": \"" << name_of(lights.position)
-         << "\",\n\"radiance\": \"" << name_of(lights.radiance)
-         << "\",\n\"seed\": " << std::to_string(lights.seed)
+         << "\",\n\"radiance\": \"" << name_of(lights.radiance) << "\",\n\"order\": \""
+         << name_of(lights.order) << "\",\n\"seed\": " << std::to_string(lights.seed)
          << ",\n\"count\": " << static_cast<std::int64_t>(lights.samples.size()) << ",\n\"total_flux\": [";
     put(text, lights.total_flux, ", ");
     text << "],\n\"samples\": [";
@@ -117,7 +117,7 @@ void write_light_csv(std::ostream& out, const LightSamples& lights, const LightL
     text << "# convention: " << name_of(style.convention)
          << "\n# rotation_degrees: " << style.rotation_degrees << "\n# source: " << source
          << "\n# position: " << name_of(lights.position) << "\n# radiance: " << name_of(lights.radiance)
-         << "\n# seed: " << std::to_string(lights.seed)
+         << "\n# order: " << name_of(lights.order) << "\n# seed: " << std::to_string(lights.seed)
          << "\n# count: " << static_cast<std::int64_t>(lights.samples.size()) << "\n# total_flux: ";
     put(text, lights.total_flux, " ");
     text << '\n';

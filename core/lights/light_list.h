@@ -21,7 +21,9 @@ struct LightListStyle {
 /// The unit vector towards a sample's light.
 glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style);
 
-/// {"convention": ..., "rotation_degrees": ..., "source": ..., "position": ..., "radiance": ..., "seed": ...,
+/// {"convention": ..., "rotation_degrees": ..., "source": ..., "position": ..., "radiance": ..., "order":
+/// ...,
+///  "seed": ...,
 ///  "count": n, "total_flux": [r, g, b],
 ///  "samples": [{"direction": [x, y, z], "u": ..., "v": ..., "radiance": [r, g, b], "pdf": ...,
 ///               "weight": [r, g, b], "angular_radius": ...}, ...]}
@@ -29,7 +31,7 @@ glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style);
 void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
 
 /// The lines "# convention: openexr", "# rotation_degrees: 0", "# source: sky.exr", "# position: settled",
-/// "# radiance: mean", "# seed: 0", "# count: n" and "# total_flux: r g b", then
+/// "# radiance: mean", "# order: priority", "# seed: 0", "# count: n" and "# total_flux: r g b", then
 /// x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b,angular_radius and a line a
 /// sample.
 void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/lights/direction.h"
+#include "core/lights/light_order.h"
 #include "core/lights/regions.h"
 #include "core/lights/settling.h"
 #include "core/tile/neighbours.h"
@@ -180,13 +181,16 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
     return dots_of(light_density(map, request.importance, turn), turn, tile, request, stop);
 }
 
-LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
-                           const LightWatch& watch) {
+namespace {
+
+LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                       const LightWatch& watch) {
     if (request.radiance == SampleRadiance::point && request.position != SamplePosition::random)
         throw std::runtime_error(
             "the radiance at a sample's point needs a random position: other points have no density");
     LightSamples result{.position = request.position,
                         .radiance = request.radiance,
+                        .order = request.order,
                         .seed = request.seed,
                         .total_flux = map.total_flux()};
     check_count(request.count);
@@ -234,6 +238,20 @@ LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const Li
     }
     result.share_ms = sharing.ms();
     return result;
+}
+
+}  // namespace
+
+LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
+                           const LightWatch& watch) {
+    LightSamples lights = as_placed(map, tile, request, watch);
+    if (request.order == LightOrder::placed) return lights;
+    std::vector<LightSample> ordered;
+    ordered.reserve(lights.samples.size());
+    for (const std::uint32_t number : priority_order(lights.samples))
+        ordered.push_back(lights.samples[number]);
+    lights.samples = std::move(ordered);
+    return lights;
 }
 
 bool meets_itself(const Tile& tile) {

@@ -47,12 +47,21 @@ constexpr auto names_of(SampleRadiance) {
     return names("mean", "point");
 }
 
+enum class LightOrder {
+    priority,  // the most important first: see core/lights/light_order.h
+    placed,    // suns with samples of their own, then as the placer has it
+};
+constexpr auto names_of(LightOrder) {
+    return names("priority", "placed");
+}
+
 struct LightRequest {
     std::uint64_t count = 1024;  // exactly so many samples, 1 .. kMostLightSamples
     PlacerKind placer = PlacerKind::exact;
     LightImportance importance = LightImportance::light;
     SamplePosition position = SamplePosition::settled;
     SampleRadiance radiance = SampleRadiance::mean;
+    LightOrder order = LightOrder::priority;
     std::uint64_t seed = 0;  // 0: the tile as it is; else it lies turned about the up axis by whole texels,
                              // each turn equally likely (Cranley-Patterson rotation), and random draws differ
     int threads = 1;         // the samples are the same for any number; 0: all cores
@@ -70,9 +79,10 @@ struct LightSample {
 };
 
 struct LightSamples {
-    std::vector<LightSample> samples = {};  // in the placer's order
-    SamplePosition position{};              // as asked for, like the next two
+    std::vector<LightSample> samples = {};  // in the order asked for
+    SamplePosition position{};              // as asked for, like the next three
     SampleRadiance radiance{};
+    LightOrder order{};
     std::uint64_t seed = 0;
     glm::dvec3 total_flux{};  // the map's
     double place_ms = 0;      // wall time of placing the dots

@@ -95,7 +95,7 @@ TEST_CASE("dapple lights writes CSV, pbrt, Mitsuba and a picture, and takes all 
     };
     const std::string csv =
         run("s.csv", "--convention blender --rotate 90 --radiance point --position random --seed 7");
-    CHECK(std::ranges::count(csv, '\n') == 29);
+    CHECK(std::ranges::count(csv, '\n') == 30);
     CHECK(csv.starts_with("# convention: blender\n# rotation_degrees: 90\n"));
     CHECK(csv.find("\nx,y,z,u,v,") != csv.npos);
     CHECK(run("s.csv", "--convention blender --rotate 90 --radiance point --position random --seed 7") ==

@@ -82,7 +82,8 @@ TEST_CASE("a CSV light list says what it is of, and has a line a sample") {
     std::string line;
     for (const char* expected :
          {"# convention: openexr", "# rotation_degrees: 90", "# source: a?b.hdr", "# position: settled",
-          "# radiance: mean", "# seed: 0", "# count: 2", "# total_flux: 0.10000010000000001 3.2 100000.3",
+          "# radiance: mean", "# order: priority", "# seed: 0", "# count: 2",
+          "# total_flux: 0.10000010000000001 3.2 100000.3",
           "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b,angular_radius"}) {
         std::getline(lines, line);
         CHECK(line == expected);

@@ -465,3 +465,46 @@ TEST_CASE("counts that are not possible are refused") {
     CHECK_THROWS_WITH(light_samples(map, tile, {.count = 0}), doctest::Contains("ask for 1 to 10000000"));
     CHECK_THROWS_WITH(light_samples(map, tile, {.count = 10'000'001}), doctest::Contains("not possible"));
 }
+
+TEST_CASE("the first samples in order of priority stand for all, once the others' light goes to them") {
+    const EnvironmentMap map = small_sky();
+    RankedTile tile = paper_tile();
+    const LightSamples all = light_samples(map, tile, {.count = 1000});
+    const LightSamples placed = light_samples(map, tile, {.count = 1000, .order = LightOrder::placed});
+    const auto places_of = [](const LightSamples& lights) {
+        std::set<std::pair<double, double>> places;
+        for (const LightSample& sample : lights.samples) places.insert({sample.uv.x, sample.uv.y});
+        return places;
+    };
+    CHECK(places_of(all) == places_of(placed));
+    const auto direction = [](const LightSample& sample) {
+        return direction_of(sample.uv, SphereConvention::openexr);
+    };
+    // Each of the first so many has the light of those that it is nearest to, from the middle of it.
+    const auto error_of_first = [&](const LightSamples& lights, std::size_t count) {
+        LightSamples few;
+        few.samples.assign(lights.samples.begin(), lights.samples.begin() + std::ptrdiff_t(count));
+        std::vector<glm::dvec3> middles(count);
+        for (std::size_t i = 0; i < lights.samples.size(); ++i) {
+            const glm::dvec3 here = direction(lights.samples[i]);
+            std::size_t nearest = 0;
+            double most = -2;
+            for (std::size_t k = 0; k < count; ++k) {
+                const double cosine = glm::dot(direction(lights.samples[k]), here);
+                if (cosine > most) most = cosine, nearest = k;
+            }
+            if (i >= count) few.samples[nearest].weight += lights.samples[i].weight;
+            middles[nearest] += luminance(lights.samples[i].weight) * here;
+        }
+        for (std::size_t k = 0; k < count; ++k)
+            few.samples[k].uv = uv_of(middles[k], SphereConvention::openexr);
+        check_flux(map, few);
+        return irradiance_error(map, few);
+    };
+    for (const std::size_t count : {10u, 30u, 100u, 300u}) {
+        CAPTURE(count);
+        const double own = irradiance_error(map, light_samples(map, tile, {.count = count}));
+        CHECK(error_of_first(all, count) < 4 * own);
+        CHECK(error_of_first(all, count) < 0.5 * error_of_first(placed, count));
+    }
+}
