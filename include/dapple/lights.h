@@ -24,8 +24,9 @@ struct SampledLight {
 };
 
 /// `radiance`: linear red, green and blue, width * height of them, row after row from straight up to straight
-/// down. The weights sum to the map's flux. Throws std::runtime_error if the map is not twice as wide as
-/// high, or has a value that is negative or not finite, or no light.
+/// down. The weights sum to the map's flux. The most important come first: the first n are a set of their own
+/// once the weight of each of the others goes to the nearest of them. Throws std::runtime_error if the map is
+/// not twice as wide as high, or has a value that is negative or not finite, or no light.
 DAPPLE_API std::vector<SampledLight> sample_lights(std::span<const float> radiance, int width, int height,
                                                    const LightSampling& sampling = {});
 
