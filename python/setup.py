@@ -42,5 +42,11 @@ class BuiltByCMake(build_ext):
             shutil.copy(file, to)
 
 
-version = re.search(r"project\(dapple VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
-setup(version=version, ext_modules=[Extension("dapple._dapple", [])], cmdclass={"build_ext": BuiltByCMake})
+BUILD = SOURCE / "build/wheel"  # with what else is built, not among the sources
+BUILD.mkdir(parents=True, exist_ok=True)
+setup(
+    version=re.search(r"project\(dapple VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1],
+    ext_modules=[Extension("dapple._dapple", [])],
+    cmdclass={"build_ext": BuiltByCMake},
+    options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
+)
