@@ -18,6 +18,10 @@ test_packages=(
     openimageio-tools poppler-utils python3-ezdxf x11-utils xauth xclip xdotool xvfb
 )
 compiler_packages=(clang libclang-rt-dev)
+web_packages=(
+    cmake emscripten imagemagick libfmt-dev libglm-dev libkissfft-dev libstb-dev ninja-build nlohmann-json3-dev nodejs
+)
+web_test_packages=(chromium npm)
 
 ensure_packages() {
     local missing=() name
