@@ -199,15 +199,18 @@ TEST_CASE("tiles come as text and as points, and a drawing by a tile's text is t
 TEST_CASE("a drawing tells the copies of its tile, each a quarter of a larger one") {
     Stippler stippler;
     stippler.set_picture(ramp());
-    const Settings settings(R"({"drawing": {"count": 3000, "relax": 0, "page": {"width_mm": 160,
+    const Settings settings(
+        R"({"drawing": {"count": 3000, "relax": 0, "tile": "best32", "page": {"width_mm": 160,
         "margins_mm": {"top": 5, "right": 5, "bottom": 5, "left": 5}}}})");
     const Drawing drawing = *stippler.draw(settings);
-    const double radius = stippler.plan(settings).radius_mm;
+    const double beside = 2 * (5 + stippler.plan(settings).radius_mm);
+    const double longer_side =
+        std::min(160 - beside, double{kWidth} / kHeight * (drawing.page_height_mm() - beside));
     const std::vector<DrawnTile> tiles = drawing.tiles();
     REQUIRE(tiles.size() > 10);
     int deepest = 0;
     for (const DrawnTile& tile : tiles) {
-        CHECK(tile.side == doctest::Approx(std::ldexp(160 - 2 * (5 + radius), -tile.level)));
+        CHECK(tile.side == doctest::Approx(std::ldexp(longer_side, -tile.level)));
         deepest = std::max(deepest, tile.level);
         if (tile.level == 0) continue;
         CHECK(std::ranges::any_of(tiles, [&](const DrawnTile& larger) {

@@ -1,5 +1,6 @@
 // What core uses of C++20's library and Debian's emscripten has not: read before each file. Debian 12's has
-// libc++ 13, with neither algorithms of ranges nor std::bit_cast, and no writing of doubles either; Debian 13's lacks the reading of doubles alone.
+// libc++ 13, with neither algorithms of ranges nor std::bit_cast, and no writing of doubles either; Debian
+// 13's lacks the reading of doubles alone.
 #pragma once
 #include <version>
 
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstdlib>
 #include <functional>
 #include <iterator>
@@ -19,8 +21,7 @@
 namespace std {
 
 /// strtod() reads blanks, a plus and hexadecimals too.
-template <class Number>
-requires is_floating_point_v<Number>
+template <floating_point Number>
 from_chars_result from_chars(const char* first, const char* last, Number& value) {
     const string text(first, last);
     if (text.empty() || text.find_first_of("xX+ \t\n\v\f\r") == 0 || text.find_first_of("xX") != text.npos)
@@ -37,8 +38,7 @@ from_chars_result from_chars(const char* first, const char* last, Number& value)
 
 #if _LIBCPP_VERSION < 15000
 /// The shortest digits that mean the number, the plain way unless the other is shorter: 0.001, 1e+05.
-template <class Number>
-requires is_floating_point_v<Number>
+template <floating_point Number>
 to_chars_result to_chars(char* first, char*, Number value) {
     string plain = fmt::format("{}", value);
     const bool negative = plain[0] == '-';
