@@ -19,6 +19,10 @@ test_packages=(
     python3-pil python3-pytest python3-tinycss2 x11-utils xauth xclip xdotool xvfb
 )
 compiler_packages=(clang libclang-rt-dev)
+web_packages=(
+    cmake emscripten imagemagick libfmt-dev libglm-dev libkissfft-dev libstb-dev ninja-build nlohmann-json3-dev nodejs
+)
+web_test_packages=(chromium npm)
 
 ensure_packages() {
     local missing=() name

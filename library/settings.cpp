@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -65,6 +66,28 @@ void Settings::set_dots(std::uint64_t count) {
 std::string Settings::text() const {
     State state = *state_;
     return settings_text("", kPlace, all_fields(state));
+}
+
+std::string Settings::rows() {
+    State usual;
+    Json rows = Json::object();
+    for (const auto& [field, note] : notes_of(all_fields(usual))) {
+        Json& row = rows[field] = {{"row", note.row}};
+        if (!note.choices.empty()) row["choices"] = note.choices;
+        if (!note.setting) continue;
+        const auto& [names, range, ignored, track, format, length, value, help, more] = *note.setting;
+        if (*help) row["tip"] = fmt::format("{}.", help);
+        if (range.most == std::numeric_limits<double>::max()) continue;
+        const bool all = track.from == track.to;
+        row.update({{"least", range.least},
+                    {"most", range.most},
+                    {"from", all ? range.least : track.from},
+                    {"to", all ? range.most : track.to},
+                    {"logarithmic", track.logarithmic},
+                    {"format", format}});
+        if (length) row["unit"] = "mm";
+    }
+    return rows.dump();
 }
 
 std::string Settings::changed() const {

@@ -131,6 +131,17 @@ bool Drawing::for_each(const std::function<bool(const DotSpan&)>& take) const {
     return all;
 }
 
+std::vector<DrawnTile> Drawing::tiles() const {
+    const double mm = state_->page.layout.page.mm_per_page_unit;
+    std::vector<PlacedTile> placed = state_->drawing.outlines();
+    move_to(state_->page.whole.part, placed);
+    std::vector<DrawnTile> tiles;
+    tiles.reserve(placed.size());
+    for (const PlacedTile& tile : placed)
+        tiles.push_back({tile.level, tile.x * mm, tile.y * mm, tile.side * mm, tile.kind.value_or(0)});
+    return tiles;
+}
+
 bool Drawing::write(std::ostream& out, FileFormat kind, const Watch& watch) const {
     const DrawingFormat format = format_of(kind);
     const DrawingSettings& settings = state_->file.settings;

@@ -206,7 +206,8 @@ class DxfText {
         char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), next_handle_++, 16).ptr;
         for (char* digit = digits.data(); digit < end; ++digit)
             if (*digit >= 'a') *digit = static_cast<char>(*digit - 'a' + 'A');
-        text_ << "  5\n" << std::string_view(digits.data(), end) << '\n';
+        text_ << "  5\n"
+              << std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())) << '\n';
     }
 
     void end_layer(const DxfLayer& layer) {

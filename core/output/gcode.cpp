@@ -169,12 +169,12 @@ void check_whole(const GcodeTemplate& lines, const TextLines& at) {
             "the template ends without all of down, line and up; give all three or none, and {x} and {y} in "
             "line and in move");
     for (const auto& once : {lines.start, lines.end, lines.pen}) {
-        if (std::ranges::any_of(once, is_of_a_dot, &GcodePiece::kind))
+        if (std::ranges::any_of(once, [&](const GcodePiece& piece) { return is_of_a_dot(piece.kind); }))
             at.fail("{x}, {y} and {radius} belong to a dot; leave them out of start, pen and end lines");
     }
     for (const auto& other :
          {lines.start, lines.end, lines.each_dot, lines.move, lines.down, lines.line, lines.up}) {
-        if (std::ranges::any_of(other, is_of_a_pen, &GcodePiece::kind))
+        if (std::ranges::any_of(other, [&](const GcodePiece& piece) { return is_of_a_pen(piece.kind); }))
             at.fail("{pen} and {name} belong to a pen; use them only in lines that begin with pen");
     }
 }

@@ -62,7 +62,7 @@ static void describe(Fields& fields, PageSetup& page) {
     fields.choice(setting::orientation, orientation);
     fields.number(setting::width, width_mm);
     fields.number(setting::height, height_mm);
-    fields.optional_group({"margins_mm", "Margins"}, margins);
+    fields.optional_group({setting::margin, "Margins"}, margins);
     fields.choice(setting::fit, fit);
     fields.group("crop", crop);
     fields.whole(setting::rotate, quarter_turns);

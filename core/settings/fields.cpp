@@ -76,7 +76,7 @@ const Json* Fields::read(FieldName name) const {
 }
 
 Json& Fields::written(FieldName name) {
-    if (rows_ && *name.row) (*rows_)[prefix_ + name.field] = name.row;
+    if (notes_ && *name.row) (*notes_)[prefix_ + name.field] = {.row = name.row, .setting = name.setting};
     return object_[name.field];
 }
 
@@ -308,6 +308,7 @@ void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<
         }
         chosen = static_cast<std::size_t>(at - names.begin());
     });
+    if (notes_ && *name.row) (*notes_)[prefix_ + name.field].choices.assign(names.begin(), names.end());
 }
 
 void Fields::presence(FieldName name, bool& some) {
@@ -324,7 +325,7 @@ void Fields::group(FieldName name, const std::function<void(Fields&)>& describe_
     if (!inner.is_object()) refuse_value(name, inner, "an object, in braces");
     Fields fields(inner, way_, place_);
     fields.prefix_ = prefix_ + name.field + ".";
-    fields.rows_ = rows_;
+    fields.notes_ = notes_;
     describe_it(fields);
 }
 

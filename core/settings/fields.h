@@ -33,9 +33,19 @@ namespace dapple {
 /// What a field is called in files, and the row that undo speaks of.
 struct FieldName {
     FieldName(const char* in_files, const char* in_rows = "") : field(in_files), row(in_rows) {}
-    FieldName(const Setting& setting) : field(setting.names.field), row(setting.names.row) {}
+    FieldName(const Setting& entry) : FieldName(entry, entry.names.row) {}
+    FieldName(const Setting& entry, const char* in_rows)
+        : field(entry.names.field), row(in_rows), setting(&entry) {}
 
     const char *field, *row;
+    const Setting* setting = nullptr;  // its entry in the table; none: it has none
+};
+
+/// What there is to say of a field, whatever its value.
+struct FieldNote {
+    std::string row = {};                   // the row that changes it
+    const Setting* setting = nullptr;       // as FieldName has it
+    std::vector<const char*> choices = {};  // of a field that is one of some words
 };
 
 /// A value by a name that it has in files alone.
@@ -156,8 +166,8 @@ class Fields {
     [[noreturn]] void refuse(FieldName name, const std::string& why) const;
     Way way() const { return way_; }
 
-    /// Writing also notes each field's row there, under its whole name: "drawing.tone.gamma".
-    void note_rows(std::map<std::string, std::string>& rows) { rows_ = &rows; }
+    /// Writing also notes each field that a row says there, under its whole name: "drawing.tone.gamma".
+    void note(std::map<std::string, FieldNote>& notes) { notes_ = &notes; }
 
  private:
     enum class Empty { refused, allowed };
@@ -187,7 +197,7 @@ class Fields {
     Way way_;
     SettingsPlace place_;
     std::string prefix_ = {};  // "drawing.tone."
-    std::map<std::string, std::string>* rows_ = nullptr;
+    std::map<std::string, FieldNote>* notes_ = nullptr;
 };
 
 }  // namespace dapple

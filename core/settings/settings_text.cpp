@@ -110,13 +110,13 @@ std::string changed_settings(const SettingsPlace& place, const Describe& describ
     return text;
 }
 
-std::map<std::string, std::string> rows_of(const Describe& describe) {
+std::map<std::string, FieldNote> notes_of(const Describe& describe) {
     Json document = Json::object();
-    std::map<std::string, std::string> rows;
+    std::map<std::string, FieldNote> notes;
     Fields fields(document, Fields::Way::write, {});
-    fields.note_rows(rows);
+    fields.note(notes);
     describe(fields);
-    return rows;
+    return notes;
 }
 
 }  // namespace dapple

@@ -26,7 +26,7 @@ std::string settings_text(const std::string& kept, const SettingsPlace& place, c
 /// Only the fields that differ from those of `usual`, on one line, in ASCII without <, > and &.
 std::string changed_settings(const SettingsPlace& place, const Describe& describe, const Describe& usual);
 
-/// The rows that change the fields, by a field's whole name as in "drawing.tone.gamma"; of those that say it.
-std::map<std::string, std::string> rows_of(const Describe& describe);
+/// What there is to say of the fields that rows change, by a field's whole name as in "drawing.tone.gamma".
+std::map<std::string, FieldNote> notes_of(const Describe& describe);
 
 }  // namespace dapple

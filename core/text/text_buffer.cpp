@@ -50,7 +50,7 @@ TextBuffer& TextBuffer::fixed(double value, int decimals) {
     do put();
     while (rest > 0);
     if (negative) *--first = '-';
-    return *this << std::string_view(first, digits.end());
+    return *this << std::string_view(&*first, static_cast<std::size_t>(digits.end() - first));
 }
 
 void TextBuffer::flush() {

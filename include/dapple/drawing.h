@@ -8,6 +8,7 @@
 //
 // The same picture and settings give the same dots to the bit, as the program's, for any number of threads.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,6 +36,13 @@ struct Watch {
 struct DotSpan {
     std::span<const float> x, y, radius;
     int pen = 0;  // whose they are: its place in Drawing::pens()
+};
+
+/// The square of a copy of the tile, in millimetres from the page's upper left corner.
+struct DrawnTile {
+    int level = 0;                  // its side is 2^-level of the picture's longer side
+    double x = 0, y = 0, side = 0;  // its upper left corner may lie beyond the page
+    std::size_t kind = 0;           // which of the tile's kinds it is
 };
 
 struct DrawingPen {
@@ -83,6 +91,9 @@ class DAPPLE_API Drawing {
 
     /// Hands over all dots, as they were placed. `take` may end it with false. Returns false if it did.
     bool for_each(const std::function<bool(const DotSpan&)>& take) const;
+
+    /// The copies of the tile that the dots come from, those of all levels, larger ones before their parts.
+    std::vector<DrawnTile> tiles() const;
 
     /// As a file of that kind, with the settings' order, shapes, strokes and pens. False if stopped: what is
     /// written by then is not whole. Throws std::runtime_error if such a file cannot hold the drawing.

@@ -36,6 +36,14 @@ class DAPPLE_API Settings {
 
     /// All fields as JSON, on many lines.
     std::string text() const;
+
+    /// What the program's window says of each field that has a row there, as JSON, for programs with rows of
+    /// their own: {"drawing.tone.contrast": {"row": "Contrast", "tip": "Above 0 parts light from dark, ...",
+    /// "least": -1, "most": 1, "from": -1, "to": 1, "format": "%.2f"}, ...}. `from` and `to`: how far a
+    /// slider goes, by ratios if "logarithmic" is true; "unit": "mm" of lengths. Of fields that are one of
+    /// some words: "choices".
+    static std::string rows();
+
     /// Only those that are not as usual, on one line: what a drawing keeps of them.
     std::string changed() const;
 

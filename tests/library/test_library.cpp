@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -195,6 +196,42 @@ TEST_CASE("tiles come as text and as points, and a drawing by a tile's text is t
           written(*given.draw(Settings(R"({"drawing": {"count": 800}})")), FileFormat::csv));
 }
 
+TEST_CASE("a drawing tells the copies of its tile, each a quarter of a larger one") {
+    Stippler stippler;
+    stippler.set_picture(ramp());
+    const Settings settings(
+        R"({"drawing": {"count": 3000, "relax": 0, "tile": "best32", "page": {"width_mm": 160,
+        "margins_mm": {"top": 5, "right": 5, "bottom": 5, "left": 5}}}})");
+    const Drawing drawing = *stippler.draw(settings);
+    const double beside = 2 * (5 + stippler.plan(settings).radius_mm);
+    const double longer_side =
+        std::min(160 - beside, double{kWidth} / kHeight * (drawing.page_height_mm() - beside));
+    const std::vector<DrawnTile> tiles = drawing.tiles();
+    REQUIRE(tiles.size() > 10);
+    int deepest = 0;
+    for (const DrawnTile& tile : tiles) {
+        CHECK(tile.side == doctest::Approx(std::ldexp(longer_side, -tile.level)));
+        deepest = std::max(deepest, tile.level);
+        if (tile.level == 0) continue;
+        CHECK(std::ranges::any_of(tiles, [&](const DrawnTile& larger) {
+            const auto is_half = [&](double part, double whole) {
+                return std::abs(part - whole) < 1e-6 || std::abs(part - whole - tile.side) < 1e-6;
+            };
+            return larger.level == tile.level - 1 && is_half(tile.x, larger.x) && is_half(tile.y, larger.y);
+        }));
+    }
+    CHECK(deepest > 0);
+    // Every dot lies in one.
+    drawing.for_each([&](const DotSpan& dots) {
+        for (std::size_t i = 0; i < dots.x.size(); ++i)
+            CHECK(std::ranges::any_of(tiles, [&](const DrawnTile& tile) {
+                const double x = dots.x[i] - tile.x, y = dots.y[i] - tile.y, slack = 1e-3;
+                return std::min(x, y) > -slack && std::max(x, y) < tile.side + slack;
+            }));
+        return true;
+    });
+}
+
 TEST_CASE("a density gives dots in proportion, and a white one none that would be drawn") {
     Stippler stippler;
     std::vector<float> density(100 * 100, 0.2f);
@@ -245,6 +282,32 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK(drawing->count() == 100);
     CHECK_THROWS_WITH(drawing->pixels(0), "0 pixels to the inch; give more than 0");
     CHECK_THROWS_WITH(drawing->pixels(std::nan("")), doctest::Contains("nan pixels to the inch"));
+}
+
+TEST_CASE("rows have the window's names, and every field that they name can be set") {
+    const auto rows = nlohmann::json::parse(Settings::rows());
+    const auto all = nlohmann::json::parse(Settings().text());
+    for (const auto& [field, row] : rows.items()) {
+        CAPTURE(field);
+        std::string pointer = "/" + field;
+        std::ranges::replace(pointer, '.', '/');
+        CHECK(all.contains(nlohmann::json::json_pointer(pointer)));
+        CHECK(row["row"] != "");
+    }
+    CHECK(rows["drawing.tone.contrast"]["row"] == "Contrast");
+    CHECK(rows["drawing.tone.contrast"]["tip"] ==
+          "Above 0 parts light from dark, below 0 brings them closer together.");
+    CHECK(rows["drawing.page.fit"]["choices"] == std::vector{"inside", "fill"});
+    CHECK(rows["drawing.page.width_mm"]["unit"] == "mm");
+
+    // What a slider has at its ends is accepted, and what is beyond the range is not.
+    const auto contrast = [](double value) {
+        return Settings(nlohmann::json{{"drawing", {{"tone", {{"contrast", value}}}}}}.dump());
+    };
+    const auto& range = rows["drawing.tone.contrast"];
+    CHECK_NOTHROW(contrast(range["from"]));
+    CHECK_NOTHROW(contrast(range["to"]));
+    CHECK_THROWS(contrast(range["most"].get<double>() + 0.1));
 }
 
 TEST_CASE("whoever waits is told, and can stop") {

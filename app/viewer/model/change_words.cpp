@@ -17,7 +17,7 @@
 namespace dapple {
 namespace {
 
-using Rows = std::map<std::string, std::string>;
+using Notes = std::map<std::string, FieldNote>;
 
 // The words for a field whose row has the same name: "dot_size" is "Dot size".
 std::string words_of(std::string field) {
@@ -34,14 +34,14 @@ bool is_one_change(const std::string& name, const nlohmann::ordered_json& change
            name == "tile" || name == "mask" || name == "gcode_template";
 }
 
-void collect_rows(const std::string& before, const nlohmann::ordered_json& changed, const Rows& known,
+void collect_rows(const std::string& before, const nlohmann::ordered_json& changed, const Notes& known,
                   std::vector<std::string>& rows) {
     for (const auto& [name, value] : changed.items()) {
         const auto row = known.find(before + name);
         if (value.is_object() && !is_one_change(name, value))
             collect_rows(before + name + ".", value, known, rows);
         else
-            rows.push_back(row == known.end() ? words_of(name) : row->second);
+            rows.push_back(row == known.end() ? words_of(name) : row->second.row);
     }
 }
 
@@ -83,7 +83,7 @@ std::string change_in_words(const ViewerSettings& before, const ViewerSettings& 
     try {
         auto changed = nlohmann::ordered_json::parse(changed_settings({}, all_of(to), all_of(from)));
         changed.erase(kVersionField);
-        collect_rows("", changed, rows_of(all_of(to)), rows);
+        collect_rows("", changed, notes_of(all_of(to)), rows);
     } catch (const std::exception&) {  // a tile's name that no text can hold
         return "Tile";
     }

@@ -1,7 +1,8 @@
 #pragma once
 // What the program uses of oneTBB, on plain threads: for ThreadSanitizer, which cannot see into Debian's
-// library and so can't tell what happens before what there. With this, whatever it reports is ours. Only the
-// build with DAPPLE_TSAN finds this folder. Inner loops of an outer one run on the thread that they are on.
+// library and so can't tell what happens before what there. With this, whatever it reports is ours; and for
+// browsers, where there is one thread. Only the build with DAPPLE_TSAN and that of web find this folder.
+// Inner loops of an outer one run on the thread that they are on.
 
 #include <algorithm>
 #include <atomic>
@@ -18,10 +19,24 @@
 
 namespace tbb {
 
-namespace info {
+namespace stand_in {
+
+#ifdef __EMSCRIPTEN__
+inline constexpr int kCores = 1;
+/// Works at once.
+struct Thread {
+    explicit Thread(const auto& work) { work(); }
+};
+#else
 /// As on a machine of three cores, whatever this one has: races need threads.
+inline constexpr int kCores = 3;
+using Thread = std::jthread;
+#endif
+}  // namespace stand_in
+
+namespace info {
 inline int default_concurrency() {
-    return 3;
+    return stand_in::kCores;
 }
 }  // namespace info
 
@@ -59,7 +74,7 @@ void for_each(std::size_t count, const Work& work) {
         }
     };
     {
-        std::vector<std::jthread> others;
+        std::vector<Thread> others;
         for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run);
         run();
     }
@@ -156,7 +171,7 @@ class task_group {
  private:
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::vector<std::jthread> others_;
+    std::vector<stand_in::Thread> others_;
 };
 
 class task_arena {

@@ -1,0 +1,179 @@
+// The library for JavaScript in a browser: numbers and texts in WebAssembly's memory. One picture and one
+// drawing at a time. What fails returns 0 or null, and engine_error() then says why in one sentence.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dapple/drawing.h"
+#include "dapple/tile.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The page's one engine, in its worker.
+dapple::Stippler stippler;
+std::optional<dapple::Drawing> drawing;
+std::string error, text;
+std::vector<float> dots, tiles;
+dapple::PagePixels pixels;
+
+// See CMakeLists.txt.
+bool is_left_out(const std::string& tile) {
+    return tile == "aperiodic1024" || tile == "aperiodic4096";
+}
+
+template <class Work>
+auto guarded(const Work& work) noexcept -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::exception& failed) {
+        error = failed.what();
+        return {};
+    }
+}
+
+// Valid until the next text.
+const char* kept(std::string said) {
+    text = std::move(said);
+    return text.c_str();
+}
+
+Json pens_of(const std::vector<dapple::DrawingPen>& pens) {
+    Json list = Json::array();
+    for (const dapple::DrawingPen& pen : pens)
+        list.push_back({{"name", pen.name}, {"colour", {pen.red, pen.green, pen.blue}}});
+    return list;
+}
+
+// Four values a dot: x, y and radius in millimetres, and the pen.
+void collect_dots() {
+    dots.clear();
+    dots.reserve(4 * drawing->count());
+    drawing->for_each([](const dapple::DotSpan& span) {
+        for (std::size_t i = 0; i < span.x.size(); ++i)
+            dots.insert(dots.end(), {span.x[i], span.y[i], span.radius[i], static_cast<float>(span.pen)});
+        return true;
+    });
+}
+
+// Five values a tile: x, y and side in millimetres, level and kind.
+void collect_tiles() {
+    tiles.clear();
+    for (const dapple::DrawnTile& tile : drawing.value().tiles())
+        for (const double value :
+             {tile.x, tile.y, tile.side, double(tile.level), static_cast<double>(tile.kind)})
+            tiles.push_back(static_cast<float>(value));
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* engine_error() {
+    return error.c_str();
+}
+
+/// See Settings::text() and Settings::rows().
+const char* engine_usual_settings() {
+    return guarded([] { return kept(dapple::Settings().text()); });
+}
+const char* engine_rows() {
+    return guarded([] { return kept(dapple::Settings::rows()); });
+}
+
+/// Those that are here, with a space between.
+const char* engine_tile_names() {
+    return guarded([] {
+        std::string names;
+        for (const std::string& name : dapple::tile_names())
+            if (!is_left_out(name)) names += (names.empty() ? "" : " ") + name;
+        return kept(std::move(names));
+    });
+}
+
+/// Those of a project or a drawing, checked, as changed() has them.
+const char* engine_changed(const char* settings) {
+    return guarded([&] { return kept(dapple::Settings(settings).changed()); });
+}
+
+/// Red, green, blue and alpha, sRGB-encoded.
+int engine_set_picture(const std::uint8_t* rgba, int width, int height) {
+    return guarded([&] {
+        const std::span bytes(rgba, 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        stippler.set_picture(dapple::picture_of_srgb(bytes, width, height, 4));
+        return 1;
+    });
+}
+
+/// What was drawn, as JSON; its dots are then at engine_dots().
+const char* engine_draw(const char* json) {
+    return guarded([&] {
+        const dapple::Settings settings{std::string_view(json)};
+        const dapple::Plan plan = stippler.plan(settings);
+        drawing = stippler.draw(settings);
+        collect_dots();
+        const Json drawn{{"dots", drawing->count()},
+                         {"steps", plan.steps},
+                         {"width", drawing->page_width_mm()},
+                         {"height", drawing->page_height_mm()},
+                         {"radius", plan.radius_mm},
+                         {"pens", pens_of(drawing->pens())},
+                         {"tone",
+                          {{"black_point", plan.black_point},
+                           {"white_point", plan.white_point},
+                           {"contrast", plan.contrast},
+                           {"brightness", plan.brightness},
+                           {"gamma", plan.gamma},
+                           {"black", plan.black}}}};
+        return kept(drawn.dump());
+    });
+}
+const float* engine_dots() {
+    return dots.data();
+}
+
+/// How many of the drawing's tiles are then at engine_tiles().
+int engine_find_tiles() {
+    return guarded([] {
+        collect_tiles();
+        return static_cast<int>(tiles.size() / 5);
+    });
+}
+const float* engine_tiles() {
+    return tiles.data();
+}
+
+/// A file of the drawing: "svg" or "csv".
+const char* engine_file(const char* format) {
+    return guarded([&] {
+        std::ostringstream out;
+        drawing.value().write(
+            out, std::string_view(format) == "svg" ? dapple::FileFormat::svg : dapple::FileFormat::csv);
+        return kept(std::move(out).str());
+    });
+}
+
+/// Red, green and blue; gone after the next call.
+const std::uint8_t* engine_pixels(double dpi) {
+    return guarded([&]() -> const std::uint8_t* {
+        pixels = drawing.value().pixels(dpi);
+        return pixels.rgb.data();
+    });
+}
+int engine_pixels_height() {
+    return pixels.height;
+}
+int engine_pixels_width() {
+    return pixels.width;
+}
+
+}  // extern "C"

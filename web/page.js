@@ -1,0 +1,475 @@
+// The page around the engine. It keeps settings in one object, as projects have them; each change goes to a worker that
+// places the dots at once, and, when the hand rests, to another one where they settle.
+
+const byId = (id) => document.getElementById(id);
+const SETTLE_AFTER = 150;  // milliseconds of rest
+
+// An engine in a worker of its own.
+function engineThread(script, module) {
+    const worker = new Worker(script), waiting = new Map();
+    let asked = 0;
+    worker.onmessage = ({data: {id, answer, error}}) => {
+        const {resolve, reject} = waiting.get(id);
+        waiting.delete(id);
+        error === undefined ? resolve(answer) : reject(new Error(error));
+    };
+    const ask = (what, with_) => new Promise((resolve, reject) => {
+        waiting.set(++asked, {resolve, reject});
+        worker.postMessage({id: asked, ask: what, what: with_});
+    });
+    ask("start", module);
+    return {
+        ask,
+        // Whoever waits is told so by an error with `ended`.
+        end() {
+            worker.terminate();
+            for (const {reject} of waiting.values()) reject(Object.assign(new Error("ended"), {ended: true}));
+        },
+    };
+}
+
+// Works on the newest of what it is given, one after the other; what was overtaken is left out.
+function latest(work) {
+    let wanted, running = false;
+    const take = async (next) => {
+        wanted = next;
+        if (running) return;
+        running = true;
+        while (wanted) {
+            const now = wanted;
+            wanted = undefined;
+            await work(now);
+        }
+        running = false;
+    };
+    return Object.assign(take, {busy: () => running});
+}
+
+const clone = (value) => JSON.parse(JSON.stringify(value));
+// What of `value` is not as in `usual`; undefined if nothing.
+function changedFrom(usual, value) {
+    if (JSON.stringify(usual) === JSON.stringify(value)) return undefined;
+    if (!usual || !value || typeof value !== "object") return value;
+    return Object.fromEntries(Object.entries(value).map(([name, each]) => [name, changedFrom(usual[name], each)])
+        .filter(([, each]) => each !== undefined));
+}
+function merged(usual, changed) {
+    const result = {...usual};
+    for (const [name, value] of Object.entries(changed ?? {}))
+        if (value !== undefined)
+            result[name] = value && usual[name] && typeof value === "object" ? merged(usual[name], value) : value;
+    return result;
+}
+
+async function engineModule() {
+    const packed = Uint8Array.from(atob(byId("engine").textContent), (c) => c.charCodeAt(0));
+    const bytes = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
+    return WebAssembly.compile(await bytes.arrayBuffer());
+}
+
+// Orientation and colour profile are the browser's work.
+async function pictureOf(blob) {
+    const bitmap = await createImageBitmap(blob);
+    const {width, height} = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext("2d", {willReadFrequently: true});
+    context.drawImage(bitmap, 0, 0);
+    return {pixels: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer), width, height};
+}
+function sample() {
+    const bytes = Uint8Array.from(atob(byId("picture").textContent), (c) => c.charCodeAt(0));
+    return new File([bytes], "Still life", {type: "image/jpeg"});
+}
+
+async function main() {
+    const script = URL.createObjectURL(new Blob([byId("thread").textContent], {type: "text/javascript"}));
+    const module = await engineModule();
+    const placing = engineThread(script, module);
+    let settling = engineThread(script, module);
+    const {usual, rows: table, tiles} = await placing.ask("describe");
+
+    let settings = clone(usual), picture, name = "", drawn, ofSample = false;
+    const drawing = () => settings.drawing;
+    const say = (text) => { byId("message").textContent = text; };
+
+    // Of the window's surround, as the theme has it.
+    const canvas = pageCanvas(document.querySelector("canvas"), byId("over"), {
+        colours: () => {
+            const style = getComputedStyle(document.documentElement);
+            const full = (hex) => hex.length === 4 ? "#" + [...hex.slice(1)].map((c) => c + c).join("") : hex;
+            return {surround: full(style.getPropertyValue("--surround").trim()), line: full(style.getPropertyValue("--line").trim())};
+        },
+        moved: (zoom) => { byId("zoom").textContent = `${Math.round(zoom * 25.4 / 96 * 100)} %`; },
+        painted: () => { if (drawn && !performance.getEntriesByName("first dots").length) performance.mark("first dots"); },
+    });
+    for (const theme of ["(prefers-color-scheme: dark)", "(prefers-contrast: more)"])
+        matchMedia(theme).addEventListener("change", canvas.repaint);
+
+    function showDrawn(result, done) {
+        drawn = result;
+        const several = result.pens.length > 1;
+        canvas.show(result, {paper: drawing().paper, pens: result.pens, transparent: several && drawing().pen_ink === "transparent"});
+        const dots = `${result.dots.toLocaleString("en")} ${result.dots === 1 ? "dot" : "dots"}`;
+        const page = `${Math.round(result.width)} x ${Math.round(result.height)} mm`;
+        byId("count").textContent = dots;
+        byId("page").textContent = page;
+        byId("work").textContent = done ? "" : "settling";
+        if (done) {
+            byId("said").textContent = `${dots} on ${page}`;
+            document.querySelector("canvas").ariaLabel = `${name}, drawn with ${dots} on ${page}`;
+        }
+        refresh();
+    }
+
+    // The right side of the split view, which no file has.
+    let rightTile;
+    function beside(tile) {
+        rightTile = tile;
+        byId("divider").hidden = tile === undefined;
+        canvas.splitAt(tile === undefined ? undefined : Number(byId("divider").value));
+        change(() => {});
+    }
+    byId("divider").oninput = () => canvas.splitAt(Number(byId("divider").value));
+    async function drawnBy(thread, wanted) {
+        // The drawing itself last: it is what is saved then.
+        const right = rightTile && await thread.ask("draw", merged(wanted, {drawing: {tile: rightTile}}));
+        const result = await thread.ask("draw", wanted);
+        return {result, right};
+    }
+
+    let newest, settled, timer, camera, waiting = [];  // settings: those wanted, and those whose dots have settled
+    const whenSettled = () => newest === settled ? undefined : new Promise((resolve) => waiting.push(resolve));
+    const settle = latest(async (wanted) => {
+        try {
+            const {result, right} = await drawnBy(settling, wanted);
+            if (wanted !== newest) return;
+            if (right) canvas.showBeside(right);
+            showDrawn(result, true);
+        } catch (failed) {
+            if (failed.ended || wanted !== newest) return;
+            say(`${failed.message}.`);
+        }
+        settled = wanted;
+        for (const resolve of waiting.splice(0)) resolve();
+    });
+    const place = latest(async (wanted) => {
+        try {
+            const {result, right} = await drawnBy(placing, merged(wanted, {drawing: {relax: 0}}));
+            say("");
+            if (wanted === settled) return;
+            if (right) canvas.showBeside(right);
+            showDrawn({...result, steps: drawn?.steps ?? result.steps}, false);
+        } catch (failed) {
+            say(`${failed.message}.`);
+            byId("work").textContent = "";
+        }
+    });
+    // Draws what is wanted now.
+    function draw() {
+        if (!picture) return;
+        newest = clone(settings);
+        byId("work").textContent = "settling";
+        place(newest);
+        clearTimeout(timer);
+        if (camera) return;
+        timer = setTimeout(() => {
+            if (settle.busy()) {
+                // What it works at is no longer wanted.
+                settling.end();
+                settling = engineThread(script, module);
+                settling.ask("picture", picture);
+            }
+            settle(newest);
+        }, SETTLE_AFTER);
+    }
+
+    // Rows. A row changes the settings by change(), which draws and writes the link.
+    const link = () => {
+        const changed = changedFrom(usual, settings);
+        history.replaceState(null, "", changed ? `#${encodeURIComponent(JSON.stringify(changed))}` : location.pathname + location.search);
+    };
+    function change(work) {
+        work(drawing());
+        refresh();
+        draw();
+        link();
+    }
+    const parts = (path) => ({within: path.slice(0, -1).reduce((at, part) => at[part], settings), last: path.at(-1), usual: path.reduce((at, part) => at?.[part], usual)});
+    // A row of the field "drawing.tone.contrast"; `own` says what is other than usual about it.
+    function row(kind, field, own = {}) {
+        const path = field.split("."), about = table[field];
+        const words = (choice) => [choice, (own.words?.[choice] ?? choice).replaceAll("_", " ")];
+        const made = kind({...about, ...own.about}, {
+            get: () => parts(path).within[parts(path).last],
+            set: (value) => change(() => {
+                const {within, last, usual: as_usual} = parts(path);
+                within[last] = value ?? as_usual;
+            }),
+            choices: about.choices?.map(words),
+            ...own,
+        });
+        made.applies = own.applies;
+        return made;
+    }
+    const TONE = ["black_point", "white_point", "contrast", "brightness", "gamma"];
+    // The curve of the tone: automatic until one of these rows is moved, and then the person's own, from there on.
+    const toneRow = (field) => row(sliderRow, `drawing.tone.${field}`, {
+        get: () => (drawing().automatic_tone && drawn ? drawn.tone : drawing().tone)[field],
+        set: (value) => change((d) => {
+            if (d.automatic_tone && drawn) for (const each of [...TONE, "black"]) d.tone[each] = drawn.tone[each];
+            d.automatic_tone = false;
+            d.tone[field] = value ?? usual.drawing.tone[field];
+            if (field === "black_point") d.tone.white_point = Math.max(d.tone.white_point, d.tone.black_point + 0.01);
+            if (field === "white_point") d.tone.black_point = Math.min(d.tone.black_point, d.tone.white_point - 0.01);
+        }),
+    });
+    const isTrue = () => !drawing().automatic_tone && TONE.every((field) => drawing().tone[field] === usual.drawing.tone[field]);
+    const automaticTone = row(sliderRow, "drawing.tone_strength", {
+        get: () => (isTrue() ? 0 : drawing().tone_strength),
+        shown: (strength) => isTrue() || (drawing().automatic_tone && strength === 0) ? "true" : drawing().automatic_tone ? undefined : "own",
+        set: (value) => change((d) => {
+            const strength = value ?? usual.drawing.tone_strength, before = d.automatic_tone;
+            for (const field of TONE) d.tone[field] = usual.drawing.tone[field];
+            d.automatic_tone = strength > 0;
+            if (d.automatic_tone) d.tone_strength = strength;
+            if (d.automatic_tone && before) return;
+            d.tone.black = usual.drawing.tone.black;
+            d.tone.detail = d.automatic_tone ? usual.drawing.tone.detail : 0;
+        }),
+    });
+
+    const INKS = {one: "one ink", white: "white on black", greys: "greys", cmyk: "CMYK", "auto:4": "automatic"};
+    const isWhite = () => drawing().pens === "one" && drawing().tone.invert && drawing().ink === "#ffffff" && drawing().paper === "#000000";
+    const inks = row(choiceRow, "drawing.pens", {
+        choices: Object.entries(INKS).concat([["own", "own pens"]]),
+        get: () => (isWhite() ? "white" : drawing().pens in INKS ? drawing().pens : "own"),
+        set: (value) => change((d) => {
+            if (value === "own") return;
+            const white = value === "white";
+            if (white || isWhite()) {
+                d.tone.invert = white;
+                [d.ink, d.paper] = white ? ["#ffffff", "#000000"] : ["#000000", "#ffffff"];
+            }
+            d.pens = white ? "one" : value;
+        }),
+    });
+
+    const byTone = () => drawing().dot_size.sizing === "by_tone";
+    const asPicture = () => drawing().page.paper === table["drawing.page.paper"].choices[0];
+    const sides = () => ["top", "right", "bottom", "left"];
+    const sections = {
+        Drawing: [
+            row(sliderRow, "drawing.count", {get: () => (byTone() && drawn ? drawn.dots : drawing().count), most: 2e6,
+                set: (value) => change((d) => { d.count = Math.round(value ?? usual.drawing.count); }), applies: () => !byTone()}),
+            row(segmentsRow, "drawing.dot_size.sizing", {words: {automatic: "auto"},
+                set: (value) => change(({dot_size: size}) => {
+                    // From the size that they have.
+                    if (drawn && value === "fixed") size.radius_mm = Number(drawn.radius.toFixed(3));
+                    if (drawn && value === "by_tone") {
+                        size.smallest_mm = Number((drawn.radius * 0.7).toFixed(3));
+                        size.largest_mm = Number((drawn.radius * 1.6).toFixed(3));
+                    }
+                    size.sizing = value;
+                })}),
+            row(sliderRow, "drawing.dot_size.radius_mm", {applies: () => drawing().dot_size.sizing === "fixed"}),
+            row(sliderRow, "drawing.dot_size.smallest_mm", {applies: byTone,
+                set: (value) => change(({dot_size: size}) => {
+                    size.smallest_mm = value ?? usual.drawing.dot_size.smallest_mm;
+                    size.largest_mm = Math.max(size.largest_mm, size.smallest_mm);
+                })}),
+            row(sliderRow, "drawing.dot_size.largest_mm", {applies: byTone,
+                set: (value) => change(({dot_size: size}) => {
+                    size.largest_mm = value ?? usual.drawing.dot_size.largest_mm;
+                    size.smallest_mm = Math.min(size.largest_mm, size.smallest_mm);
+                })}),
+            row(sliderRow, "drawing.relax", {get: () => drawing().relax ?? drawn?.steps ?? 0,
+                set: (value) => change((d) => { d.relax = value === undefined ? null : Math.round(value); })}),
+        ],
+        Tone: [automaticTone, toneRow("brightness"), toneRow("contrast"), row(sliderRow, "drawing.tone.detail"),
+               {"More tone settings": [toneRow("black_point"), toneRow("white_point"), toneRow("gamma"), row(sliderRow, "drawing.tone.blur")]}],
+        "Ink and paper": [inks, row(colourRow, "drawing.ink", {applies: () => drawing().pens === "one"}),
+                          row(colourRow, "drawing.paper"), row(switchRow, "drawing.background")],
+        Page: [
+            row(choiceRow, "drawing.page.paper", {set: (value) => change(({page}) => {
+                page.paper = value;
+                if (page.paper === "custom" && drawn) [page.width_mm, page.height_mm] = [drawn.width, drawn.height];
+                if (page.paper !== "custom") page.height_mm = null;
+            })}),
+            row(choiceRow, "drawing.page.orientation", {applies: () => !asPicture()}),
+            row(segmentsRow, "drawing.page.fit", {applies: () => !asPicture()}),
+            row(sliderRow, "drawing.page.width_mm", {applies: () => asPicture() || drawing().page.paper === "custom"}),
+            row(sliderRow, "drawing.page.height_mm", {get: () => drawing().page.height_mm ?? drawn?.height ?? 100,
+                applies: () => drawing().page.paper === "custom"}),
+            row(sliderRow, "drawing.page.margins_mm", {
+                get: () => drawing().page.margins_mm?.top ?? drawn?.radius ?? 0,
+                shown: () => (drawing().page.margins_mm ? undefined : "auto"),
+                set: (value) => change(({page}) => {
+                    page.margins_mm = value === undefined ? null : Object.fromEntries(sides().map((side) => [side, value]));
+                })}),
+            row(sliderRow, "saving.dpi"),
+        ],
+        "The method": [
+            row(choiceRow, "drawing.tile", {choices: tiles.map((tile) => [tile, tile])}),
+            row(switchRow, "drawing.show_tiles"),
+            row(switchRow, "drawing.tile", {
+                about: {row: "Split view", tip: "Another tile on the right side of a line that can be dragged."},
+                get: () => rightTile !== undefined,
+                set: (on) => beside(on ? "best32" : undefined)}),
+            row(choiceRow, "drawing.tile", {
+                about: {row: "Right tile", tip: "The tile that the right side's dots come from."},
+                choices: tiles.map((tile) => [tile, tile]), get: () => rightTile, set: beside, applies: () => rightTile !== undefined}),
+        ],
+    };
+    const made = [];
+    const withRows = (list) => list.flatMap((each) => {
+        if (each instanceof HTMLElement) return made.push(each), [each];
+        return Object.entries(each).map(([title, more]) => section(title, more, false));
+    });
+    const section = (title, list, open = true) =>
+        element("details", {open}, element("summary", {textContent: title}), ...withRows(list));
+    byId("sections").replaceChildren(...Object.entries(sections).map(([title, list]) => section(title, list)));
+    function refresh() {
+        for (const each of made) {
+            each.hidden = each.applies ? !each.applies() : false;
+            each.refresh();
+        }
+    }
+
+    // Pictures and settings that come in.
+    async function takeSettings(text) {
+        const {drawing: changed, saving: files} = await placing.ask("changed", text);
+        settings = merged(clone(usual), {drawing: changed, saving: files});
+        refresh();
+        link();
+        draw();
+    }
+    function nameIs(called) {
+        name = called;
+        byId("name").textContent = name;
+        byId("about").textContent = `${picture.width} x ${picture.height} pixels`;
+    }
+    async function takePicture(blob, called) {
+        let read;
+        try {
+            read = await pictureOf(blob);
+        } catch {
+            throw new Error(`${called}: the browser cannot read this as a picture; try a PNG or a JPEG`);
+        }
+        endCamera();
+        picture = read;
+        nameIs(called);
+        byId("work").textContent = "placing";
+        placing.ask("picture", picture);
+        settling.ask("picture", picture);
+        draw();
+    }
+    // Draws one frame after the other; where it is ended, the last one settles.
+    async function startCamera() {
+        const stream = await navigator.mediaDevices.getUserMedia({video: {width: 640, height: 480}});
+        const video = element("video", {srcObject: stream, muted: true, playsInline: true});
+        await video.play();
+        camera = stream;
+        byId("camera").ariaPressed = true;
+        while (camera === stream) {
+            picture = await pictureOf(video);
+            await placing.ask("picture", picture);
+            nameIs("Camera");
+            newest = clone(settings);
+            await place(newest);
+            await new Promise(requestAnimationFrame);
+        }
+    }
+    function endCamera() {
+        if (!camera) return;
+        camera.getTracks().forEach((track) => track.stop());
+        camera = undefined;
+        byId("camera").ariaPressed = false;
+        settling.ask("picture", picture);
+        draw();
+    }
+    async function take(file, called = file.name) {
+        try {
+            say("");
+            ofSample = file === still;
+            if (/\.(dapple|json)$/i.test(called)) return await takeSettings(await file.text());
+            const own = /\.svg$/i.test(called) && /<dapple:settings[^>]*>([^<]*)</.exec(await file.text());
+            if (own) return await takeSettings(own[1].replaceAll("&quot;", '"'));
+            await takePicture(file, called);
+        } catch (failed) {
+            say(`${failed.message}.`);
+        }
+    }
+    const still = sample();
+
+    byId("open").onclick = () => byId("file").click();
+    byId("file").onchange = () => { if (byId("file").files[0]) take(byId("file").files[0]); byId("file").value = ""; };
+    byId("camera").onclick = async () => {
+        if (camera) return endCamera();
+        try {
+            await startCamera();
+        } catch (failed) {
+            say(`There is no picture from a camera: ${failed.message}.`);
+        }
+    };
+    byId("sample").onclick = () => take(still);
+    addEventListener("dragover", (event) => { event.preventDefault(); document.body.classList.add("dropping"); });
+    addEventListener("dragleave", (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
+    addEventListener("drop", (event) => {
+        event.preventDefault();
+        document.body.classList.remove("dropping");
+        if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
+    });
+    addEventListener("paste", (event) => { if (event.clipboardData.files[0]) take(event.clipboardData.files[0], "Pasted picture"); });
+    addEventListener("keydown", (event) => {
+        if ((event.ctrlKey || event.metaKey) && event.key === "o") { event.preventDefault(); byId("open").click(); }
+    });
+    addEventListener("hashchange", () => takeLink());
+
+    // Files that go out.
+    const stem = () => name.replace(/\.[a-z0-9]+$/i, "").replaceAll(" ", "-").toLowerCase() || "drawing";
+    function save(blob, ending) {
+        const link = element("a", {href: URL.createObjectURL(blob), download: stem() + ending});
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+    }
+    const saving = (button, work) => {
+        byId(button).onclick = async () => {
+            try {
+                if (!picture) return;
+                byId("work").textContent = "saving";
+                await whenSettled();
+                await work();
+            } catch (failed) {
+                say(`${failed.message}.`);
+            }
+            byId("work").textContent = "";
+        };
+    };
+    saving("svg", async () => save(new Blob([await settling.ask("file", "svg")], {type: "image/svg+xml"}), ".svg"));
+    saving("png", async () => {
+        const {width, height, rgba} = await settling.ask("pixels", settings.saving.dpi);
+        const canvas = new OffscreenCanvas(width, height);
+        canvas.getContext("2d").putImageData(new ImageData(rgba, width, height), 0, 0);
+        save(await canvas.convertToBlob({type: "image/png"}), ".png");
+    });
+    saving("project", async () => {
+        const project = {dapple: 1, picture: ofSample ? null : {file: name}, ...changedFrom(usual, settings)};
+        save(new Blob([JSON.stringify(project, null, 2) + "\n"], {type: "application/json"}), ".dapple");
+    });
+    byId("link").onclick = async () => {
+        await navigator.clipboard.writeText(location.href);
+        byId("said").textContent = byId("work").textContent = "link copied";
+    };
+
+    async function takeLink() {
+        try {
+            if (location.hash.length > 1) await takeSettings(decodeURIComponent(location.hash.slice(1)));
+        } catch (failed) {
+            say(`The link's settings are not right: ${failed.message}.`);
+        }
+    }
+    refresh();
+    await takeLink();
+    await take(still);
+}
+
+main().catch((failed) => { byId("message").textContent = `Dapple cannot work in this browser: ${failed.message}.`; });

@@ -1,0 +1,68 @@
+// compare.mjs ENGINE.wasm DAPPLE FOLDER: whether the engine's tables and drawings are the program's, byte for byte.
+import {execFileSync} from "node:child_process";
+import {readFileSync, writeFileSync} from "node:fs";
+import {startEngine} from "../engine.mjs";
+
+const [wasm, dapple, folder] = process.argv.slice(2);
+const engine = await startEngine(new WebAssembly.Module(readFileSync(wasm)));
+
+// A picture's bytes as a file that needs no decoder worth the name.
+function written(name, {pixels, width, height}) {
+    const rgb = Buffer.alloc(3 * width * height);
+    for (let i = 0; i < width * height; ++i) rgb.set(pixels.subarray(4 * i, 4 * i + 3), 3 * i);
+    const file = `${folder}/${name}.ppm`;
+    writeFileSync(file, Buffer.concat([Buffer.from(`P6 ${width} ${height} 255\n`), rgb]));
+    return file;
+}
+function painted(width, height, colour) {
+    const pixels = new Uint8Array(4 * width * height).fill(255);
+    for (let y = 0, i = 0; y < height; ++y)
+        for (let x = 0; x < width; ++x, i += 4) pixels.set(colour(x, y).map((c) => Math.min(Math.max(c, 0), 255)), i);
+    return {pixels, width, height};
+}
+const ball = (x, y) => {
+    const height = Math.sqrt(Math.max(0, 1 - ((x - 150) / 120) ** 2 - ((y - 110) / 100) ** 2));
+    return height ? [255 * height, 200 * height + x / 8, 90 + 150 * height] : [230, 228, 40 + y];
+};
+const pictures = {
+    ramp: painted(256, 100, (x) => [x, x, x]),
+    ball: painted(300, 220, ball),
+    grain: painted(97, 181, (x, y) => Array(3).fill(((x * 7919 + y * 104729) % 251 + x) / 1.4)),
+};
+const cases = [
+    ["ramp", {}, []],
+    ["ball", {drawing: {count: 3000, relax: 0}}, ["--dots", "3000", "--relax", "0"]],
+    ["ball", {drawing: {count: 12000, pens: "cmyk"}}, ["--dots", "12000", "--pens", "cmyk"]],
+    ["grain", {drawing: {dot_size: {sizing: "by_tone", smallest_mm: 0.2, largest_mm: 0.6}, page: {paper: "A5"}}},
+     ["--dot-radius", "0.2..0.6", "--page", "a5"]],
+    ["ball", {drawing: {count: 8000, automatic_tone: false, tone: {contrast: 0.3, brightness: -0.1, detail: 0.8, invert: true},
+                        tile: "best32", page: {width_mm: 120}}},
+     ["--dots", "8000", "--tone", "true", "--contrast", "0.3", "--brightness", "-0.1", "--detail", "0.8", "--invert", "--tile", "best32",
+      "--width", "120"]],
+    ["grain", {drawing: {count: 6000, pens: "auto:3", tone: {black: 0.9}}}, ["--dots", "6000", "--pens", "auto:3", "--black", "0.9"]],
+];
+
+let failed = 0;
+for (const [number, [name, settings, options]] of cases.entries()) {
+    engine.setPicture(pictures[name]);
+    const drawn = engine.draw(settings);
+    const file = written(name, pictures[name]);
+    // Several pens' tables differ in the last digits of some dots.
+    for (const format of settings.drawing?.pens ? ["svg"] : ["csv", "svg"]) {
+        const theirs = `${folder}/${number}.${format}`;
+        execFileSync(dapple, ["render", file, "-o", theirs, ...options], {stdio: "ignore"});
+        const same = readFileSync(theirs, "utf8") === engine.file(format);
+        if (!same) writeFileSync(`${folder}/${number}-here.${format}`, engine.file(format));
+        failed += !same;
+        console.log(`${same ? "same" : "NOT THE SAME"}: ${drawn.dots} dots of ${name}.${format} ${options.join(" ")}`);
+    }
+}
+try {
+    engine.draw({drawing: {count: 0}});
+    failed += console.log("NOT REFUSED: 0 dots") ?? 1;
+} catch (error) {
+    const sentence = "settings: drawing.count is 0; give a whole number from 1 to 1000000000, or null";
+    failed += error.message !== sentence;
+    console.log(`refused: ${error.message}`);
+}
+process.exit(failed ? 1 : 0);
