@@ -22,7 +22,7 @@ compiler_packages=(clang libclang-rt-dev)
 web_packages=(
     cmake emscripten imagemagick libfmt-dev libglm-dev libkissfft-dev libstb-dev ninja-build nlohmann-json3-dev nodejs
 )
-web_test_packages=(chromium npm)
+web_test_packages=(chromium)
 
 ensure_packages() {
     local missing=() name

@@ -13,10 +13,14 @@ function engineThread(script, module) {
         waiting.delete(id);
         error === undefined ? resolve(answer) : reject(new Error(error));
     };
-    const ask = (what, with_) => new Promise((resolve, reject) => {
-        waiting.set(++asked, {resolve, reject});
-        worker.postMessage({id: asked, ask: what, what: with_});
-    });
+    const ask = (what, with_) => {
+        const answer = new Promise((resolve, reject) => {
+            waiting.set(++asked, {resolve, reject});
+            worker.postMessage({id: asked, ask: what, what: with_});
+        });
+        answer.catch(() => {});  // nobody may wait for it
+        return answer;
+    };
     ask("start", module);
     return {
         ask,

@@ -287,12 +287,13 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
 TEST_CASE("rows have the window's names, and every field that they name can be set") {
     const auto rows = nlohmann::json::parse(Settings::rows());
     const auto all = nlohmann::json::parse(Settings().text());
-    for (const auto& [field, row] : rows.items()) {
+    for (const auto& each : rows.items()) {
+        const std::string field = each.key();
         CAPTURE(field);
         std::string pointer = "/" + field;
         std::ranges::replace(pointer, '.', '/');
         CHECK(all.contains(nlohmann::json::json_pointer(pointer)));
-        CHECK(row["row"] != "");
+        CHECK(each.value()["row"] != "");
     }
     CHECK(rows["drawing.tone.contrast"]["row"] == "Contrast");
     CHECK(rows["drawing.tone.contrast"]["tip"] ==
