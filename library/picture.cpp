@@ -68,7 +68,7 @@ LightPicture picture_of_srgb(std::span<const std::uint16_t> pixels, int width, i
 }
 
 LightPicture picture_of_srgb(std::span<const float> pixels, int width, int height, int channels) {
-    const auto wrong = std::ranges::find_if_not(pixels, [](float value) { return value >= 0 && value <= 1; });
+    const auto wrong = std::ranges::find_if(pixels, [](float value) { return !(value >= 0 && value <= 1); });
     if (wrong != pixels.end())
         throw std::runtime_error(
             fmt::format("a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear "

@@ -88,10 +88,11 @@ class Sharing {
     // The density of the ink: of dots of area 1 as many as have it.
     Density ink() const {
         Grid<float> sum(densities_.all->width(), densities_.all->height());
-        for (std::size_t pen = 0; pen < densities_.each.size(); ++pen)
-            std::ranges::transform(densities_.each[pen]->values().values, sum.values, sum.values.begin(),
-                                   [area = static_cast<float>(request_.areas[pen])](
-                                       float density, float before) { return before + area * density; });
+        for (std::size_t pen = 0; pen < densities_.each.size(); ++pen) {
+            const std::vector<float>& densities = densities_.each[pen]->values().values;
+            const auto area = static_cast<float>(request_.areas[pen]);
+            for (std::size_t i = 0; i < densities.size(); ++i) sum.values[i] += area * densities[i];
+        }
         return Density(std::move(sum));
     }
 
