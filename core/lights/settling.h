@@ -39,9 +39,11 @@ class TexelTree {
     std::optional<std::vector<TexelSum>> nearest_to(std::span<const glm::dvec3> lights,
                                                     const LightWatch& watch) const;
 
-    /// For each of some of the lights, of the texels that are nearest to it, the one with the most power, or
-    /// with the most power times the distance's square.
-    enum class Most { power, spread };
+    enum class Most {
+        power,
+        spread,  // power times the square of the distance to the light
+    };
+    /// For each of some of the lights, of the texels that are nearest to it, the one with the most of that.
     std::vector<glm::ivec2> texels_with(Most most, std::span<const glm::dvec3> lights,
                                         std::span<const std::size_t> which) const;
 
@@ -68,6 +70,7 @@ class TexelTree {
     class Descent;
 
     std::vector<Task> tasks(std::span<const glm::dvec3> lights) const;
+
     const EnvironmentMap& map_;
     const Grid<float>& power_;
     std::size_t threads_;

@@ -9,13 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/drawing/drawing.h"
-#include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/tone.h"
 #include "core/placing/page.h"
 #include "core/tile/built_in_tiles.h"
 #include "tests/dot_pieces.h"
+#include "tests/drawn_pixels.h"
 #include "tests/mean_light.h"
 
 using namespace dapple;
@@ -54,12 +53,7 @@ Halves drawn_halves(Pipeline& pipeline, const DrawingRequest& request) {
     const DrawingPlan plan = pipeline.plan(request);
     Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
-    const PageSize page = plan.layout(drawn.scale).page;
-    const Grid<glm::u8vec3> pixels = page_pixels(settings, {.dots = stream_of(drawn.dots),
-                                                            .page = page,
-                                                            .pens = plan.pens,
-                                                            .dot_radius_mm = plan.radius_mm(drawn.scale),
-                                                            .saving = {.dpi = dpi_for(page, 1600)}});
+    const Grid<glm::u8vec3> pixels = drawn_pixels(settings, plan, drawn, 1600);
     Halves halves{drawn.dots.size(), {}, {}};
     for (Half* const half : {&halves.left, &halves.right}) {
         const double left = half == &halves.left ? 0.04 : 0.54;

@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/drawing/drawing.h"
-#include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
 #include "core/tile/built_in_tiles.h"
+#include "tests/drawn_pixels.h"
 #include "tests/mean_light.h"
 
 using namespace dapple;
@@ -34,12 +33,7 @@ double light_drawn(float light, DrawingSettings settings) {
     const DrawingPlan plan = pipeline.plan(settings);
     Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
-    const PageSize page = plan.layout(drawn.scale).page;
-    const Grid<glm::u8vec3> pixels = page_pixels(settings, {.dots = stream_of(drawn.dots),
-                                                            .page = page,
-                                                            .pens = plan.pens,
-                                                            .dot_radius_mm = plan.radius_mm(drawn.scale),
-                                                            .saving = {.dpi = dpi_for(page, kDrawnSide)}});
+    const Grid<glm::u8vec3> pixels = drawn_pixels(settings, plan, drawn, kDrawnSide);
     return mean_light(pixels, {glm::dvec2(0.08 * kDrawnSide), glm::dvec2(0.92 * kDrawnSide)}).y;
 }
 

@@ -112,3 +112,35 @@ TEST_CASE("there are as many settled samples as texels at most; more are placed 
         CHECK(flux.x == doctest::Approx(4 * std::numbers::pi));
     }
 }
+
+TEST_CASE("whatever a map's light is, its samples are finite, as many as asked for, and have all of it") {
+    RankedTile tile(make_tile(14217, 2895, 16), RankingMethod::energy);
+    for (unsigned seed = 1; seed <= 120; ++seed) {
+        std::mt19937 random(seed);
+        const int height = 1 + static_cast<int>(random() % (seed % 3 == 0 ? 3 : 20));
+        Grid<glm::vec3> light(2 * height, height);
+        std::uint64_t lit = 0;
+        for (glm::vec3& texel : light.values) {
+            if (random() % 4 < seed % 4) continue;  // black
+            const float some = std::pow(10.0f, static_cast<float>(random() % 60) - 30);
+            texel = glm::vec3(some, some / 2, 2 * some);
+            ++lit;
+        }
+        if (lit == 0) continue;
+        const EnvironmentMap map(light);
+        for (const std::uint64_t count : {std::uint64_t{1}, lit / 2 + 1, lit, lit + 1}) {
+            CAPTURE(seed);
+            CAPTURE(count);
+            const LightSamples lights = light_samples(map, tile, {.count = count, .seed = seed % 3});
+            CHECK(lights.samples.size() == count);
+            glm::dvec3 flux{};
+            bool finite = true;
+            for (const LightSample& sample : lights.samples) {
+                flux += sample.weight;
+                finite &= std::isfinite(sample.uv.x + sample.uv.y + sample.radiance.x + sample.pdf);
+            }
+            CHECK(finite);
+            CHECK(glm::distance(flux, map.total_flux()) < 1e-9 * glm::length(map.total_flux()));
+        }
+    }
+}

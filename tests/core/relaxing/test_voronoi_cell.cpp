@@ -24,6 +24,7 @@ struct Rectangle {
 struct Scene {
     Rectangle around;  // with the dot in it
     std::vector<glm::vec2> others;
+    std::vector<float> ahead = {};  // of each, in a power diagram
 };
 
 Scene random_scene(unsigned seed) {
@@ -38,8 +39,10 @@ Scene random_scene(unsigned seed) {
 }
 
 VoronoiCell cell_of(const Scene& scene) {
-    VoronoiCell cell(scene.around.left, scene.around.top, scene.around.right, scene.around.bottom);
-    for (const glm::vec2 other : scene.others) cell.cut(other.x, other.y);
+    const float most = scene.ahead.empty() ? 0 : std::max(std::ranges::max(scene.ahead), 0.0f);
+    VoronoiCell cell(scene.around.left, scene.around.top, scene.around.right, scene.around.bottom, most);
+    for (std::size_t i = 0; i < scene.others.size(); ++i)
+        cell.cut(scene.others[i].x, scene.others[i].y, scene.ahead.empty() ? 0 : scene.ahead[i]);
     return cell;
 }
 
@@ -63,13 +66,34 @@ bool holds(const VoronoiCell& cell, glm::dvec2 p) {
     return true;
 }
 
-// How much nearer a place is to the dot than to the nearest other.
+// How much nearer a place is to the dot than to the nearest other, in squares of distances.
 double nearer_by(const Scene& scene, glm::dvec2 p) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::vec2 other : scene.others)
-        nearest = std::min(nearest, glm::distance(glm::dvec2(other), p));
-    return nearest - glm::length(p);
+    for (std::size_t i = 0; i < scene.others.size(); ++i) {
+        const glm::dvec2 away = p - glm::dvec2(scene.others[i]);
+        nearest = std::min(nearest, glm::dot(away, away) - (scene.ahead.empty() ? 0 : scene.ahead[i]));
+    }
+    return nearest - glm::dot(p, p);
 }
+
+// Random places that belong to the cell by one of the two alone, and how many lay inside and outside.
+struct Places {
+    int wrong = 0, inside = 0, outside = 0;
+
+    void try_some(const Scene& scene, const VoronoiCell& cell, unsigned seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> x(scene.around.left, scene.around.right),
+            y(scene.around.top, scene.around.bottom);
+        for (int i = 0; i < 400; ++i) {
+            const double to_x = x(random);
+            const glm::dvec2 p(to_x, y(random));
+            const double margin = nearer_by(scene, p);
+            if (std::abs(margin) < 1e-5) continue;  // on the border, where rounding decides
+            wrong += holds(cell, p) != (margin > 0);
+            ++(margin > 0 ? inside : outside);
+        }
+    }
+};
 
 bool same(const VoronoiCell& a, const VoronoiCell& b) {
     if (a.size() != b.size()) return false;
@@ -81,27 +105,15 @@ bool same(const VoronoiCell& a, const VoronoiCell& b) {
 }  // namespace
 
 TEST_CASE("a place belongs to the cell exactly if no other dot is nearer") {
-    int inside = 0, outside = 0;
+    Places places;
     for (unsigned seed = 0; seed < 150; ++seed) {
         const Scene scene = random_scene(seed);
-        const VoronoiCell cell = cell_of(scene);
-        std::mt19937 random(seed + 1000);
-        std::uniform_real_distribution<double> x(scene.around.left, scene.around.right),
-            y(scene.around.top, scene.around.bottom);
-        int wrong = 0;
-        for (int i = 0; i < 400; ++i) {
-            const double to_x = x(random);
-            const glm::dvec2 p(to_x, y(random));
-            const double margin = nearer_by(scene, p);
-            if (std::abs(margin) < 1e-5) continue;  // on the border, where rounding decides
-            wrong += holds(cell, p) != (margin > 0);
-            ++(margin > 0 ? inside : outside);
-        }
+        places.try_some(scene, cell_of(scene), seed + 1000);
         CAPTURE(seed);
-        CHECK(wrong == 0);
+        CHECK(places.wrong == 0);
     }
-    CHECK(inside > 5000);
-    CHECK(outside > 5000);
+    CHECK(places.inside > 5000);
+    CHECK(places.outside > 5000);
 }
 
 TEST_CASE("cells are convex, their corners go round clockwise as seen on a page, and they hold their dot") {
@@ -189,46 +201,30 @@ TEST_CASE("more neighbours than a cell has room for leave it convex and too larg
 }
 
 TEST_CASE("in a power diagram a place belongs to the dot whose circle it is least far from") {
-    int inside = 0, outside = 0;
+    Places places;
     for (unsigned seed = 0; seed < 150; ++seed) {
-        const Scene scene = random_scene(seed);
-        std::mt19937 random(seed + 1000);
+        Scene scene = random_scene(seed);
+        std::mt19937 random(seed);
         std::uniform_real_distribution<float> share(-0.7f, 0.7f);  // as far as one circle may swallow another
-        std::vector<float> ahead;
-        for (const glm::vec2 other : scene.others) ahead.push_back(share(random) * glm::dot(other, other));
-        const float most = ahead.empty() ? 0 : std::max(std::ranges::max(ahead), 0.0f);
-        VoronoiCell cell(scene.around.left, scene.around.top, scene.around.right, scene.around.bottom, most);
-        for (std::size_t i = 0; i < ahead.size(); ++i)
-            cell.cut(scene.others[i].x, scene.others[i].y, ahead[i]);
+        for (const glm::vec2 other : scene.others)
+            scene.ahead.push_back(share(random) * glm::dot(other, other));
+        const VoronoiCell cell = cell_of(scene);
         CAPTURE(seed);
         CHECK(holds(cell, {0, 0}));
-        std::uniform_real_distribution<double> x(scene.around.left, scene.around.right),
-            y(scene.around.top, scene.around.bottom);
-        int wrong = 0;
-        for (int i = 0; i < 400; ++i) {
-            const double to_x = x(random);
-            const glm::dvec2 p(to_x, y(random));
-            double margin = std::numeric_limits<double>::infinity();
-            for (std::size_t k = 0; k < ahead.size(); ++k) {
-                const glm::dvec2 away = p - glm::dvec2(scene.others[k]);
-                margin = std::min(margin, glm::dot(away, away) - double{ahead[k]} - glm::dot(p, p));
-            }
-            if (std::abs(margin) < 1e-5) continue;
-            wrong += holds(cell, p) != (margin > 0);
-            ++(margin > 0 ? inside : outside);
-        }
-        CHECK(wrong == 0);
+        places.try_some(scene, cell, seed + 1000);
+        CHECK(places.wrong == 0);
         // What is beyond its reach leaves it as it is.
         VoronoiCell after = cell;
         const float reach = 1.001f * std::sqrt(cell.reach2());
+        const float most = scene.ahead.empty() ? 0 : std::max(std::ranges::max(scene.ahead), 0.0f);
         for (int turn = 0; turn < 32; ++turn) {
             const double angle = turn * std::numbers::pi / 16;
             after.cut(reach * float(std::cos(angle)), reach * float(std::sin(angle)), most);
         }
         CHECK(same(after, cell));
     }
-    CHECK(inside > 3000);
-    CHECK(outside > 5000);
+    CHECK(places.inside > 3000);
+    CHECK(places.outside > 5000);
 }
 
 TEST_CASE("however large another dot is, each keeps the place where it lies") {
