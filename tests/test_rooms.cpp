@@ -97,11 +97,20 @@ TEST_CASE("each room of the program knows only the rooms below it") {
         {"main", {"app", "app/commands", "app/viewer"}},
         {"app/viewer", {"app", "app/files", "app/settings", "app/viewer/model", "app/viewer/shell"}},
         {"app/viewer/shell",
-         {"app", "app/files", "app/settings", "app/viewer/canvas", "app/viewer/model", "app/viewer/panels",
+         {"app", "app/files", "app/settings", "app/viewer/background", "app/viewer/canvas",
+          "app/viewer/desktop", "app/viewer/model", "app/viewer/panels", "app/viewer/view",
           "app/viewer/widgets"}},
-        {"app/viewer/panels", {"app", "app/files", "app/settings", "app/viewer/model", "app/viewer/widgets"}},
-        {"app/viewer/canvas", {"app/viewer/model", "app/viewer/widgets"}},
-        {"app/viewer/model", {"app", "app/files", "app/film", "app/settings"}},
+        {"app/viewer/panels",
+         {"app", "app/files", "app/settings", "app/viewer/background", "app/viewer/model", "app/viewer/view",
+          "app/viewer/widgets"}},
+        {"app/viewer/canvas",
+         {"app/viewer/background", "app/viewer/model", "app/viewer/view", "app/viewer/widgets"}},
+        {"app/viewer/model",
+         {"app", "app/files", "app/film", "app/settings", "app/viewer/background", "app/viewer/desktop",
+          "app/viewer/view"}},
+        {"app/viewer/view", {"app", "app/files", "app/film", "app/viewer/background"}},
+        {"app/viewer/background", {"app", "app/files"}},
+        {"app/viewer/desktop", {"app", "app/files", "app/settings"}},
         {"app/viewer/widgets", {"app"}},
         {"app/commands",
          {"app", "app/files", "app/film", "app/settings", "lab/analysis", "lab/compare", "lab/related",
@@ -145,10 +154,19 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
         // Dots, tiles and lights as they are drawn on the screen.
         {"app/viewer/canvas",
          {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing"}},
-        // What a person has open: all that a drawing is made of, and what is measured of it.
+        // Drawings as they are asked for and placed.
+        {"app/viewer/background",
+         {"core/drawing", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
+          "core/text", "core/tile"}},
+        // How many dots fit into memory.
+        {"app/viewer/desktop", {"core/drawing"}},
+        // What of a drawing is seen, and what is measured of that.
+        {"app/viewer/view",
+         {"core/analysis", "core/drawing", "core/image", "core/output", "core/placing", "core/text"}},
+        // What a person has open.
         {"app/viewer/model",
-         {"core/analysis", "core/drawing", "core/image", "core/lights", "core/output", "core/pens",
-          "core/placing", "core/routing", "core/settings", "core/strokes", "core/text", "core/tile"}},
+         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/routing",
+          "core/settings", "core/text"}},
         // Rows of settings.
         {"app/viewer/panels",
          {"core/drawing", "core/image", "core/output", "core/pens", "core/placing", "core/relaxing",

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "app/viewer/model/camera.h"
+#include "app/viewer/view/camera.h"
 
 namespace dapple {
 

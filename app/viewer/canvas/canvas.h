@@ -8,11 +8,11 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
+#include "app/viewer/background/placed_drawing.h"
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/renderer.h"
-#include "app/viewer/model/frame_budget.h"
-#include "app/viewer/model/placed_drawing.h"
+#include "app/viewer/view/frame_budget.h"
 
 struct ImDrawCmd;
 struct ImDrawList;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/viewer/canvas/camera_mouse.h"
-#include "app/viewer/model/camera.h"
+#include "app/viewer/view/camera.h"
 #include "core/drawing/page_setup.h"
 
 namespace dapple {

@@ -2,7 +2,7 @@
 // A card beside the pointer that says where the dot under it comes from; its tile lights up.
 
 #include "app/viewer/canvas/camera_mouse.h"
-#include "app/viewer/model/dot_origin.h"
+#include "app/viewer/view/dot_origin.h"
 
 namespace dapple {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/gl_objects.h"
-#include "app/viewer/model/small_pictures.h"
 #include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {

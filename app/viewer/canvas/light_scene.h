@@ -8,8 +8,8 @@
 
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
-#include "app/viewer/model/camera.h"
 #include "app/viewer/model/lit_map.h"
+#include "app/viewer/view/camera.h"
 
 namespace dapple {
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <string>
 
-#include "app/viewer/model/view_analysis.h"
+#include "app/viewer/view/view_analysis.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
 

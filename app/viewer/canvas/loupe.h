@@ -7,7 +7,7 @@
 
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/gl_objects.h"
-#include "app/viewer/model/loupe_square.h"
+#include "app/viewer/view/loupe_square.h"
 
 namespace dapple {
 

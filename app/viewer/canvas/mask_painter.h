@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "app/viewer/background/placed_drawing.h"
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/mask_brush.h"
-#include "app/viewer/model/placed_drawing.h"
 
 namespace dapple {
 

@@ -2,7 +2,7 @@
 // The page's margins and sheets as lines on it: over the canvas, behind ImGui's windows.
 
 #include "app/viewer/canvas/camera_mouse.h"
-#include "app/viewer/model/camera.h"
+#include "app/viewer/view/camera.h"
 #include "core/drawing/page_setup.h"
 #include "core/output/sheet.h"
 

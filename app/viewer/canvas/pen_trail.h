@@ -5,7 +5,7 @@
 #include <span>
 
 #include "app/viewer/canvas/camera_mouse.h"
-#include "app/viewer/model/camera.h"
+#include "app/viewer/view/camera.h"
 
 namespace dapple {
 

@@ -15,10 +15,10 @@
 #include <span>
 #include <vector>
 
+#include "app/viewer/background/dot_blocks.h"
+#include "app/viewer/background/shown_strokes.h"
 #include "app/viewer/canvas/gl_objects.h"
-#include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/dot_raster.h"
-#include "app/viewer/model/shown_strokes.h"
+#include "app/viewer/view/dot_raster.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"
 

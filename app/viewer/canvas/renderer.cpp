@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/viewer/model/dot_colours.h"
+#include "app/viewer/background/dot_colours.h"
 #include "core/image/colour.h"
 #include "core/image/linear_colour.h"
 #include "core/image/tone.h"

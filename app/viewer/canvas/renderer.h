@@ -21,14 +21,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/viewer/background/dot_blocks.h"
+#include "app/viewer/background/even_part.h"
+#include "app/viewer/background/shown_strokes.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/processor_dots.h"
-#include "app/viewer/model/camera.h"
-#include "app/viewer/model/dot_blocks.h"
-#include "app/viewer/model/dot_samples.h"
-#include "app/viewer/model/even_part.h"
-#include "app/viewer/model/frame_budget.h"
-#include "app/viewer/model/shown_strokes.h"
+#include "app/viewer/view/camera.h"
+#include "app/viewer/view/dot_samples.h"
+#include "app/viewer/view/frame_budget.h"
 #include "core/image/rectangle.h"
 #include "core/pens/pen.h"
 #include "core/placing/dots.h"

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/files/save_lights.h"
-#include "app/viewer/model/background.h"
+#include "app/viewer/background/background.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/lit_map.h"

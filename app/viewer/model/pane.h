@@ -8,9 +8,9 @@
 #include <functional>
 #include <optional>
 
-#include "app/viewer/model/camera.h"
+#include "app/viewer/background/worker.h"
 #include "app/viewer/model/viewer_settings.h"
-#include "app/viewer/model/worker.h"
+#include "app/viewer/view/camera.h"
 
 namespace dapple {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/film/film.h"
-#include "app/viewer/model/dots_request.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/model/viewer_settings.h"
 
 namespace dapple {

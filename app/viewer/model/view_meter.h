@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "app/viewer/model/background.h"
+#include "app/viewer/background/background.h"
 #include "app/viewer/model/pane.h"
-#include "app/viewer/model/view_analysis.h"
+#include "app/viewer/view/view_analysis.h"
 
 namespace dapple {
 

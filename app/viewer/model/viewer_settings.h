@@ -1,8 +1,8 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
-#include "app/viewer/model/dots_request.h"
-#include "app/viewer/model/split_comparison.h"
+#include "app/viewer/background/dots_request.h"
+#include "app/viewer/view/split_comparison.h"
 #include "core/drawing/settings.h"
 #include "core/text/length.h"
 #include "core/text/names.h"

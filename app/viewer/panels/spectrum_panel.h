@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/viewer/model/view_analysis.h"
+#include "app/viewer/view/view_analysis.h"
 
 namespace dapple {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/model/loupe_square.h"
+#include "app/viewer/view/loupe_square.h"
 #include "core/placing/page.h"
 #include "core/text/length.h"
 

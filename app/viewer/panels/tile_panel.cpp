@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/files/tile_library.h"
-#include "app/viewer/model/dot_colours.h"
+#include "app/viewer/background/dot_colours.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"

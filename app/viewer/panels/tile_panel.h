@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 
-#include "app/viewer/model/tile_view.h"
+#include "app/viewer/background/tile_view.h"
 
 namespace dapple {
 

@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/background/background.h"
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/crop_frame.h"
 #include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
-#include "app/viewer/model/background.h"
 #include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/panels/side_panel.h"

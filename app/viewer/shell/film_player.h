@@ -7,8 +7,8 @@
 
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/model/session.h"
-#include "app/viewer/model/shown_plot.h"
 #include "app/viewer/panels/shortcuts.h"
+#include "app/viewer/view/shown_plot.h"
 
 namespace dapple {
 

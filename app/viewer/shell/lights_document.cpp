@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "app/settings/working_folder.h"
-#include "app/viewer/model/map_camera.h"
 #include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/saving_banner.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
+#include "app/viewer/view/map_camera.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"

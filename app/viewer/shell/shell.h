@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/model/background.h"
+#include "app/viewer/background/background.h"
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/file_dialog.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/settings/presets.h"
-#include "app/viewer/model/desktop_folders.h"
-#include "app/viewer/model/pasted_files.h"
+#include "app/viewer/desktop/desktop_folders.h"
+#include "app/viewer/desktop/pasted_files.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/preset_row.h"
 #include "core/settings/drawing_fields.h"

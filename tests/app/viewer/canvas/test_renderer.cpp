@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/mipmaps.h"
 #include "app/viewer/canvas/renderer.h"
-#include "app/viewer/model/dot_colours.h"
-#include "app/viewer/model/mipmaps.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "tests/dot_pieces.h"

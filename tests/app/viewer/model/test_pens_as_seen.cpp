@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "app/viewer/model/small_drawing.h"
+#include "app/viewer/background/small_drawing.h"
 #include "core/image/linear_colour.h"
 #include "core/pens/separation.h"
 

@@ -1,0 +1,96 @@
+#include "app/viewer/background/shown_strokes.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "core/drawing/settings.h"
+#include "core/placing/dot_stream.h"
+#include "core/routing/short_way.h"
+
+namespace dapple {
+namespace {
+
+constexpr std::uint64_t kMostLines = 20'000'000;
+
+Dots in_order(Dots dots, const StrokeChoice& choice, LineWay way, const std::stop_token& stop) {
+    const DotOrder order = choice.order.value_or(DotOrder::shortest);
+    const bool by_way = order == DotOrder::space || order == DotOrder::shortest;
+    if (by_way) sort_dots(dots, DotOrder::space);
+    const bool shortest = order == DotOrder::shortest && choice.style == DrawingStyle::line;
+    if (shortest && way == LineWay::final) shorten_way(dots, {.stop = stop, .progress = {}});
+    return dots;
+}
+
+// The dots of each pen.
+std::vector<Dots> by_pen(const DotPieces& dots) {
+    std::vector<Dots> all;
+    for (const Dots& piece : dots.pieces) {
+        if (all.empty() || all.back().pen != piece.pen) all.emplace_back().pen = piece.pen;
+        append(all.back(), piece);
+    }
+    return all;
+}
+
+// Each block has up to kDotsPerBlock lines that follow each other.
+void put_into_blocks(ShownStrokes& strokes) {
+    for (std::size_t first = 0; first < strokes.lines.size(); first += kDotsPerBlock) {
+        DotBlock block{.first = first,
+                       .index = first,
+                       .count = std::min(kDotsPerBlock, strokes.lines.size() - first),
+                       .low = glm::vec2(strokes.lines[first]),
+                       .high = glm::vec2(strokes.lines[first])};
+        for (std::size_t i = first; i < first + block.count; ++i) {
+            const glm::vec2 a(strokes.lines[i].x, strokes.lines[i].y),
+                b(strokes.lines[i].z, strokes.lines[i].w);
+            block.low = glm::min(block.low, glm::min(a, b));
+            block.high = glm::max(block.high, glm::max(a, b));
+        }
+        strokes.blocks.push_back(block);
+    }
+}
+
+}  // namespace
+
+ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, double mm_per_page_unit) {
+    ShownStrokes shown;
+    const double unit = 1 / mm_per_page_unit;
+    shown.width = strokes.widest() * unit;
+    if (strokes.points > kMostLines) return shown;
+    shown.lines.reserve(strokes.points);
+    strokes.for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
+        const auto add = [&](glm::dvec2 a, glm::dvec2 b) {
+            shown.lines.emplace_back(glm::vec2(a * unit), glm::vec2(b * unit));
+            if (pens.empty()) return;
+            shown.widths.push_back(static_cast<float>(strokes.width_of(pen) * unit));
+            shown.pens.push_back(static_cast<std::uint8_t>(pen));
+        };
+        if (points.size() == 1) add(points[0], points[0]);
+        for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
+    });
+    put_into_blocks(shown);
+    return shown;
+}
+
+ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
+                           const PageSize& page, double dot_radius, LineWay way, std::stop_token stop) {
+    const double unit = page.mm_per_page_unit;
+    const bool touches = choice.style == DrawingStyle::dots && choice.mark.shape == DotShape::point;
+    const std::vector<double> widths =
+        stroke_widths(choice.pens, choice.pen_width_mm, pens, touches ? PenUse::touches : PenUse::lines);
+    if (choice.style == DrawingStyle::dots)
+        return on_screen(
+            marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm, widths),
+            pens, unit);
+    Strokes lines;
+    for (Dots& own : by_pen(dots)) {
+        const Dots ordered = in_order(std::move(own), choice, way, stop);
+        append(lines, choice.style == DrawingStyle::line ? line_through(ordered, page)
+                                                         : lines_to_nearest(ordered, page));
+    }
+    StrokeStream stream = stream_of(lines, choice.pen_width_mm);
+    stream.widths_mm = widths;
+    return on_screen(stream, pens, unit);
+}
+
+}  // namespace dapple

@@ -1,0 +1,55 @@
+#pragma once
+// What a pen would draw, as lines for the canvas.
+
+#include <glm/vec4.hpp>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "app/viewer/background/dot_blocks.h"
+#include "core/pens/pen.h"
+#include "core/placing/dot_order.h"
+#include "core/placing/page.h"
+#include "core/strokes/dot_shape.h"
+#include "core/strokes/drawing_style.h"
+#include "core/strokes/strokes.h"
+
+namespace dapple {
+
+/// How dots are drawn by a pen; circles are not.
+struct StrokeChoice {
+    DrawingStyle style = DrawingStyle::dots;
+    DotMark mark = {};
+    double pen_width_mm = 0.3;
+    std::optional<DotOrder> order = {};  // of one line through all dots; none: the shortest
+    PenChoice pens = {};                 // whose lines are as wide as stroke_widths() says
+
+    bool draws() const { return style != DrawingStyle::dots || mark.shape != DotShape::circle; }
+    bool operator==(const StrokeChoice&) const = default;
+};
+
+struct ShownStrokes {
+    std::vector<glm::vec4> lines;  // from x, y to x, y in page units; a touch has no length
+    std::vector<DotBlock> blocks;  // of the lines, with the boxes around them
+    double width = 0;              // page units; of the widest pen
+    // For each line, where several pens draw; empty: all in ink, all as wide.
+    std::vector<float> widths;       // page units
+    std::vector<std::uint8_t> pens;  // places in the drawing's palette
+};
+
+enum class LineWay {
+    soon,   // along a Hilbert curve
+    final,  // as a file has it
+};
+
+/// The same as in a file; a file's longest lines are told in millimetres, these in page units from the
+/// picture's corner. None where there would be more than 20 million: dots are then shown as circles. Stopped,
+/// it is what was reached. `pens` are the drawing's, if there are several.
+ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
+                           const PageSize& page, double dot_radius, LineWay way, std::stop_token stop = {});
+
+/// Strokes as they are, in millimetres from the picture's corner. None where there would be so many.
+ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, double mm_per_page_unit);
+
+}  // namespace dapple

@@ -1,0 +1,45 @@
+#pragma once
+// Small pictures for the entries of lists, made in the background one at a time: each entry on screen asks
+// for its own in every frame, and has it once it is made. What is not on screen is never made.
+
+#include <functional>
+#include <glm/gtc/type_precision.hpp>
+#include <map>
+#include <stop_token>
+#include <string>
+
+#include "app/viewer/background/background.h"
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// sRGB-encoded, opaque. Empty: there is none.
+using SmallPicture = Grid<glm::u8vec4>;
+
+class SmallPictures {
+ public:
+    using Make = std::function<SmallPicture(const std::stop_token&)>;
+
+    /// `wake` is called from another thread whenever one is made.
+    explicit SmallPictures(std::function<void()> wake) : making_(std::move(wake)) {}
+
+    /// The picture of that key; null while it is still to be made, which begins once no other is under way.
+    /// One that cannot be made (`make` throws) is empty. Valid until forget().
+    const SmallPicture* of(const std::string& key, const Make& make);
+
+    /// Gives up what is being made, and all memory.
+    void forget();
+
+ private:
+    struct Made {
+        std::string key;
+        SmallPicture picture;
+    };
+    void take_made();
+
+    std::map<std::string, SmallPicture> made_;
+    std::string under_way_;  // the key of what was begun last
+    Background<Made> making_;
+};
+
+}  // namespace dapple

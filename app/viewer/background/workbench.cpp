@@ -1,0 +1,247 @@
+#include "app/viewer/background/workbench.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "app/files/tile_library.h"
+#include "app/viewer/background/even_part.h"
+#include "app/viewer/background/mipmaps.h"
+
+namespace dapple {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A drawing that takes longer to settle is shown on its way.
+constexpr std::chrono::milliseconds kFrame(16);
+constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
+
+constexpr std::size_t kDotsRoutedSoon = 2000;
+
+bool looks_like_environment(const Grid<float>& light) {
+    return light.width == 2 * light.height && std::ranges::max(light.values) > 1;
+}
+
+bool same_tile(const DotsRequest& a, const DotsRequest& b) {
+    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
+}
+
+}  // namespace
+
+DrawingPlan Workbench::plan(const DotsRequest& request) {
+    if (std::exchange(choice_, request.density) != request.density) {
+        if (choice_.source == DensitySource::photograph)
+            pipeline_.set_plain({});
+        else
+            pipeline_.set_plain(plain_density(choice_));
+    }
+    TileKey key{request.tile, request.ranking};
+    if (tile_key_ != key) {
+        tile_key_.reset();
+        pipeline_.set_tile(tile_named(request.tile, request.ranking));
+        tile_key_ = std::move(key);
+    }
+    DrawingRequest drawing = request.drawing;
+    if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
+    if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
+    return pipeline_.plan(drawing, request.most_dots);
+}
+
+namespace {
+
+// Mean over a window by so many samples along each side, times the window's area.
+double density_in(const Density& page, const PageWindow& window) {
+    constexpr int kSamples = 64;
+    double sum = 0;
+    for (int y = 0; y < kSamples; ++y)
+        for (int x = 0; x < kSamples; ++x)
+            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
+                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
+    return sum / (kSamples * kSamples) * window.width * window.height;
+}
+
+PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
+    // A window may be as small as 2^-41 of the page.
+    const double most = static_cast<double>(request.most_dots);
+    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
+    return {.scale = std::min(request.close->scale, limit),
+            .threads = request.drawing.placing.threads,
+            .thresholds = true,
+            .window = request.close->window};
+}
+
+}  // namespace
+
+bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
+                      const Unsettled& unsettled) {
+    DrawingPlan made = plan(request);
+    if (request.in_part) made.placing.thresholds = true;
+    const Density& page = *made.density;
+    if (request.close) {  // as placed
+        made.placing = close_placing(page, request);
+        made.steps = 0;
+        made.pens = {};
+    }
+    Placer& placer = pipeline_.tile().placer();
+    placer.report_share(share_);
+    // Figure 8 turns no tile, and begins at the page's corner.
+    const bool turns = request.drawing.placer == PlacerKind::exact;
+    const Tile& tile = pipeline_.tile().tile();
+    const auto finish = [&](PlacedDrawing& placed) {
+        placed.request = request;
+        placed.tone = made.tone;
+        placed.usual_tone = made.usual_tone;
+        placed.all_steps = made.steps;
+        placed.usual_steps = made.usual_steps;
+        placed.histogram = made.histogram;
+        placed.tone_ms = pipeline_.tone_ms();
+        placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
+        placed.layout = made.layout(placed.scale);
+        placed.framing = pipeline_.framing();
+        placed.picture_pixels = pipeline_.pixels();
+        placed.window = request.close ? request.close->window : PageWindow{};
+        placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
+        placed.outlines.clear();
+        if (request.outlines)
+            placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
+                                            : pipeline_.outlines(made, placed.scale);
+        placed.dot_radius = made.largest_share() * made.radius(placed.scale);
+        const StrokeChoice& strokes = request.strokes;
+        const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
+        placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
+        placed.radius_for_tone_mm =
+            made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
+        placed.colours = chosen_colours(
+            placed.dots,
+            {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind, placed.tile_corner},
+            request.colours);
+    };
+    DrawingWatch watch{.stop = stop, .step = {}};
+    if (unsettled) {
+        watch.step = [&](const Stippling& drawn, const std::function<DotPieces()>& dots) {
+            return unsettled([&] {
+                PlacedDrawing now;
+                static_cast<Stippling&>(now) = {.dots = dots(),
+                                                .steps = drawn.steps,
+                                                .scale = drawn.scale,
+                                                .place_ms = drawn.place_ms,
+                                                .relax_ms = drawn.relax_ms};
+                finish(now);
+                return now;
+            });
+        };
+    }
+    if (!(request.close ? stipple(pipeline_.tile(), page, made.placer, made.placing, drawing, stop)
+                        : pipeline_.draw(made, drawing, watch)))
+        return false;
+    finish(drawing);
+    drawing.pens = made.pens;
+    return true;
+}
+
+std::string words_of_exception() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return "There is not enough memory for this.";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+void Workbench::open(Picture picture, OpenedPicture about) {
+    // A first look that was not shown has nothing to refine.
+    if (arrived_) about.refines = about.refines && arrived_->refines;
+    about.description = picture.description;
+    about.longer_side = std::max(picture.light.width, picture.light.height);
+    about.exposure = picture.exposure;
+    about.looks_like_environment = looks_like_environment(picture.light);
+    about.preview =
+        std::make_shared<const std::vector<Grid<glm::u8vec4>>>(mipmaps_of(std::move(picture.preview)));
+    set_picture(std::move(picture));
+    arrived_ = std::move(about);
+}
+
+// What the window needs beyond the drawing, and nothing that it doesn't.
+DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
+                                       const std::stop_token& stop) {
+    drawing.blocks = dot_blocks(drawing.dots);
+    drawing.strokes = {};
+    // Looked at closely, there are more dots with every zoom: they are shown as such.
+    if (request.strokes.draws() && !request.close)
+        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.pens, drawing.layout.page,
+                                        drawing.dot_radius, way, stop);
+    // Large tiles first: see Renderer::set_tiles().
+    std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
+    shrink_if_far_too_large(drawing);
+    DotsPlaced placed;
+    placed.drawing = std::move(drawing);
+    if (!tile_published_ || !same_tile(*tile_published_, request)) {
+        placed.tile = view_of(request.tile, pipeline_.tile(), request.drawing.placer);
+        tile_published_ = request;
+    }
+    placed.picture = std::exchange(arrived_, std::nullopt);
+    return placed;
+}
+
+std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request,
+                                                      const Background<DotsPlaced>::Task& task) {
+    const std::stop_token& stop = task.stop();
+    share_ = &task.share();
+    // Settled dots are not replaced by unsettled ones of the same picture.
+    const bool settled_only = request.settled_only || (arrived_ && arrived_->refines && settled_ == request);
+    // Steps that fit into a frame are not shown one by one.
+    auto shown = Clock::now();
+    const std::chrono::duration<double> step(static_cast<double>(request.drawing.placing.count.value_or(0)) *
+                                             kSecondsADotAndStep);
+    const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
+        if (stop.stop_requested()) return false;
+        if (settled_only || Clock::now() + step - shown < kFrame) return true;
+        task.publish(ready_for_screen(request, drawing(), LineWay::soon, stop));
+        shown = Clock::now();
+        return true;
+    };
+    PlacedDrawing drawing = take_spare(spare_);
+    try {
+        if (!place(request, drawing, stop, unsettled) || stop.stop_requested()) {
+            give_back(std::move(drawing));
+            return std::nullopt;
+        }
+        last_size_ = drawing.dots.size();
+        // A line's way takes longer than its dots.
+        if (request.strokes.style == DrawingStyle::line && !request.close && !settled_only &&
+            last_size_ > kDotsRoutedSoon)
+            task.publish(ready_for_screen(request, drawing, LineWay::soon, stop));
+        DotsPlaced placed = ready_for_screen(request, std::move(drawing), LineWay::final, stop);
+        if (stop.stop_requested()) {
+            give_back(std::move(placed.drawing));
+            return std::nullopt;
+        }
+        sort_spare();
+        settled_ = request;
+        return placed;
+    } catch (...) {
+        DotsPlaced failed;
+        failed.drawing.request = request;
+        failed.error = words_of_exception();
+        failed.picture = std::exchange(arrived_, std::nullopt);
+        return failed;
+    }
+}
+
+void Workbench::clear() {
+    pipeline_ = {};
+    choice_ = {};
+    tile_key_.reset();
+    share_ = nullptr;
+    arrived_.reset();
+    last_size_ = 0;
+    spare_ = {};
+    give_memory_back();
+}
+
+}  // namespace dapple

@@ -1,0 +1,128 @@
+#include "app/viewer/desktop/pasted_picture.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/files/atomic_file.h"
+#include "app/files/child_output.h"
+#include "app/settings/xdg_folders.h"
+
+namespace dapple {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+struct ClipboardProgram {
+    Words list, get;  // the kinds that are offered; one of them, whose name comes last
+};
+
+struct PictureKind {
+    const char *kind, *ending;
+};
+constexpr std::array<PictureKind, 6> kPictureKinds{{{"image/png", ".png"},
+                                                    {"image/jpeg", ".jpg"},
+                                                    {"image/webp", ".webp"},
+                                                    {"image/tiff", ".tif"},
+                                                    {"image/bmp", ".bmp"},
+                                                    {"image/gif", ".gif"}}};
+
+ClipboardProgram clipboard_program() {
+    if (std::getenv("WAYLAND_DISPLAY") && is_in_path("wl-paste"))
+        return {{"wl-paste", "--list-types"}, {"wl-paste", "--type"}};
+    if (is_in_path("xclip"))
+        return {{"xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"},
+                {"xclip", "-selection", "clipboard", "-o", "-t"}};
+    throw std::runtime_error(
+        "The clipboard names no file, and pasting a picture needs xclip, or wl-paste on Wayland: install "
+        "that, or save the picture to a file and open it");
+}
+
+const PictureKind* first_picture_in(const std::string& kinds) {
+    for (const PictureKind& each : kPictureKinds) {
+        std::istringstream lines(kinds);
+        for (std::string line; std::getline(lines, line);)
+            if (line == each.kind) return &each;
+    }
+    return nullptr;
+}
+
+// "pasted 2026-11-23 120501.png", with a number where that is there already.
+fs::path new_file(const fs::path& folder, const char* ending) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    ::localtime_r(&now, &local);
+    std::array<char, 32> moment{};
+    std::strftime(moment.data(), moment.size(), "%Y-%m-%d %H%M%S", &local);
+    fs::path file = folder / fmt::format("pasted {}{}", moment.data(), ending);
+    for (int number = 2; fs::exists(file); ++number)
+        file = folder / fmt::format("pasted {} {}{}", moment.data(), number, ending);
+    return file;
+}
+
+}  // namespace
+
+fs::path file_to_copy() {
+    const fs::path state = state_folder();
+    return state.empty() ? state : state / fmt::format("picture to copy {}.png", ::getpid());
+}
+
+bool copy_picture(const fs::path& png, const std::stop_token& stop) {
+    constexpr ChildLimits kLimits{.longest = std::chrono::seconds(30)};
+    std::string program;
+    if (std::getenv("WAYLAND_DISPLAY") && is_in_path("wl-copy"))
+        program = R"(wl-copy --type image/png <"$0")";
+    else if (is_in_path("xclip"))
+        program = R"(xclip -selection clipboard -t image/png "$0")";
+    else
+        throw std::runtime_error(
+            "Copying a picture needs xclip, or wl-copy on Wayland: install that, or export the drawing as a "
+            "PNG");
+    // Both go on to hand the picture out, and would keep our pipe open.
+    const auto done =
+        output_of({"/bin/sh", "-c", "exec " + program + " >/dev/null", png.string()}, kLimits, stop);
+    if (done && done->status != 0)
+        throw std::runtime_error("The picture could not be copied: there is no clipboard that takes it");
+    return done.has_value();
+}
+
+fs::path pasted_folder() {
+    const fs::path data = data_folder();
+    return data.empty() ? data : data / "pasted";
+}
+
+std::optional<fs::path> save_pasted_picture(const fs::path& folder, const std::stop_token& stop) {
+    constexpr ChildLimits kKinds{.longest = std::chrono::seconds(5)},
+        kPicture{.most_bytes = std::size_t{512} << 20, .longest = std::chrono::seconds(30)};
+    const ClipboardProgram program = clipboard_program();
+    const auto kinds = output_of(program.list, kKinds, stop);
+    if (!kinds) return std::nullopt;
+    const PictureKind* const kind = kinds->status == 0 ? first_picture_in(kinds->bytes) : nullptr;
+    if (!kind)
+        throw std::runtime_error(
+            "There is neither a picture nor the name of a file on the clipboard; copy one of them");
+    Words get = program.get;
+    get.emplace_back(kind->kind);
+    const auto picture = output_of(get, kPicture, stop);
+    if (!picture) return std::nullopt;
+    if (picture->status != 0 || picture->bytes.empty())
+        throw std::runtime_error("The picture on the clipboard could not be read from " + get[0] +
+                                 "; copy it again, or save it to a file and open that");
+    make_folder(folder);
+    fs::path file = new_file(folder, kind->ending);
+    save_atomically(file, [&](std::ostream& out) { out << picture->bytes; });
+    return file;
+}
+
+}  // namespace dapple
