@@ -67,6 +67,28 @@ void take_folder(RenderOptions& options, std::size_t pictures) {
     options.output = output_in(options.output, *options.image, *options.format);
 }
 
+constexpr const char* kExamples =
+    "\nExamples:\n"
+    "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
+    "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
+    "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
+    "  dapple render cat.jpg -o cat.svg --style line --dots 20k     one line through all dots\n"
+    "  dapple render cat.jpg -o cat.svg --dot-shape spiral --pen-width 0.3   dots that a pen fills\n"
+    "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
+    "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
+    "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
+    "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
+    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a "
+    "plan\n"
+    "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
+    "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
+    "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
+    "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
+    "  dapple render *.jpg -o drawings/ --format pdf       a drawing of each\n"
+    "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
+    "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
+    "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background";
+
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program) {
@@ -74,7 +96,19 @@ RenderCommand::RenderCommand(CLI::App& program) {
                                                      "Stipple a picture into a file: SVG, G-code, HPGL and "
                                                      "DXF for plotters and lasers, PDF, PNG and TIFF for "
                                                      "print, CSV and JSON as tables");
-    // First, so that it is taken before the other options, which say otherwise.
+    add_input_options(*command);  // taken before the other options, which say otherwise
+    add_output_options(*command);
+    add_dot_options(*command, options_.drawing);
+    add_style_options(*command, options_.drawing);
+    add_tone_options(*command, options_.drawing);
+    add_mask_options(*command);
+    add_page_options(*command, options_.drawing);
+    add_saving_options(*command);
+    command->footer(std::string(gcode_help()) + kExamples);
+    command->callback([this, command] { run(*command); });
+}
+
+void RenderCommand::add_input_options(CLI::App& command) {
     const auto read_image = [this](const std::vector<std::string>& files) {
         if (files.size() > 1) {
             for (const std::string& file : files) check_batch_picture(file);
@@ -85,7 +119,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         automatic_tone_ = options_.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::vector<std::string>>(
+        .add_option_function<std::vector<std::string>>(
             "image", read_image,
             "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
             "settings the other options change; without one, the built-in sample. Several pictures become as "
@@ -100,9 +134,9 @@ RenderCommand::RenderCommand(CLI::App& program) {
         automatic_tone_ = read.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::string>("--settings-from", read_settings,
-                                           "Draw with the settings of a project, or of a drawing (.svg, "
-                                           ".png) that Dapple made; the other options change them")
+        .add_option_function<std::string>("--settings-from", read_settings,
+                                          "Draw with the settings of a project, or of a drawing (.svg, "
+                                          ".png) that Dapple made; the other options change them")
         ->type_name("FILE");
     const auto read_preset = [this](const std::string& name) {
         const SavedSettings preset = preset_named(name, presets_folder()).settings;
@@ -111,32 +145,35 @@ RenderCommand::RenderCommand(CLI::App& program) {
         automatic_tone_ = preset.drawing.automatic_tone;
     };
     command
-        ->add_option_function<std::string>("--preset", read_preset,
-                                           "Draw with the settings of a preset; the other options change "
-                                           "them. `dapple presets` lists the presets")
+        .add_option_function<std::string>("--preset", read_preset,
+                                          "Draw with the settings of a preset; the other options change "
+                                          "them. `dapple presets` lists the presets")
         ->type_name("PRESET")
         ->excludes("--settings-from");
+}
+
+void RenderCommand::add_output_options(CLI::App& command) {
     command
-        ->add_option("-o,--output", options_.output,
-                     "The drawing; its name ends in " + drawing_endings() +
-                         ". - for the standard output. A folder, which is there or ends in /: drawings named "
-                         "after their pictures, of --format")
+        .add_option("-o,--output", options_.output,
+                    "The drawing; its name ends in " + drawing_endings() +
+                        ". - for the standard output. A folder, which is there or ends in /: drawings named "
+                        "after their pictures, of --format")
         ->type_name("OUT")
         ->required();
-    add_choice(*command, "--format", options_.format,
+    add_choice(command, "--format", options_.format,
                "The format where no file's name gives it; without it, an SVG");
     add_whole_number(
-        *command, "--jobs", jobs_, {.least = 0, .most = 256},
+        command, "--jobs", jobs_, {.least = 0, .most = 256},
         "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
     command
-        ->add_option("--stats", options_.stats,
-                     "Save figures about the drawing, as JSON; - for the standard output")
+        .add_option("--stats", options_.stats,
+                    "Save figures about the drawing, as JSON; - for the standard output")
         ->type_name("FILE");
-    command->add_flag_callback(
+    command.add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
-    add_dot_options(*command, options_.drawing);
-    add_style_options(*command, options_.drawing);
-    add_tone_options(*command, options_.drawing);
+}
+
+void RenderCommand::add_mask_options(CLI::App& command) {
     const auto light_of = [this](const char* option, const std::string& file) {
         try {
             return read_picture(file, options_.limit).light;
@@ -156,7 +193,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         mask = file == "none" ? mask.without_finer() : with_fineness(mask, light_of("--finer", file));
     };
     command
-        ->add_option_function<std::string>(
+        .add_option_function<std::string>(
             "--mask", read_mask,
             "A grey picture laid over the whole picture, before it is cropped or turned: middle grey "
             "(#808080) changes nothing, darker gives fewer dots, black none, lighter more, white four times "
@@ -165,7 +202,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
         ->type_name("FILE|none")
         ->group("Tone");
     command
-        ->add_option_function<std::string>(
+        .add_option_function<std::string>(
             "--finer", read_finer,
             "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
             "and "
@@ -173,72 +210,52 @@ RenderCommand::RenderCommand(CLI::App& program) {
             "project or --mask has of it")
         ->type_name("FILE|none")
         ->group("Tone");
-    add_page_options(*command, options_.drawing);
-    add_number(*command, setting::dpi, options_.saving.dpi)->group("Page");
+}
+
+void RenderCommand::add_saving_options(CLI::App& command) {
+    add_number(command, setting::dpi, options_.saving.dpi)->group("Page");
     const auto read_bits = [this](const std::string& text) {
         if (text != "8" && text != "16") throw std::runtime_error(text + " is not possible; give 8 or 16");
         options_.saving.bits = text == "8" ? 8 : 16;
     };
-    add_text(*command, setting::bits.names.option, unit_of(setting::bits), read_bits, help_of(setting::bits))
+    add_text(command, setting::bits.names.option, unit_of(setting::bits), read_bits, help_of(setting::bits))
         ->default_str("8")
         ->group("Page");
-    add_flag(*command, setting::separations, options_.saving.separations)->group("Page");
-    add_flag(*command, setting::pen_files, options_.saving.pen_files)->group("Page");
-    add_flag(*command, setting::background, options_.drawing.background)->group("Page");
-    add_flag(*command, setting::show_tiles, options_.drawing.show_tiles)->group("Page");
-    add_flag(*command, setting::registration, options_.drawing.registration)->group("Page");
-    add_choice(*command, setting::machine, options_.saving.machine)->group("Page");
-    add_arrangement_options(*command, options_.saving.order, options_.sheet, options_.region);
-    add_mural_options(*command, options_.drawing.sheets);
-    add_gcode_options(*command, options_.saving);
-    command->footer(
-        std::string(gcode_help()) +
-        "\nExamples:\n"
-        "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
-        "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
-        "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
-        "  dapple render cat.jpg -o cat.svg --style line --dots 20k     one line through all dots\n"
-        "  dapple render cat.jpg -o cat.svg --dot-shape spiral --pen-width 0.3   dots that a pen fills\n"
-        "  dapple render cat.jpg -o cat.svg --page a4 --margin 15     on A4, with a border for the pen\n"
-        "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
-        "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
-        "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
-        "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a "
-        "plan\n"
-        "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
-        "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
-        "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
-        "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
-        "  dapple render *.jpg -o drawings/ --format pdf       a drawing of each\n"
-        "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
-        "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
-        "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background");
-    command->callback([this, command] {
-        check_options(*command, options_.drawing, automatic_tone_);
-        take_folder(options_, pictures_.size());
-        take_usual_shape(*command, options_);
-        if (pictures_.size() < 2) refuse(*command, {"--jobs"}, "is for several pictures; leave it out");
-        take_part(*command, options_);
-        check_that_fit(*command, options_);
-        if (!pictures_.empty() && is_several(options_.drawing.sheets))
-            throw CLI::ValidationError("--sheets",
-                                       "is for one picture; draw the others' sheets by themselves");
-        check_names_differ(pictures_, options_.output, format_of(options_));
-        check_apart(*command, options_, pictures_);
-        if (pictures_.empty()) {
-            if (is_several(options_.drawing.sheets))
-                render_mural(options_);
-            else
-                render(options_);
-            return;
-        }
-        const BatchResult result = render_batch(options_, pictures_, jobs_);
-        const std::string summary = batch_summary(result, options_.output);
-        fmt::print(stderr, "{}\n", summary);
-        if (!result.failures.empty())
-            throw std::runtime_error(
-                fmt::format("{} of {} pictures failed", result.failures.size(), pictures_.size()));
-    });
+    add_flag(command, setting::separations, options_.saving.separations)->group("Page");
+    add_flag(command, setting::pen_files, options_.saving.pen_files)->group("Page");
+    add_flag(command, setting::background, options_.drawing.background)->group("Page");
+    add_flag(command, setting::show_tiles, options_.drawing.show_tiles)->group("Page");
+    add_flag(command, setting::registration, options_.drawing.registration)->group("Page");
+    add_choice(command, setting::machine, options_.saving.machine)->group("Page");
+    add_arrangement_options(command, options_.saving.order, options_.sheet, options_.region);
+    add_mural_options(command, options_.drawing.sheets);
+    add_gcode_options(command, options_.saving);
+}
+
+void RenderCommand::run(const CLI::App& command) {
+    check_options(command, options_.drawing, automatic_tone_);
+    take_folder(options_, pictures_.size());
+    take_usual_shape(command, options_);
+    if (pictures_.size() < 2) refuse(command, {"--jobs"}, "is for several pictures; leave it out");
+    take_part(command, options_);
+    check_that_fit(command, options_);
+    if (!pictures_.empty() && is_several(options_.drawing.sheets))
+        throw CLI::ValidationError("--sheets", "is for one picture; draw the others' sheets by themselves");
+    check_names_differ(pictures_, options_.output, format_of(options_));
+    check_apart(command, options_, pictures_);
+    if (pictures_.empty()) {
+        if (is_several(options_.drawing.sheets))
+            render_mural(options_);
+        else
+            render(options_);
+        return;
+    }
+    const BatchResult result = render_batch(options_, pictures_, jobs_);
+    const std::string summary = batch_summary(result, options_.output);
+    fmt::print(stderr, "{}\n", summary);
+    if (!result.failures.empty())
+        throw std::runtime_error(
+            fmt::format("{} of {} pictures failed", result.failures.size(), pictures_.size()));
 }
 
 }  // namespace dapple

@@ -20,6 +20,12 @@ class RenderCommand {
     RenderCommand& operator=(const RenderCommand&) = delete;
 
  private:
+    void add_input_options(CLI::App& command);
+    void add_output_options(CLI::App& command);
+    void add_mask_options(CLI::App& command);
+    void add_saving_options(CLI::App& command);
+    void run(const CLI::App& command);
+
     RenderOptions options_;
     std::vector<std::filesystem::path> pictures_;  // where there are several
     int jobs_ = 0;

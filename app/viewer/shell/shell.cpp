@@ -13,7 +13,6 @@
 #include "app/files/tile_library.h"
 #include "app/settings/working_folder.h"
 #include "app/settings/xdg_folders.h"
-#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_files.h"
 #include "app/viewer/desktop/pasted_picture.h"
@@ -21,7 +20,6 @@
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
-#include "app/viewer/shell/changes_question.h"
 #include "core/text/shown_text.h"
 
 namespace dapple {
@@ -32,7 +30,6 @@ constexpr int kFramesAfterEvent = 3;
 constexpr int kUntilSeen = 2;  // frames until a dialog is seen, the first of which ImGui measures it in
 constexpr double kCursorBlinks = 0.3;  // seconds
 constexpr double kRepeats = 0.02;
-constexpr double kKeepsEvery = 10;
 
 bool input_arrived() {
     const ImGuiIO& io = ImGui::GetIO();
@@ -85,47 +82,40 @@ bool drag_edge(glm::vec2 canvas, float scale) {
 }  // namespace
 
 Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
-    : log_status_(log_status),
+    : log_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
-      unsaved_(std::move(unsaved)),
-      desktop_dialog_(&Window::wake),
+      kept_(std::move(unsaved)),
       pasting_(&Window::wake) {
     ImGui::GetIO().UserData = &widgets_;
     panels_shown_ = memory_.state.panels_shown;
     window_.set_appearance(memory_.preferences.appearance);
-    left_behind_ = unsaved_.left_behind();
-    asks_about_left_ = !left_behind_.empty();
 }
 
 int Shell::run(std::unique_ptr<Document> document) {
     int frames_left = kFramesAfterEvent;
     while (!may_close(document)) {
         double wait_at_most = frames_left > 0 ? 0 : document->seconds_to_next_frame();
-        wait_at_most = std::min(wait_at_most, seconds_until_kept(*document));
+        wait_at_most = std::min(wait_at_most, kept_.seconds_until_kept(*document));
         if (ImGui::GetIO().WantTextInput) wait_at_most = std::min(wait_at_most, kCursorBlinks);
         if (repeating_key_down()) wait_at_most = std::min(wait_at_most, kRepeats);
         if (window_.wait_for_events(wait_at_most)) frames_left = kFramesAfterEvent;
         const auto begin = std::chrono::steady_clock::now();
         const double work_before = work_ms();
-        const bool was_ready = ready_;  // the first frame makes everything ready
         frame(*document);
         if (std::exchange(goes_back_, false)) go_back(document);
         if (auto successor = document->take_successor())
             before_ = std::exchange(document, std::move(successor));
         const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
         last_seconds_ = passed.count() / 1e3;
-        if (was_ready) {
-            health_.longest_frame_ms = std::max(health_.longest_frame_ms, passed.count());
-            health_.longest_work_ms = std::max(health_.longest_work_ms, work_ms() - work_before);
-        }
+        log_.took(passed.count(), work_ms() - work_before);
         frames_left = input_arrived() || window_.input_waits() ? kFramesAfterEvent : frames_left - 1;
     }
     memory_.state.window = window_.place();
     memory_.state.panels_shown = panels_shown_;
     if (const auto view = document->kept_view()) memory_.state.view = *view;
     save_memory();
-    unsaved_.forget();
+    kept_.forget();
     return 0;
 }
 
@@ -138,147 +128,61 @@ void Shell::go_back(std::unique_ptr<Document>& document) {
 
 bool Shell::may_close(std::unique_ptr<Document>& document) {
     const bool before_saves = before_ && !before_->saving().empty();
-    if (closes_once_saved_ && !before_saves && document->saving().empty()) {
-        closes_once_saved_ = false;
-        if (!document->tells_of_trouble()) window_.close();
-    }
+    const bool saves = before_saves || !document->saving().empty();
+    if (!saves && leaving_.closes_once_saved() && !document->tells_of_trouble()) window_.close();
     if (!window_.should_close()) return false;
     if (before_saves) go_back(document);
-    if (!document->saving().empty()) {
+    if (saves) {
         window_.stay_open();
-        asks_about_saving_ = true;
+        leaving_.ask_about_saving();
         return false;
     }
     if (before_ && !before_->unsaved().empty()) go_back(document);
     if (closing_ || document->unsaved().empty()) return true;
     window_.stay_open();
-    waiting_ = Waiting{};
+    leaving_.begin({});
     return false;
 }
 
 void Shell::open_answer(const FileQuestion::Answer& answer, Document& document) {
-    waiting_ = Waiting{.open = answer};
     const Session* const session = document.session();
-    if (!session || !session->would_lose_changes(answer.file)) go_on(document);
+    if (session && session->would_lose_changes(answer.file))
+        leaving_.begin({answer});
+    else
+        go_on({answer}, document);
 }
 
-void Shell::go_on(Document& document) {
-    const auto open = std::exchange(waiting_, {})->open;
-    if (!open) {
+void Shell::go_on(const Successor& next, Document& document) {
+    if (!next.file) {
         closing_ = true;
         window_.close();
-    } else if (open->as_picture) {
-        document.open_as_picture(open->file);
+    } else if (next.file->as_picture) {
+        document.open_as_picture(next.file->file);
     } else {
-        document.take_dropped(open->file);
+        document.take_dropped(next.file->file);
     }
-}
-
-void Shell::draw_changes_question(Document& document) {
-    const std::string name = document.unsaved();
-    if (name.empty()) return go_on(document);
-    if (waiting_->saving) {
-        if (!dialog_.is_open()) waiting_.reset();  // it was not saved
-        return;
-    }
-    switch (ask_about_changes(name)) {
-        case ChangesAnswer::none:
-        case ChangesAnswer::next:
-            return;
-        case ChangesAnswer::cancel:
-            return waiting_.reset();
-        case ChangesAnswer::discard:
-            return go_on(document);
-        case ChangesAnswer::save:
-            break;
-    }
-    waiting_->saving = true;
-    Session& session = *document.session();
-    if (const std::filesystem::path own = session.project_path(); !own.empty())
-        session.save_project(own);
-    else
-        ask_where_to_save(document.where_to_save_project(), Asked::project);
-}
-
-void Shell::draw_saving_question(Document& document) {
-    const std::string name = document.saving();
-    const ChangesAnswer answer = name.empty() ? ChangesAnswer::save : ask_about_saving(name);
-    if (answer == ChangesAnswer::none) return;
-    if (answer == ChangesAnswer::discard) document.stop_saving();
-    closes_once_saved_ = answer == ChangesAnswer::save || answer == ChangesAnswer::discard;
-    asks_about_saving_ = false;
-}
-
-void Shell::draw_kept_question(Document& document) {
-    const std::filesystem::path first = left_behind_.front();
-    switch (ask_about_kept(picture_of_kept(first), left_behind_.size() - 1)) {
-        case ChangesAnswer::none:
-            return;
-        case ChangesAnswer::next:
-            std::rotate(left_behind_.begin(), left_behind_.begin() + 1, left_behind_.end());
-            return;
-        case ChangesAnswer::cancel:
-            left_behind_.clear();
-            break;
-        case ChangesAnswer::discard:
-            UnsavedDrawings::remove(first);
-            left_behind_.erase(left_behind_.begin());
-            asks_about_left_ = !left_behind_.empty();
-            return;
-        case ChangesAnswer::save:
-            left_behind_ = {first};
-            if (Session* const session = document.session()) session->bring_back(first);
-    }
-    asks_about_left_ = false;
 }
 
 bool Shell::draw_questions(Document& document) {
-    const bool waits = waiting_ && !waiting_->saving;
-    const bool about_left = asks_about_left_ && ready_;
-    if (waiting_) draw_changes_question(document);
-    if (!waits && asks_about_saving_) draw_saving_question(document);
-    if (!waits && !asks_about_saving_ && about_left) draw_kept_question(document);
-    return waits || asks_about_saving_ || about_left;
+    const bool leaves = !leaving_.question().empty();
+    const bool about_kept = log_.ready() && kept_.asks();
+    if (const auto next = leaving_.draw(document, asking_)) go_on(*next, document);
+    if (!leaves && about_kept) kept_.draw_question(document);
+    return leaves || about_kept;
 }
 
 Shell::Question Shell::question() const {
-    if (waiting_ && !waiting_->saving) return {"changes", kUntilSeen};
-    if (asks_about_saving_) return {"saving", kUntilSeen};
-    if (asks_about_left_ && ready_) return {"left " + left_behind_.front().string(), kUntilSeen};
+    if (std::string leaves = leaving_.question(); !leaves.empty()) return {std::move(leaves), kUntilSeen};
+    if (log_.ready() && kept_.asks()) return {"kept " + kept_.asked().string(), kUntilSeen};
     if (const std::size_t files = file_question_.files())
         return {"open " + std::to_string(files), kUntilSeen};
-    if (dialog_.replaces().empty()) return {};
-    return {"replace " + dialog_.replaces().string(), 1};  // in a dialog that is there already
-}
-
-double Shell::seconds_until_kept(Document& document) const {
-    constexpr double kNever = 3600;
-    if (document.unsaved().empty() || document.session()->changes() == changes_kept_) return kNever;
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - kept_;
-    return std::max(kKeepsEvery - passed.count(), 0.0);
-}
-
-void Shell::keep_unsaved(Document& document) {
-    if (document.unsaved().empty()) {
-        if (std::exchange(changes_kept_, -1) != -1) unsaved_.forget();
-        return;
-    }
-    if (ImGui::IsAnyItemActive() || seconds_until_kept(document) > 0) return;
-    changes_kept_ = document.session()->changes();
-    kept_ = std::chrono::steady_clock::now();
-    try {
-        const std::filesystem::path own = unsaved_.own_file();
-        if (own.empty()) return;
-        document.session()->keep(own);
-        if (!left_behind_.empty() && !asks_about_left_)
-            UnsavedDrawings::remove(std::exchange(left_behind_, {}).front());
-    } catch (const std::exception& error) {  // as of what is remembered
-        std::fprintf(stderr, "dapple: %s; changes that are not saved are not kept\n", error.what());
-    }
+    const std::filesystem::path& replaces = asking_.dialog().replaces();
+    if (replaces.empty()) return {};
+    return {"replace " + replaces.string(), 1};  // in a dialog that is there already
 }
 
 void Shell::remember(Document& document) {
-    if (!ready_) return;
+    if (!log_.ready()) return;
     memory_.begun();
     if (const auto trouble = memory_.take_trouble()) document.say(*trouble);
     const std::filesystem::path file = document.file();
@@ -333,9 +237,9 @@ void Shell::frame(Document& document) {
     window_.end_frame();
     if (!is_seen) window_.forget_typed();
     if (!is_seen && !window_.frame_is_unseen()) ++question_frames_;
-    report_outside(document);
+    log_.write(document.status(), widgets_);
     remember(document);
-    keep_unsaved(before_ ? *before_ : document);
+    kept_.keep(before_ ? *before_ : document);
 }
 
 void Shell::act(Action action, Document& document, const Frame& frame) {
@@ -347,26 +251,29 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
             if (question.start.empty()) question.start = folder_to_open();
             question.recent = memory_.state.recent;
             question.places = desktop_folders(home_folder(), shared_config_folder());
-            if (action == Action::open) return ask_what_to_open(std::move(question), Asked::picture);
+            const DialogChoice choice = memory_.preferences.dialog;
+            if (action == Action::open)
+                return asking_.ask_what_to_open(std::move(question), Asked::picture, choice);
             const bool mask = action == Action::open_mask;
             question.title = mask ? "Open a mask" : "Find the project's picture";
-            return ask_what_to_open(std::move(question), mask ? Asked::mask : Asked::found_picture);
+            return asking_.ask_what_to_open(std::move(question), mask ? Asked::mask : Asked::found_picture,
+                                            choice);
         }
         case Action::open_tile:
-            return ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},
-                                    Asked::tile);
+            return asking_.ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},
+                                            Asked::tile, memory_.preferences.dialog);
         case Action::paste:
             return paste(document);
         case Action::save:
             if (const auto question = document.where_to_save(); question && !question->own_file.empty())
                 return document.save(question->own_file);
-            return ask_where_to_save(document.where_to_save(), Asked::drawing);
+            return asking_.ask_where_to_save(document.where_to_save(), Asked::drawing);
         case Action::save_as:
-            return ask_where_to_save(document.where_to_save(), Asked::drawing);
+            return asking_.ask_where_to_save(document.where_to_save(), Asked::drawing);
         case Action::save_project:
-            return ask_where_to_save(document.where_to_save_project(), Asked::project);
+            return asking_.ask_where_to_save(document.where_to_save_project(), Asked::project);
         case Action::save_film:
-            return ask_where_to_save(document.where_to_save_film(), Asked::film);
+            return asking_.ask_where_to_save(document.where_to_save_film(), Asked::film);
         case Action::toggle_panels:
             return toggle(panels_shown_);
         case Action::full_screen:
@@ -389,17 +296,6 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
     }
 }
 
-void Shell::ask_what_to_open(OpenQuestion question, Asked asked) {
-    if (desktop_dialog_.busy()) return;  // one at a time
-    if (memory_.preferences.dialog == DialogChoice::own || !has_desktop_dialog()) {
-        asked_ = asked;
-        return dialog_.ask_what_to_open(std::move(question));
-    }
-    desktop_asked_ = asked;
-    desktop_dialog_.begin([asks = DesktopQuestion{question.title, question.endings, question.start}](
-                              const auto& todo) { return ask_desktop(asks, todo.stop()); });
-}
-
 void Shell::paste(Document& document) {
     std::vector<std::filesystem::path> files = pasted_files(window_.clipboard_text(), home_folder());
     if (!files.empty()) return take_files(std::move(files), document);
@@ -411,7 +307,7 @@ void Shell::paste(Document& document) {
 
 void Shell::take_answers(Document& document) {
     try {
-        if (const auto chosen = desktop_dialog_.result()) take_chosen(*chosen, desktop_asked_, document);
+        if (const auto chosen = asking_.answer()) take_chosen(*chosen, document);
         if (const auto pasted = pasting_.result()) document.open_as_picture(*pasted);
     } catch (const std::exception& error) {
         document.say(error.what());
@@ -442,12 +338,6 @@ std::filesystem::path Shell::folder_to_open() const {
     for (const std::filesystem::path& folder : memory_.state.folder)
         if (std::filesystem::is_directory(folder, ignored)) return folder;
     return working_folder();
-}
-
-void Shell::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked) {
-    if (!question) return;
-    asked_ = asked;
-    dialog_.ask_where_to_save(std::move(*question));
 }
 
 // In a window beyond the screen: what panels draw beside rows has to be in one.
@@ -513,7 +403,7 @@ void Shell::take_row(const ListedRow& row, int value, Document& document) {
             (!begun || question->formats[*begun].name != sections.back()))
             question->start.replace_extension(format->ending);
         question->begins_below = true;
-        ask_where_to_save(std::move(question), Asked::drawing);
+        asking_.ask_where_to_save(std::move(question), Asked::drawing);
     }
 }
 
@@ -539,11 +429,13 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
                                unit_of(document)))
         take_preferences(desktop);
     draw_file_question(document);
-    const auto path = dialog_.draw([&](std::size_t format) { return document.draw_saving_options(format); });
-    if (path) take_chosen(*path, asked_, document);
+    const auto chosen =
+        asking_.draw([&](std::size_t format) { return document.draw_saving_options(format); });
+    if (chosen) take_chosen(*chosen, document);
 }
 
-void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document& document) {
+void Shell::take_chosen(const Asking::Chosen& chosen, Document& document) {
+    const auto& [path, asked] = chosen;
     Session* const session = document.session();
     if (asked == Asked::picture) return take_files({path}, document);
     if (asked == Asked::tile) return document.open_tile(path);
@@ -553,22 +445,6 @@ void Shell::take_chosen(const std::filesystem::path& path, Asked asked, Document
     if (asked == Asked::found_picture) session->find_picture(path);
     if (asked == Asked::project) session->save_project(path);
     if (asked == Asked::film) session->save_film(path);
-}
-
-void Shell::report_outside(const Document& document) {
-    std::optional<nlohmann::ordered_json> status = document.status();
-    if (!status) return;
-    if (!std::exchange(ready_, true)) std::puts("ready");
-    if (log_status_) {
-        health_.gl_errors += Window::gl_errors();
-        const ImGuiIO& io = ImGui::GetIO();
-        add_input(*status, {{io.MousePos.x, io.MousePos.y}, io.MouseDown[ImGuiMouseButton_Left]}, health_,
-                  widgets_);
-        std::string line = status->dump();
-        if (line != logged_) std::puts(line.c_str());
-        logged_ = std::move(line);
-    }
-    std::fflush(stdout);
 }
 
 }  // namespace dapple

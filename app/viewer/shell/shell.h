@@ -1,7 +1,6 @@
 #pragma once
 // The window around a document: its loop, keys, dialogs and reports.
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,12 +8,13 @@
 
 #include "app/viewer/background/background.h"
 #include "app/viewer/panels/command_palette.h"
+#include "app/viewer/shell/asking.h"
 #include "app/viewer/shell/document.h"
-#include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/file_question.h"
+#include "app/viewer/shell/kept_drawings.h"
+#include "app/viewer/shell/leaving.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/shell/status_log.h"
-#include "app/viewer/shell/unsaved_drawings.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -39,11 +39,8 @@ class Shell {
     void draw_changes_question(Document& document);
     void go_on(Document& document);
     void open_answer(const FileQuestion::Answer& answer, Document& document);
-    /// Whether the window goes while a file is being saved.
-    void draw_saving_question(Document& document);
-    /// What windows left that ended unasked.
-    void draw_kept_question(Document& document);
-    /// About what is not saved; none of the other dialogs is drawn beside these.
+    void go_on(const Successor& next, Document& document);
+    /// About what would be lost; none of the other dialogs is drawn beside these.
     bool draw_questions(Document& document);
     /// What is asked that a key would answer, as no other question is called; empty: nothing.
     struct Question {
@@ -51,12 +48,7 @@ class Shell {
         int frames_until_seen = 0;
     };
     Question question() const;
-    /// In case the program ends; at most every ten seconds.
-    void keep_unsaved(Document& document);
-    double seconds_until_kept(Document& document) const;
     void act(Action action, Document& document, const Frame& frame);
-    /// What the dialog that is open asks for.
-    enum class Asked { picture, found_picture, tile, mask, drawing, project, film };
     /// What was dropped or pasted; see file_question.h.
     void take_files(std::vector<std::filesystem::path> files, Document& document);
     void draw_file_question(Document& document);
@@ -64,10 +56,9 @@ class Shell {
     void paste(Document& document);
     /// What the desktop's programs answered.
     void take_answers(Document& document);
-    void take_chosen(const std::filesystem::path& path, Asked asked, Document& document);
+    void take_chosen(const Asking::Chosen& chosen, Document& document);
     /// One of the recent files; one that is gone leaves their list.
     void open_again(const std::filesystem::path& file, Document& document);
-    void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
     void draw_dialogs(Document& document, const std::function<void(Action)>& act);
     // Lists the rows of the panels and the preferences; the row `taken`, if there is one, takes its `value`.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
@@ -76,46 +67,29 @@ class Shell {
                                  std::vector<ListedRow>& rows);
     void take_row(const ListedRow& row, int value, Document& document);
     void take_preferences(bool desktop);
-    void report_outside(const Document& document);
     /// What is to be there on the next day, and what went wrong with it.
     void remember(Document& document);
     void save_memory();
     std::filesystem::path folder_to_open() const;
 
-    bool log_status_;
+    StatusLog log_;
     std::unique_ptr<Document> before_;  // that the one shown was opened from
     bool goes_back_ = false;
     Memory memory_;
     WidgetNotes widgets_;
     Window window_;
-    FileDialog dialog_;
-    Asked asked_ = Asked::picture;
+    Asking asking_;
+    FileQuestion file_question_;
+    Leaving leaving_;
+    KeptDrawings kept_;
+    bool closing_ = false;     // whatever would be lost
+    std::string question_;     // of the last frame,
+    int question_frames_ = 0;  // and for how many it was shown, until it is seen
+    Background<std::filesystem::path> pasting_;
     bool panels_shown_ = true, help_shown_ = false, preferences_shown_ = false, about_shown_ = false;
     CommandPalette palette_;
     std::filesystem::path file_seen_;
-    FileQuestion file_question_;
-    bool ready_ = false;
     double last_seconds_ = 0;  // of the last frame
-    std::string logged_;
-    HealthInfo health_;
-    /// What is done once changes are saved or given up: a file opened, or the window closed.
-    struct Waiting {
-        std::optional<FileQuestion::Answer> open = {};  // none: close
-        bool saving = false;                            // its dialog is open
-    };
-    std::optional<Waiting> waiting_;
-    bool closing_ = false;
-    bool asks_about_saving_ = false, closes_once_saved_ = false;
-    std::string question_;     // of the last frame,
-    int question_frames_ = 0;  // and for how many it was shown, until it is seen
-    UnsavedDrawings unsaved_;
-    // Asked about one after the other, from the first on; or the first brought back and not kept since.
-    std::vector<std::filesystem::path> left_behind_;
-    bool asks_about_left_ = false;
-    int changes_kept_ = -1;  // none yet
-    std::chrono::steady_clock::time_point kept_{};
-    Asked desktop_asked_ = Asked::picture;  // of the desktop's dialog
-    Background<std::filesystem::path> desktop_dialog_, pasting_;
 };
 
 }  // namespace dapple

@@ -1,21 +1,15 @@
 #include "app/viewer/shell/status_log.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/viewer/shell/window.h"
 
 namespace dapple {
-
-void add_input(nlohmann::ordered_json& line, const MouseInfo& mouse, const HealthInfo& health,
-               const WidgetNotes& widgets) {
-    line["longest_frame_ms"] = health.longest_frame_ms;
-    line["longest_work_ms"] = health.longest_work_ms;
-    line["gl_errors"] = health.gl_errors;
-    line["mouse"] = {mouse.position.x, mouse.position.y};
-    line["mouse_down"] = mouse.down;
-    line["row_with_keys"] = widgets.row_with_keys;
-    auto& places = line["widgets"] = nlohmann::ordered_json::object();
-    for (const auto& [label, place] : widgets.places)
-        places[label] = {place.min.x, place.min.y, place.max.x, place.max.y};
-}
 
 nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings) {
     nlohmann::ordered_json line{
@@ -34,6 +28,35 @@ nlohmann::ordered_json status_json(const LightStatus& status) {
     return {{"samples", status.samples}, {"samplings", status.samplings},   {"sampling", status.sampling},
             {"stops", status.stops},     {"difference", status.difference}, {"zoom", status.zoom},
             {"saving", status.saving}};
+}
+
+void StatusLog::took(double frame_ms, double work_ms) {
+    if (!ready_ || frames_++ == 0) return;
+    longest_frame_ms_ = std::max(longest_frame_ms_, frame_ms);
+    longest_work_ms_ = std::max(longest_work_ms_, work_ms);
+}
+
+void StatusLog::write(std::optional<nlohmann::ordered_json> status, const WidgetNotes& widgets) {
+    if (!status) return;
+    if (!std::exchange(ready_, true)) std::puts("ready");
+    if (all_) {
+        gl_errors_ += Window::gl_errors();
+        const ImGuiIO& io = ImGui::GetIO();
+        nlohmann::ordered_json& line = *status;
+        line["longest_frame_ms"] = longest_frame_ms_;
+        line["longest_work_ms"] = longest_work_ms_;
+        line["gl_errors"] = gl_errors_;
+        line["mouse"] = {io.MousePos.x, io.MousePos.y};
+        line["mouse_down"] = io.MouseDown[ImGuiMouseButton_Left];
+        line["row_with_keys"] = widgets.row_with_keys;
+        auto& places = line["widgets"] = nlohmann::ordered_json::object();
+        for (const auto& [label, place] : widgets.places)
+            places[label] = {place.min.x, place.min.y, place.max.x, place.max.y};
+        std::string text = line.dump();
+        if (text != written_) std::puts(text.c_str());
+        written_ = std::move(text);
+    }
+    std::fflush(stdout);
 }
 
 }  // namespace dapple
