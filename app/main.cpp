@@ -18,6 +18,7 @@
 #include "app/commands/complete.h"
 #include "app/commands/lights.h"
 #include "app/commands/manual.h"
+#include "app/commands/mask_command.h"
 #include "app/commands/options.h"
 #include "app/commands/presets_command.h"
 #include "app/commands/record.h"
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
     const dapple::LightsCommand lights(program);
     const dapple::TileCommand tile(program);
     const dapple::TestSheetCommand test_sheet(program);
+    const dapple::MaskCommand mask(program);
     const dapple::CompleteCommand complete(program);
     dapple::add_presets_command(program);
     dapple::add_manual_command(program);

@@ -81,6 +81,7 @@ TEST_CASE("each room of core knows only the rooms below it") {
          {"core/drawing", "core/image", "core/output", "core/relaxing", "core/text", "core/tile"}},
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},
+        {"core/screening", {"core/image", "core/placing", "core/tile"}},
         {"core/output",
          {"core/analysis", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
           "core/text"}},
@@ -134,11 +135,11 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
         {"main", {"core/text"}},
         {"app", {"core/text"}},
         // Options, calls and reports. The first four are what a drawing is asked by; of the others: `analyse`
-        // measures points, `lights` samples maps, `tile` shows tiles, and --relax and --order say their
-        // range.
+        // measures points, `lights` samples maps, `mask` makes masks, `tile` shows tiles, and --relax and
+        // --order say their range.
         {"app/commands",
          {"core/drawing", "core/image", "core/settings", "core/text", "core/analysis", "core/lights",
-          "core/output", "core/placing", "core/relaxing", "core/tile"}},
+          "core/output", "core/placing", "core/relaxing", "core/screening", "core/tile"}},
         // A decoder hands over pixels.
         {"app/decoding", {"core/image", "core/text"}},
         // What is written, and what is read; PDF, PNG and TIFF are written here, where their libraries are.

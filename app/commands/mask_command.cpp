@@ -1,0 +1,189 @@
+#include "app/commands/mask_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/commands/files_in_use.h"
+#include "app/commands/options.h"
+#include "app/files/atomic_file.h"
+#include "app/files/file_ending.h"
+#include "app/files/picture.h"
+#include "app/files/png_file.h"
+#include "app/files/tile_library.h"
+#include "app/progress_line.h"
+#include "core/screening/tile_mask.h"
+
+namespace dapple {
+namespace {
+
+// "256", "320x200" or "64x64x16".
+ThresholdSize size_in(const std::string& text) {
+    std::vector<int> sides;
+    for (const char *at = text.data(), *const end = at + text.size();;) {
+        int side = 0;
+        const auto [next, error] = std::from_chars(at, end, side);
+        if (error != std::errc() || sides.size() == 3)
+            throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
+        sides.push_back(side);
+        if (next == end) break;
+        if (*next != 'x')
+            throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
+        at = next + 1;
+    }
+    const ThresholdSize size{sides[0], sides.size() > 1 ? sides[1] : sides[0],
+                             sides.size() > 2 ? sides[2] : 1};
+    check_threshold_size(size);
+    return size;
+}
+
+template <class Channel>
+Grid<glm::vec<3, Channel>> greys_of(const Grid<float>& thresholds) {
+    const double levels = std::exp2(8 * sizeof(Channel));
+    Grid<glm::vec<3, Channel>> greys(thresholds.width, thresholds.height);
+    for (std::size_t i = 0; i < thresholds.values.size(); ++i)
+        greys.values[i] = glm::vec<3, Channel>(
+            static_cast<Channel>(std::min(std::floor(thresholds.values[i] * levels), levels - 1)));
+    return greys;
+}
+
+void save_grey(const std::filesystem::path& file, const Grid<float>& thresholds, int bits) {
+    const PngHeader header{
+        .width = thresholds.width, .height = thresholds.height, .dpi = 96, .colours = PngColours::grey};
+    save_atomically(file, [&](std::ostream& out) {
+        if (bits == 16)
+            write_png_16(out, header,
+                         [&](const PixelSink16& sink) { sink(greys_of<std::uint16_t>(thresholds)); });
+        else
+            write_png(out, header, [&](const PixelSink& sink) { sink(greys_of<std::uint8_t>(thresholds)); });
+    });
+}
+
+// mask-03.png for mask.png.
+std::filesystem::path beside(const std::filesystem::path& file, const std::string& what) {
+    std::filesystem::path other = file;
+    return other.replace_filename(file.stem().string() + "-" + what + ".png");
+}
+
+// Numbers with as many digits as the last has.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& output, int slices) {
+    if (slices == 1) return {output};
+    const std::size_t digits = std::to_string(slices - 1).size();
+    std::vector<std::filesystem::path> files;
+    for (int slice = 0; slice < slices; ++slice)
+        files.push_back(beside(output, fmt::format("{:0{}}", slice, digits)));
+    return files;
+}
+
+Grid<float> light_of(const std::filesystem::path& picture) {
+    Picture read = read_picture(picture);
+    for (float& value : read.light.values) value *= std::exp2(read.exposure);
+    return std::move(read.light);
+}
+
+}  // namespace
+
+MaskCommand::MaskCommand(CLI::App& program) {
+    CLI::App* const command = program.add_subcommand(
+        "mask", "A tileable threshold mask (blue noise), which turns pictures into dots on a grid of pixels");
+    add_text(
+        *command, "--size", "WxH", [this](const std::string& text) { size_ = size_in(text); },
+        "Its sides in pixels: 256, or 320x200; 64x64x16 for 16 pictures of a film, each even, and each "
+        "pixel's greys in turn too")
+        ->default_str("64");
+    add_choice(*command, "--from", order_,
+               "clusters: void and cluster, the evenest; tile: the order of a self-similar tile's dots");
+    add_number(*command, "--sigma", clusters_.sigma, {.least = 0.5, .most = 4}, "PIXELS",
+               "clusters: how far a pixel feels others")
+        ->default_str("1.5");
+    add_number(*command, "--slice-sigma", clusters_.slice_sigma, {.least = 0.5, .most = 8}, "SLICES",
+               "clusters of several slices: how far a pixel feels itself before and after")
+        ->default_str("1.5");
+    add_seed(*command, clusters_.seed, "clusters: another seed gives another mask");
+    add_tile(*command, tile_);
+    add_text(
+        *command, "--bits", "8|16",
+        [this](const std::string& text) {
+            if (text != "8" && text != "16")
+                throw std::runtime_error(text + " is not possible; give 8 or 16");
+            bits_ = text == "8" ? 8 : 16;
+        },
+        "Bits of a threshold: 8 have 256 steps, 16 keep all pixels of a mask up to 256 x 256 apart")
+        ->default_str("8");
+    add_number(*command, "--gain", gain_, {.least = 0, .most = 4}, "PIXELS",
+               "How far a printed pixel reaches beyond its edges, so that greys print as dark as they are")
+        ->default_str("0");
+    command
+        ->add_option(
+            "-o,--output", output_,
+            "The mask, a name that ends in .png; of several slices mask-00.png, mask-01.png and so on")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option("--screen", screens_,
+                     "Turns this picture into dots with the mask too: mask-screened.png beside mask.png")
+        ->type_name("IMAGE");
+    command->footer(
+        "A pixel is inked where the picture's darkness, 1 - light (linear), is above (mask + 1/2) / 256, or "
+        "/ 65536.\n\n"
+        "Examples:\n"
+        "  dapple mask --size 256 -o mask.png                  void and cluster\n"
+        "  dapple mask --size 128 --bits 16 --gain 0.3 -o mask.png --screen cat.jpg\n"
+        "  dapple mask --size 64x64x16 -o film.png             film-00.png to film-15.png\n"
+        "  dapple mask --size 256 --from tile -o mask.png      the order of the built-in tile");
+    command->callback([this, command] {
+        check(*command);
+        save();
+    });
+}
+
+void MaskCommand::check(const CLI::App& command) const {
+    if (ending_of(output_) != ".png")
+        throw CLI::ValidationError("--output",
+                                   output_.string() + ": a mask is a PNG; let its name end in .png");
+    if (order_ == MaskOrder::tile) {
+        refuse(command, {"--sigma", "--slice-sigma", "--seed"},
+               "applies to --from clusters only; leave it out");
+        if (size_.slices > 1 || size_.width != size_.height)
+            throw CLI::ValidationError("--size", "a mask from a tile is a square; give one side, as in 256");
+    } else {
+        refuse(command, {"--tile"}, "applies to --from tile only; give that too");
+        if (size_.slices == 1)
+            refuse(command, {"--slice-sigma"},
+                   "applies to several slices only; give a size such as 64x64x16");
+    }
+    std::vector<FileInUse> written;
+    for (const std::filesystem::path& file : files_of(output_, size_.slices))
+        written.push_back({file, "the mask"});
+    if (screens_) written.push_back({beside(output_, "screened"), "the screened picture"});
+    check_apart(command, {"--output"}, written);
+}
+
+void MaskCommand::save() const {
+    const std::vector<std::filesystem::path> files = files_of(output_, size_.slices);
+    check_can_save(files.front());
+    const Grid<float> picture = screens_ ? light_of(*screens_) : Grid<float>();
+    ThresholdMask mask;
+    if (order_ == MaskOrder::tile) {
+        RankedTile tile = tile_named(tile_);
+        mask = tile_mask(tile, size_.width);
+    } else {
+        ProgressLine line;
+        mask = void_and_cluster(size_, clusters_, [&](double share) {
+            line.show(share, "finding the voids");
+            return true;
+        });
+    }
+    for (std::size_t slice = 0; slice < files.size(); ++slice) {
+        const Grid<float> thresholds = thresholds_of(mask, static_cast<int>(slice), gain_);
+        save_grey(files[slice], thresholds, bits_);
+        if (screens_ && slice == 0) save_grey(beside(output_, "screened"), screened(picture, thresholds), 8);
+    }
+}
+
+}  // namespace dapple

@@ -1,0 +1,123 @@
+#include "core/screening/threshold_mask.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace dapple {
+namespace {
+
+// Along a pixel's side, where it is asked how much of the paper printed pixels cover together.
+constexpr int kParts = 8;
+
+std::vector<std::uint32_t> pixels_by_rank(const ThresholdMask& mask, int slice) {
+    std::vector<std::uint32_t> pixels(mask.size.of_slice());
+    const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[mask.ranks[first + i]] = static_cast<std::uint32_t>(i);
+    return pixels;
+}
+
+// What a printed pixel covers of a pixel so far away from it, as far as its ink reaches: one bit for each
+// part.
+using Parts = std::bitset<kParts * kParts>;
+Parts covered_parts(int dx, int dy, double gain) {
+    // The square, rounded at its corners by the gain.
+    const auto beyond = [](double at) { return std::max({-at, at - 1, 0.0}); };
+    Parts parts;
+    for (int y = 0; y < kParts; ++y)
+        for (int x = 0; x < kParts; ++x)
+            parts[static_cast<std::size_t>(y * kParts + x)] =
+                std::hypot(beyond(dx + (x + 0.5) / kParts), beyond(dy + (y + 0.5) / kParts)) <= gain;
+    return parts;
+}
+
+}  // namespace
+
+void check_threshold_size(const ThresholdSize& size) {
+    const auto is_side = [](int side) { return side >= 4 && side <= kMostThresholdSide; };
+    if (!is_side(size.width) || !is_side(size.height))
+        throw std::runtime_error(fmt::format("{} x {} pixels: a mask's sides are 4 to {}", size.width,
+                                             size.height, kMostThresholdSide));
+    if (size.slices < 1 || size.slices > kMostThresholdSlices)
+        throw std::runtime_error(
+            fmt::format("{} slices: a mask has 1 to {}", size.slices, kMostThresholdSlices));
+    if (size.all() > kMostThresholdPixels)
+        throw std::runtime_error(fmt::format("{} x {} x {} pixels: a mask has at most {} in all", size.width,
+                                             size.height, size.slices, kMostThresholdPixels));
+}
+
+ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order) {
+    ThresholdMask mask{size, std::vector<std::uint32_t>(size.all())};
+    std::vector<std::uint32_t> pixels(size.of_slice());
+    for (int slice = 0; slice < size.slices; ++slice) {
+        const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
+        std::iota(pixels.begin(), pixels.end(), 0u);
+        std::ranges::sort(pixels, {}, [&](std::uint32_t pixel) { return order[first + pixel]; });
+        for (std::size_t rank = 0; rank < pixels.size(); ++rank)
+            mask.ranks[first + pixels[rank]] = static_cast<std::uint32_t>(rank);
+    }
+    return mask;
+}
+
+Grid<float> thresholds_of(const ThresholdMask& mask, int slice, double gain) {
+    const auto [width, height, slices] = mask.size;
+    const auto all = static_cast<double>(mask.size.of_slice());
+    Grid<float> thresholds(width, height);
+    const std::vector<std::uint32_t> pixels = pixels_by_rank(mask, slice);
+    if (gain <= 0) {
+        for (std::size_t rank = 0; rank < pixels.size(); ++rank)
+            thresholds.values[pixels[rank]] = static_cast<float>((static_cast<double>(rank) + 0.5) / all);
+        return thresholds;
+    }
+    struct Neighbour {
+        int dx, dy;
+        Parts parts;
+    };
+    std::vector<Neighbour> neighbours;
+    const int reach = static_cast<int>(std::ceil(gain));
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+            if (const Parts parts = covered_parts(dx, dy, gain); parts.any())
+                neighbours.push_back({dx, dy, parts});
+    Grid<Parts> covered(width, height);
+    std::size_t parts = 0;
+    for (const std::uint32_t pixel : pixels) {
+        const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+        const std::size_t before = parts;
+        for (const Neighbour& neighbour : neighbours) {
+            const auto wrapped = [](int at, int side) { return ((at % side) + side) % side; };
+            Parts& there = covered.at(wrapped(x + neighbour.dx, width), wrapped(y + neighbour.dy, height));
+            parts += (neighbour.parts & ~there).count();
+            there |= neighbour.parts;
+        }
+        thresholds.values[pixel] =
+            static_cast<float>(static_cast<double>(before + parts) / 2 / (all * kParts * kParts));
+    }
+    return thresholds;
+}
+
+Grid<float> screened(const Grid<float>& light, const Grid<float>& thresholds) {
+    Grid<float> pixels(light.width, light.height);
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x) {
+            const float ink = 1 - light.at(x, y);
+            const bool inked = ink > thresholds.at(x % thresholds.width, y % thresholds.height);
+            pixels.at(x, y) = inked ? 0.0f : 1.0f;
+        }
+    return pixels;
+}
+
+std::vector<glm::dvec2> inked_places(const ThresholdMask& mask, std::uint32_t count, int slice) {
+    std::vector<glm::dvec2> places;
+    for (int y = 0; y < mask.size.height; ++y)
+        for (int x = 0; x < mask.size.width; ++x)
+            if (mask.rank(x, y, slice) < count) places.emplace_back(x + 0.5, y + 0.5);
+    return places;
+}
+
+}  // namespace dapple

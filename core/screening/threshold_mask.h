@@ -1,0 +1,59 @@
+#pragma once
+// Threshold masks (stochastic screening): a matrix that tiles the plane and turns a picture into dots on a
+// grid of pixels, one comparison each. A pixel is inked where the picture is darker than the mask's threshold
+// there, so the pixels inked in an even grey are those of lowest rank, and each grey's lie within the next
+// one's.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+struct ThresholdSize {
+    int width = 64, height = 64;  // pixels, 4..kMostThresholdSide
+    int slices = 1;               // of a mask for films: one for each picture of it, again and again
+
+    std::size_t of_slice() const { return static_cast<std::size_t>(width) * height; }
+    std::size_t all() const { return of_slice() * slices; }
+    bool operator==(const ThresholdSize&) const = default;
+};
+
+inline constexpr int kMostThresholdSide = 8192, kMostThresholdSlices = 1024;
+inline constexpr std::size_t kMostThresholdPixels = std::size_t{1} << 26;
+
+/// Throws std::runtime_error if there are fewer or more than that.
+void check_threshold_size(const ThresholdSize& size);
+
+/// The order in which a mask's pixels are inked as a grey becomes darker: slice after slice, row after row,
+/// each slice a permutation of 0..width * height - 1.
+struct ThresholdMask {
+    ThresholdSize size;
+    std::vector<std::uint32_t> ranks;
+
+    std::uint32_t rank(int x, int y, int slice = 0) const {
+        return ranks[(static_cast<std::size_t>(slice) * size.height + y) * size.width + x];
+    }
+};
+
+/// Ranks over a whole mask's pixels, any distinct numbers, become those within each slice.
+ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order);
+
+/// The thresholds of a slice: the share of ink, 0..1, from which on each pixel is inked, by which a grey
+/// prints as dark as it is. `gain` is how far a printed pixel reaches beyond its edges (pixels, 0..4), as ink
+/// spreads and pens are wider than they are set: fewer pixels then print the same grey. Without a gain
+/// (rank + 1/2) / (width * height).
+Grid<float> thresholds_of(const ThresholdMask& mask, int slice = 0, double gain = 0);
+
+/// The pixels that are inked of a picture of `light`, linear 0..1: 0 ink, 1 paper. The mask begins in the
+/// upper left corner.
+Grid<float> screened(const Grid<float>& light, const Grid<float>& thresholds);
+
+/// The places of the inked pixels of an even grey, in pixels from the mask's corner, those of the `count`
+/// lowest ranks of a slice: a point set on the torus for core/analysis.
+std::vector<glm::dvec2> inked_places(const ThresholdMask& mask, std::uint32_t count, int slice = 0);
+
+}  // namespace dapple
