@@ -26,6 +26,7 @@
 #include "app/commands/reproduce.h"
 #include "app/commands/test_sheet_command.h"
 #include "app/commands/tile_command.h"
+#include "app/commands/volume_command.h"
 #include "app/commands/wrapped_help.h"
 #include "app/commands/wrong_command.h"
 #include "app/signals.h"
@@ -110,6 +111,7 @@ int main(int argc, char** argv) {
     const dapple::TileCommand tile(program);
     const dapple::TestSheetCommand test_sheet(program);
     const dapple::MaskCommand mask(program);
+    const dapple::VolumeCommand volume(program);
     const dapple::CompleteCommand complete(program);
     dapple::add_presets_command(program);
     dapple::add_manual_command(program);

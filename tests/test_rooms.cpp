@@ -82,6 +82,7 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},
         {"core/screening", {"core/image", "core/placing", "core/tile"}},
+        {"core/volume", {"core/image"}},
         {"core/output",
          {"core/analysis", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
           "core/text"}},
@@ -139,13 +140,13 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
         // --order say their range.
         {"app/commands",
          {"core/drawing", "core/image", "core/settings", "core/text", "core/analysis", "core/lights",
-          "core/output", "core/placing", "core/relaxing", "core/screening", "core/tile"}},
+          "core/output", "core/placing", "core/relaxing", "core/screening", "core/tile", "core/volume"}},
         // A decoder hands over pixels.
         {"app/decoding", {"core/image", "core/text"}},
         // What is written, and what is read; PDF, PNG and TIFF are written here, where their libraries are.
         {"app/files",
          {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing",
-          "core/strokes", "core/text", "core/tile"}},
+          "core/strokes", "core/text", "core/tile", "core/volume"}},
         // A film shows dots and strokes come, in the order of a plot.
         {"app/film",
          {"core/drawing", "core/image", "core/output", "core/placing", "core/routing", "core/strokes",

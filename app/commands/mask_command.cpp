@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -18,26 +17,22 @@
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
 #include "core/screening/tile_mask.h"
+#include "core/text/numbers.h"
 
 namespace dapple {
 namespace {
 
 // "256", "320x200" or "64x64x16".
 ThresholdSize size_in(const std::string& text) {
-    std::vector<int> sides;
-    for (const char *at = text.data(), *const end = at + text.size();;) {
-        int side = 0;
-        const auto [next, error] = std::from_chars(at, end, side);
-        if (error != std::errc() || sides.size() == 3)
-            throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
-        sides.push_back(side);
-        if (next == end) break;
-        if (*next != 'x')
-            throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
-        at = next + 1;
-    }
-    const ThresholdSize size{sides[0], sides.size() > 1 ? sides[1] : sides[0],
-                             sides.size() > 2 ? sides[2] : 1};
+    ThresholdSize size;
+    if (const auto side = number_of<int>(text))
+        size = {*side, *side, 1};
+    else if (const auto sides = numbers_of<int, 2>(text, "x"))
+        size = {(*sides)[0], (*sides)[1], 1};
+    else if (const auto all = numbers_of<int, 3>(text, "xx"))
+        size = {(*all)[0], (*all)[1], (*all)[2]};
+    else
+        throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
     check_threshold_size(size);
     return size;
 }

@@ -59,7 +59,7 @@ std::string text_of_file(const std::filesystem::path& file, const TextKind& kind
         break;
     }
     // Sentences about it would end there.
-    if (!kind.beginning && text.find('\0') != text.npos)
+    if (!kind.beginning && !kind.binary && text.find('\0') != text.npos)
         fail("is not text in UTF-8, as it has bytes of value 0");
     return text;
 }

@@ -16,6 +16,7 @@ struct TextKind {
     bool may_wait = false;
     /// Only so many bytes are wanted, whatever they are, of a file of any size.
     bool beginning = false;
+    bool binary = false;  // bytes of value 0 too
 };
 
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, larger, no text, or cannot

@@ -40,8 +40,13 @@ double felt(const ThresholdSize& size, std::size_t a, std::size_t b, double sigm
 }  // namespace
 
 TEST_CASE("each pixel is inked where there is least of those before it, as void and cluster says") {
-    for (const auto& [size, sigma] :
-         {std::pair{ThresholdSize{24, 24}, 1.5}, {ThresholdSize{5, 37}, 1.5}, {ThresholdSize{16, 20}, 2.5}}) {
+    struct Case {
+        ThresholdSize size;
+        double sigma;
+    };
+    for (const Case& each : {Case{{24, 24}, 1.5}, {{5, 37}, 1.5}, {{16, 20}, 2.5}}) {
+        const ThresholdSize size = each.size;
+        const double sigma = each.sigma;
         CAPTURE(size.width);
         const ThresholdMask mask = void_and_cluster(size, {.sigma = sigma, .seed = 7});
         REQUIRE(is_permutation_of_all(mask, 0));

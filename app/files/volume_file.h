@@ -1,0 +1,29 @@
+#pragma once
+// Volumes and point clouds in files.
+//
+//     .nrrd             a block of voxels: NRRD, raw and in the same file, of 8- and 16-bit whole numbers or
+//                       floats (teem.sourceforge.net/nrrd/format.html)
+//     pictures          a slice each, from the lowest z on, all of one size; light is dense
+//     .ply              points: ASCII or binary; of each vertex x, y and z count (Turk 1994)
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <ostream>
+#include <span>
+#include <vector>
+
+#include "core/volume/volume.h"
+
+namespace dapple {
+
+/// All throw std::runtime_error naming the file and what is wrong with it.
+Volume read_nrrd(const std::filesystem::path& file);
+Volume read_slices(std::span<const std::filesystem::path> pictures);
+std::vector<glm::dvec3> read_ply(const std::filesystem::path& file);
+
+/// Binary, little-endian, floats.
+void write_ply(std::ostream& out, std::span<const glm::dvec3> points);
+/// x,y,z and a line for each, with as many digits as floats have.
+void write_points_csv(std::ostream& out, std::span<const glm::dvec3> points);
+
+}  // namespace dapple
