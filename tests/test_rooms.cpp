@@ -117,6 +117,7 @@ TEST_CASE("each room of the program knows only the rooms below it") {
         {"app/commands",
          {"app", "app/files", "app/film", "app/settings", "lab/analysis", "lab/compare", "lab/related",
           "lab/reports", "lab/reproduce", "lab/search"}},
+        {"app/mpi", {"app/commands", "lab/search"}},
         {"app/film", {"app", "app/files"}},
         {"app/settings", {"app", "app/files"}},
         {"app/files", {"app", "app/decoding"}},
@@ -141,6 +142,7 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
         {"app/commands",
          {"core/drawing", "core/image", "core/settings", "core/text", "core/analysis", "core/lights",
           "core/output", "core/placing", "core/relaxing", "core/screening", "core/tile", "core/volume"}},
+        {"app/mpi", {"core/text"}},
         // A decoder hands over pixels.
         {"app/decoding", {"core/image", "core/text"}},
         // What is written, and what is read; PDF, PNG and TIFF are written here, where their libraries are.

@@ -30,7 +30,9 @@ void add_mural_options(CLI::App& app, Sheet& sheets) {
 void render_mural(const RenderOptions& options) {
     const Sheet& sheets = options.drawing.sheets;
     std::vector<RenderOptions> parts;
+    std::size_t number = 0;
     for (const Sheet& sheet : all_sheets(sheets)) {
+        if (!options.share.has(number++)) continue;
         RenderOptions& part = parts.emplace_back(options);
         part.sheet = sheet;
         part.output = sheet_file(options.output, name_of(sheet));
@@ -54,7 +56,8 @@ void render_mural(const RenderOptions& options) {
             ++drawn;
         });
     }
-    save_assembly_plan(options.output, page, sheets);
+    if (parts.empty()) return;
+    if (options.share.index == 0) save_assembly_plan(options.output, page, sheets);
     const bool by_pen = options.saving.pen_files && options.drawing.pens.set != PenSet::one;
     fmt::print(stderr, "{}: {}{}\n", sheets_in_words(page, sheets),
                sheet_files_in_words(options.output, sheets), by_pen ? ", a file for each pen" : "");

@@ -1,6 +1,7 @@
 #pragma once
 // What `dapple render` does: a picture to a file of dots.
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -16,6 +17,13 @@
 
 namespace dapple {
 
+/// Of several sheets or pictures those that this one of several runs draws: each `of`-th, from `index` on.
+struct WorkShare {
+    std::size_t index = 0, of = 1;
+
+    bool has(std::size_t i) const { return i % of == index; }
+};
+
 struct RenderOptions {
     std::optional<std::filesystem::path> image;          // none: the built-in sample; "-": the standard input
     std::optional<std::filesystem::path> project;        // that it was named by
@@ -28,6 +36,7 @@ struct RenderOptions {
     Sheet sheet;                              // the whole drawing, or a part of it
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     PictureLimit limit = PictureLimit::usual;
+    WorkShare share;
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
     std::vector<FileInUse> read = {};            // the picture and all else, which nothing is written over
 };

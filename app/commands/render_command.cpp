@@ -21,6 +21,7 @@
 #include "app/settings/embedded_settings.h"
 #include "app/settings/presets.h"
 #include "app/settings/project.h"
+#include "core/text/numbers.h"
 
 namespace dapple {
 namespace {
@@ -165,6 +166,17 @@ void RenderCommand::add_output_options(CLI::App& command) {
     add_whole_number(
         command, "--jobs", jobs_, {.least = 0, .most = 256},
         "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
+    add_text(
+        command, "--share", "R/N",
+        [this](const std::string& text) {
+            const auto share = numbers_of<std::size_t, 2>(text, "/");
+            if (!share || (*share)[0] < 1 || (*share)[0] > (*share)[1])
+                throw std::runtime_error(text + " is no share; give one such as 1/4, the first of four");
+            options_.share = {(*share)[0] - 1, (*share)[1]};
+        },
+        "Of several pictures or sheets only each N-th, from the R-th on, so that N runs, on as many "
+        "machines, "
+        "share the work");
     command
         .add_option("--stats", options_.stats,
                     "Save figures about the drawing, as JSON; - for the standard output")
@@ -237,6 +249,12 @@ void RenderCommand::run(const CLI::App& command) {
     take_folder(options_, pictures_.size());
     take_usual_shape(command, options_);
     if (pictures_.size() < 2) refuse(command, {"--jobs"}, "is for several pictures; leave it out");
+    if (command.count("--share") > 0) {
+        if (pictures_.size() < 2 && !is_several(options_.drawing.sheets))
+            refuse(command, {"--share"}, "is for several pictures, or the sheets of a mural; leave it out");
+        refuse(command, {"--stats"},
+               "would be written by each of the runs that share the work; leave it out");
+    }
     take_part(command, options_);
     check_that_fit(command, options_);
     if (!pictures_.empty() && is_several(options_.drawing.sheets))
@@ -250,12 +268,16 @@ void RenderCommand::run(const CLI::App& command) {
             render(options_);
         return;
     }
-    const BatchResult result = render_batch(options_, pictures_, jobs_);
+    std::vector<std::filesystem::path> shared;
+    for (std::size_t i = 0; i < pictures_.size(); ++i)
+        if (options_.share.has(i)) shared.push_back(pictures_[i]);
+    if (shared.empty()) return;
+    const BatchResult result = render_batch(options_, shared, jobs_);
     const std::string summary = batch_summary(result, options_.output);
     fmt::print(stderr, "{}\n", summary);
     if (!result.failures.empty())
         throw std::runtime_error(
-            fmt::format("{} of {} pictures failed", result.failures.size(), pictures_.size()));
+            fmt::format("{} of {} pictures failed", result.failures.size(), shared.size()));
 }
 
 }  // namespace dapple

@@ -160,7 +160,7 @@ void search_by_measure(const TileSearchOptions& options, std::ostream& out) {
         out << fmt::format("stopped after {} tiles: there may be better ones\n", grouped(result.tiles));
 }
 
-void search_by_radius(const TileSearchOptions& options, std::ostream& out) {
+void search_by_radius(const TileSearchOptions& options, std::ostream& out, const ContinueSearch& go_on) {
     SearchState state =
         options.resume ? resumed(*options.resume) : start_exhaustive_search(options.points, options.top);
     const fs::path rest =
@@ -198,8 +198,8 @@ void search_by_radius(const TileSearchOptions& options, std::ostream& out) {
                       last ? "last pass" : "this pass, longer ones follow");
             saver.save([&] { save_rest(progress.state); });
         };
-        state = continue_exhaustive_search(
-            std::move(state), {.threads = options.threads, .stop = stop.token(), .on_progress = show});
+        state =
+            go_on(std::move(state), {.threads = options.threads, .stop = stop.token(), .on_progress = show});
     }
     // All is saved before anything is told: whoever listens may have gone.
     if (!state.finished || was_there) {
@@ -218,6 +218,21 @@ void search_by_radius(const TileSearchOptions& options, std::ostream& out) {
         "stopped{}; dapple tile search --resume {} goes on\n",
         std::isfinite(proven) ? fmt::format(", all tiles of radius {:.4f} and more are seen", proven) : "",
         printable(rest.native()));
+}
+
+void estimate_search(int points, std::ostream& out) {
+    start_exhaustive_search(points, 1);  // throws if there is no such search
+    constexpr int kProbes = 400;
+    constexpr std::uint64_t kSeed = 1;
+    constexpr double kMeasured = 2;  // seconds
+    out << fmt::format("{:>6}  {:>12}  {:>10}  {}\n", "radius", "words", "error", "hours of one core");
+    for (const double floor : {0.94, 0.91, 0.88, 0.85, 0.82, 0.79, 0.76, 0.73, 0.70, 0.67}) {
+        const SearchEstimate estimate = estimate_pass(points, floor, kProbes, kSeed);
+        const double rate = words_per_second(points, floor, kMeasured);
+        out << fmt::format("{:>6.2f}  {:>12.3g}  {:>10.1g}  {:.3g}\n", floor, estimate.words, estimate.error,
+                           rate > 0 ? estimate.words / rate / 3600 : 0);
+        out.flush();
+    }
 }
 
 }  // namespace dapple

@@ -88,6 +88,9 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
     add_number(command, "--peaks", options.peaks, weights, "W",
                "any and kinds: how much it counts that pictures don't repeat, peaks of the spectrum being "
                "low, and that kinds differ");
+    command.add_flag("--estimate", options.estimate,
+                     "identity: guess how many words a search by radius looks at, and for how long, by how "
+                     "good the last of its tiles is");
     command
         .add_option("--resume", options.resume,
                     "identity: go on with a stopped search, which stays saved in that file")
@@ -120,7 +123,8 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
             "--tone", "0 and --pairs 0 leave points anywhere; give one of them a weight above 0");
     }
     if (options.kinds > 1) {
-        for (const char* option : {"--rule", "--cycles", "--top", "--by", "--runs", "--threads", "--resume"})
+        for (const char* option :
+             {"--rule", "--cycles", "--top", "--by", "--runs", "--threads", "--resume", "--estimate"})
             refuse(option, "does not go with --kinds");
         if (options.seconds) refuse("--moves", "and --seconds exclude each other");
         if (!options.output) throw CLI::ValidationError("--output", "is needed: name the file for the tile");
@@ -136,17 +140,22 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
             refuse(option,
                    "belongs to a search with --rule any; the one for identity leaves nothing to chance");
         if (options.by != TileCriterion::radius)
-            refuse("--resume", "goes on with a search by radius; leave --by out");
+            for (const char* option : {"--resume", "--estimate"})
+                refuse(option, "is for a search by radius; leave --by out");
+        if (options.estimate)
+            for (const char* option : {"--resume", "--output", "--top", "--seconds"})
+                refuse(option, "is for the search itself; leave --estimate out");
         if (options.resume) {
             refuse("--points", "is known from the search that goes on; leave it out");
             refuse("--top", "is known from the search that goes on; leave it out");
         }
         if (!options.cycles.empty()) {
             refuse("--points", "is the sum of --cycles; leave it out");
-            for (const char* option : {"--by", "--resume"}) refuse(option, "does not go with --cycles");
+            for (const char* option : {"--by", "--resume", "--estimate"})
+                refuse(option, "does not go with --cycles");
         }
     } else {
-        for (const char* option : {"--top", "--by", "--resume", "--cycles"})
+        for (const char* option : {"--top", "--by", "--resume", "--cycles", "--estimate"})
             refuse(option, "belongs to a search with --rule identity");
         if (options.seconds) refuse("--moves", "and --seconds exclude each other");
         if (!options.output) throw CLI::ValidationError("--output", "is needed: name the file for the tile");
@@ -176,7 +185,9 @@ void check_search_options(const CLI::App& command, const TileSearchOptions& opti
 }
 
 void search_tiles(const TileSearchOptions& options, std::ostream& out) {
-    if (options.kinds > 1) {
+    if (options.estimate) {
+        estimate_search(options.points, out);
+    } else if (options.kinds > 1) {
         search_kinds(options, out);
     } else if (!options.cycles.empty()) {
         search_cycle_sets(options, out);

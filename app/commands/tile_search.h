@@ -45,6 +45,7 @@ struct TileSearchOptions {
     std::optional<std::uint64_t> moves;        // any: tried in each run
     std::uint64_t seed = 1;
     double tone = 1, pairs = 1, peaks = 1;        // any: weights of the objective, 1 being the usual ones
+    bool estimate = false;                        // identity: tell how long it would take in place of it
     int threads = 0;                              // 0: all cores
     std::optional<std::filesystem::path> resume;  // a stopped identity search to go on with
     std::optional<std::filesystem::path> output;  // the best tile, ranked by energy

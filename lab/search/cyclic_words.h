@@ -46,6 +46,76 @@ AllWords all_words(int count, std::size_t how_many = 5) {
     return found;
 }
 
+/// The same by branch and bound, in passes with lower and lower floors, for words that are too many to look
+/// at: a word is built from its end, as lab/search/word_tree.h does it for pictures' tiles. Putting a letter
+/// in front adds a point that lies in a box of side b^-(letters), and the word is dropped when that box and
+/// an older one are certain to hold points that are too close. At most `how_many` radii, best first; all
+/// above `lowest` are there, if there are not more.
+template <int Base, int Dimension>
+AllWords best_words(int count, std::size_t how_many, double lowest) {
+    using Words = CyclicTile<Base, Dimension>;
+    using Point = typename Words::Point;
+    const double packed = Dimension == 2 ? std::sqrt(1 / (2 * std::sqrt(3.0) * count))
+                                         : std::cbrt(1 / (4 * std::sqrt(2.0) * count));
+    AllWords found;
+    for (double floor = 0.97; found.best.size() < how_many && floor > lowest - 0.03; floor -= 0.03) {
+        const double bound = std::max(floor, lowest);
+        const double least = std::pow(2 * packed * bound, 2) * (1 - 1e-9);
+        found = {};
+        std::vector<std::uint8_t> word(static_cast<std::size_t>(count));
+        std::vector<int> left(static_cast<std::size_t>(Words::letters()), count / Words::letters());
+        std::vector<Point> low(word.size());
+        std::vector<double> side(word.size());
+        // Points word.size() - 1, word.size() - 2, ... down to `first` are there.
+        const auto extend = [&](const auto& self, std::size_t first) -> void {
+            if (first == 0) {
+                ++found.words;
+                const auto points = points_of_word<Base, Dimension>(word);
+                const double radius = std::round(relative_radius<Point>(points) * 1e6) / 1e6;
+                if (radius < bound) return;
+                found.best.emplace(radius, word);
+                if (found.best.size() > how_many) found.best.erase(std::prev(found.best.end()));
+                return;
+            }
+            const std::size_t at = first - 1;
+            for (int letter = 0; letter < Words::letters(); ++letter) {
+                // All rotations are the same tile: this one ends in a 0.
+                if (left[letter] == 0 || (first == word.size() && letter != 0)) continue;
+                Point corner;
+                for (int axis = 0; axis < Dimension; ++axis)
+                    corner[axis] =
+                        (Words::digit(letter, axis) + (first < word.size() ? low[first][axis] : 0)) / Base;
+                low[at] = corner;
+                side[at] = (first < word.size() ? side[first] : 1.0) / Base;
+                bool too_close = false;
+                for (std::size_t other = first; other < word.size() && !too_close; ++other) {
+                    double furthest = 0;
+                    for (int axis = 0; axis < Dimension; ++axis) {
+                        // The greatest distance on the circle between the two stretches.
+                        const double from = corner[axis] - low[other][axis] - side[other],
+                                     to = corner[axis] + side[at] - low[other][axis];
+                        const auto around = [](double x) {
+                            const double apart = std::abs(x - std::floor(x + 0.5));
+                            return apart;
+                        };
+                        const bool half = std::floor(from - 0.5) != std::floor(to - 0.5);
+                        const double most = half ? 0.5 : std::max(around(from), around(to));
+                        furthest += most * most;
+                    }
+                    too_close = furthest < least;
+                }
+                if (too_close) continue;
+                word[at] = static_cast<std::uint8_t>(letter);
+                --left[letter];
+                self(self, at);
+                ++left[letter];
+            }
+        };
+        extend(extend, word.size());
+    }
+    return found;
+}
+
 /// What a word is annealed for.
 enum class WordAim {
     radius,  // the smallest distance on the torus

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -37,6 +39,34 @@ std::size_t stride_for(std::size_t parts) {
     return stride;
 }
 
+// False if it is not among the best, or there already.
+bool insert(std::vector<FoundTile>& found, FoundTile tile, std::size_t top) {
+    const auto at = std::lower_bound(found.begin(), found.end(), tile, better);
+    if (at != found.end() && *at == tile) return false;
+    if (found.size() == top && at == found.end()) return false;
+    found.insert(at, std::move(tile));
+    if (found.size() > top) found.pop_back();
+    return true;
+}
+
+std::vector<std::string> endings_of(int points, const RadiusBound& bound) {
+    return WordTree(points).endings(std::min(kEndingLength, points), bound);
+}
+
+void check_parts(const SearchState& state, std::size_t parts) {
+    if (state.done.empty() || state.done.size() == parts) return;
+    throw std::runtime_error(
+        fmt::format("the saved search has {} parts where pass {} of {} points has {}; start it anew",
+                    state.done.size(), state.pass, state.points, parts));
+}
+
+void end_pass(SearchState& state) {
+    state.finished =
+        floor_of_pass(state.pass) == 0 || state.found.size() >= static_cast<std::size_t>(state.top);
+    if (!state.finished) ++state.pass;
+    state.done.clear();
+}
+
 // One pass, shared by its threads.
 class Pass {
  public:
@@ -45,13 +75,9 @@ class Pass {
           control_(control),
           floor_(floor_of_pass(state.pass)),
           bound_(state.points, floor_),
-          endings_(WordTree(state.points).endings(std::min(kEndingLength, state.points), bound_)) {
-        if (state.done.empty()) state.done.resize(endings_.size());
-        if (state.done.size() != endings_.size()) {
-            throw std::runtime_error(
-                fmt::format("the saved search has {} parts where pass {} of {} points has {}; start it anew",
-                            state.done.size(), state.pass, state.points, endings_.size()));
-        }
+          endings_(endings_of(state.points, bound_)) {
+        check_parts(state, endings_.size());
+        state.done.resize(endings_.size());
         done_ = std::count(state.done.begin(), state.done.end(), true);
         raise_bound();
     }
@@ -66,11 +92,7 @@ class Pass {
             for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { work(); });
             work();
         }
-        if (static_cast<std::size_t>(done_) < endings_.size()) return;
-        const auto top = static_cast<std::size_t>(state_.top);
-        state_.finished = floor_ == 0 || state_.found.size() >= top;
-        if (!state_.finished) ++state_.pass;
-        state_.done.clear();
+        if (static_cast<std::size_t>(done_) == endings_.size()) end_pass(state_);
     }
 
  private:
@@ -100,15 +122,10 @@ class Pass {
         const double radius = relative_radius(word);
         if (radius < floor_ || radius == 0) return;
         const std::lock_guard lock(mutex_);
-        std::vector<FoundTile>& found = state_.found;
+        const std::vector<FoundTile>& found = state_.found;
         const auto top = static_cast<std::size_t>(state_.top);
         if (found.size() == top && radius < found.back().relative_radius) return;
-        FoundTile tile{smallest_symmetric_word(word), radius};
-        const auto at = std::lower_bound(found.begin(), found.end(), tile, better);
-        if (at != found.end() && *at == tile) return;
-        found.insert(at, std::move(tile));
-        if (found.size() > top) found.pop_back();
-        raise_bound();
+        if (insert(state_.found, {smallest_symmetric_word(word), radius}, top)) raise_bound();
     }
 
     void raise_bound() {
@@ -152,6 +169,87 @@ double proven_radius(const SearchState& state) {
 SearchState continue_exhaustive_search(SearchState state, const SearchControl& control) {
     while (!state.finished && !control.stop.stop_requested()) Pass(state, control).run();
     return state;
+}
+
+PartSearch::PartSearch(const SearchState& state)
+    : points_(state.points), top_(static_cast<std::size_t>(state.top)), floor_(floor_of_pass(state.pass)) {
+    endings_ = endings_of(points_, RadiusBound(points_, floor_));
+    check_parts(state, endings_.size());
+}
+
+std::size_t PartSearch::in_turn(std::size_t i) const {
+    return i * stride_for(endings_.size()) % endings_.size();
+}
+
+std::vector<FoundTile> PartSearch::search(std::size_t part, double radius,
+                                          const std::stop_token& stop) const {
+    RadiusBound bound(points_, std::max(floor_, radius));
+    std::vector<FoundTile> found;
+    WordTree tree(points_);
+    tree.complete(endings_[part], bound, stop, [&](const std::string& word) {
+        const double there = relative_radius(word);
+        if (there < std::max(floor_, radius) || there == 0) return;
+        if (insert(found, {smallest_symmetric_word(word), there}, top_) && found.size() == top_)
+            bound.raise_to(found.back().relative_radius);
+    });
+    return found;
+}
+
+double radius_wanted(const SearchState& state) {
+    const bool full = state.found.size() == static_cast<std::size_t>(state.top);
+    return full ? state.found.back().relative_radius : floor_of_pass(state.pass);
+}
+
+void begin_pass(SearchState& state, std::size_t parts) {
+    state.done.resize(parts);
+    if (parts == 0) end_pass(state);
+}
+
+void take_part(SearchState& state, std::size_t part, std::vector<FoundTile> found) {
+    state.done[part] = true;
+    for (FoundTile& tile : found) insert(state.found, std::move(tile), static_cast<std::size_t>(state.top));
+    if (std::ranges::find(state.done, false) == state.done.end()) end_pass(state);
+}
+
+SearchEstimate estimate_pass(int points, double floor, int probes, std::uint64_t seed) {
+    const RadiusBound bound(points, floor);
+    WordTree tree(points);
+    Random random(seed);
+    SearchEstimate estimate;
+    double variance = 0;
+    for (const std::string& ending : endings_of(points, bound)) {
+        double sum = 0, squares = 0;
+        for (int i = 0; i < probes; ++i) {
+            const double words = tree.probe(ending, bound, random);
+            sum += words;
+            squares += words * words;
+        }
+        const double mean = sum / probes;
+        estimate.words += mean;
+        if (probes > 1) variance += (squares / probes - mean * mean) / (probes - 1);
+    }
+    estimate.error = std::sqrt(std::max(variance, 0.0));
+    return estimate;
+}
+
+double words_per_second(int points, double floor, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const RadiusBound bound(points, floor);
+    const std::vector<std::string> endings = endings_of(points, bound);
+    if (endings.empty()) return 0;
+    WordTree tree(points);
+    const auto begin = Clock::now();
+    const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    // A part may take hours.
+    std::stop_source stop;
+    const std::jthread clock([&] {
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        stop.request_stop();
+    });
+    for (std::size_t i = 0; !stop.stop_requested(); ++i)
+        tree.complete(endings[i * stride_for(endings.size()) % endings.size()], bound, stop.get_token(),
+                      [](const std::string&) {});
+    return static_cast<double>(tree.steps()) / passed();
 }
 
 }  // namespace dapple

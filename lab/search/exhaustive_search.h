@@ -18,6 +18,7 @@
 // best of 32 points (0.716) takes a quarter of a minute, the best of 36 (0.918, nearly a lattice) a quarter
 // of a second.
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -68,6 +69,46 @@ struct SearchControl {
 /// Goes on until the search is finished or stopped. Throws std::runtime_error if the state does not fit its
 /// own points and pass.
 SearchState continue_exhaustive_search(SearchState state, const SearchControl& control = {});
+
+/// The parts of a pass, for whoever hands them out to others. What a part comes to is the same wherever it is
+/// searched, as long as the radius asked for is no more than the last tile's that will be kept.
+class PartSearch {
+ public:
+    /// Of that pass of the search.
+    explicit PartSearch(const SearchState& state);
+    std::size_t parts() const { return endings_.size(); }
+    double floor() const { return floor_; }
+    /// The part to be searched as the i-th, so that the share of parts that are done tells the share of time.
+    std::size_t in_turn(std::size_t i) const;
+    /// The best tiles of a part, at most SearchState::top, of at least that relative radius. Unfinished when
+    /// a stop was requested.
+    std::vector<FoundTile> search(std::size_t part, double radius, const std::stop_token& stop = {}) const;
+
+ private:
+    int points_;
+    std::size_t top_;
+    double floor_;
+    std::vector<std::string> endings_;
+};
+
+/// The state's pass begins, if it has not begun; without a part it ends at once. `parts` is how many it has.
+void begin_pass(SearchState& state, std::size_t parts);
+
+/// A part was searched: its tiles are among the state's if they are good enough, and with the last part the
+/// pass ends.
+void take_part(SearchState& state, std::size_t part, std::vector<FoundTile> found);
+
+/// The radius below which no tile of the pass is of interest any more.
+double radius_wanted(const SearchState& state);
+
+/// How many words a pass with that floor looks at, guessed by `probes` random ways down each part.
+struct SearchEstimate {
+    double words = 0, error = 0;  // one standard error of it
+};
+SearchEstimate estimate_pass(int points, double floor, int probes, std::uint64_t seed);
+
+/// How many words one core looks at in a second, measured for so many seconds.
+double words_per_second(int points, double floor, double seconds);
 
 /// A state as a few lines of text, and back. Reading throws std::runtime_error naming the line that is wrong.
 std::string write_search_state(const SearchState& state);

@@ -67,22 +67,53 @@ bool WordTree::complete(std::string_view ending, const RadiusBound& bound, const
     stop_ = stop;
     on_word_ = on_word;
     Branch branch;
+    const int length = begin(ending, branch);
+    const bool finished = length < static_cast<int>(ending.size()) || walk(length, branch);
+    undo_all(length);
+    return finished;
+}
+
+int WordTree::begin(std::string_view ending, Branch& branch) {
     int length = 0;
-    bool open = true;
-    for (auto c = ending.rbegin(); c != ending.rend() && open; ++c) {
+    for (auto c = ending.rbegin(); c != ending.rend(); ++c, ++length) {
         Branch next;
-        open = step(length, *c - '0', branch, next);
-        if (open) {
-            branch = next;
-            ++length;
-        }
+        if (!step(length, *c - '0', branch, next)) break;
+        branch = next;
     }
-    const bool finished = open ? walk(length, branch) : true;
+    return length;
+}
+
+void WordTree::undo_all(int length) {
     while (length > 0) {
         --length;
         undo(length, letters_[length]);
     }
-    return finished;
+}
+
+double WordTree::probe(std::string_view ending, const RadiusBound& bound, Random& random) {
+    bound_ = &bound;
+    Branch branch;
+    int length = begin(ending, branch);
+    double words = 0, each_stands_for = 1;
+    while (length >= static_cast<int>(ending.size()) && length < points_) {
+        words += each_stands_for;
+        std::array<int, 4> open;
+        std::size_t count = 0;
+        for (int letter = 0; letter < 4; ++letter) {
+            Branch next;
+            if (left_[letter] == 0 || !step(length, letter, branch, next)) continue;
+            undo(length, letter);
+            open[count++] = letter;
+        }
+        if (count == 0) break;
+        each_stands_for *= static_cast<double>(count);
+        Branch next;
+        step(length, open[random.below(count)], branch, next);
+        branch = next;
+        ++length;
+    }
+    undo_all(length);
+    return words;
 }
 
 bool WordTree::walk(int length, const Branch& branch) {

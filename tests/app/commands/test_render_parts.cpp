@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -56,6 +58,39 @@ TEST_CASE("a mural's sheets, made one by one, have the dots of the whole, each o
         }
         CHECK(found == whole.size());
     }
+}
+
+TEST_CASE("runs that share the sheets of a mural, or pictures, draw each of them once and as one run does") {
+    const Scene scene;
+    for (const char* folder : {"one", "many"}) std::filesystem::create_directory(scene(folder));
+    const std::string mural = "render " + scene("cat.png") + " --dots 900 --sheets 3x2 -o ";
+    REQUIRE(run_dapple(mural + scene("one/m.svg")).status == 0);
+    std::filesystem::copy(scene("cat.png"), scene("dog.png"));
+    std::filesystem::copy(scene("cat.png"), scene("cow.png"));
+    const std::string batch = "render " + scene("cat.png") + " " + scene("dog.png") + " " + scene("cow.png") +
+                              " --dots 300 --format csv -o ";
+    REQUIRE(run_dapple(batch + scene("one/")).status == 0);
+    const auto files = [&](const std::string& folder) {
+        std::map<std::string, std::string> texts;
+        for (const auto& file : std::filesystem::directory_iterator(scene(folder)))
+            texts[file.path().filename().string()] = text_of(file.path());
+        return texts;
+    };
+    std::size_t before = 0;
+    for (const char* share : {"1/4", "2/4", "3/4", "4/4"}) {
+        REQUIRE(run_dapple(mural + scene("many/m.svg") + " --share " + share).status == 0);
+        REQUIRE(run_dapple(batch + scene("many/") + " --share " + share).status == 0);
+        CHECK(files("many").size() <= before + 4);
+        before = files("many").size();
+    }
+    CHECK(files("one") == files("many"));
+    CHECK(files("one").size() == 7 + 3);
+    const std::string to = " -o " + scene("m.svg");
+    scene.must_fail("render --share 1/2" + to, "--share: is for several pictures, or the sheets of a mural");
+    scene.must_fail("render --sheets 2x2 --share 0/2" + to, "0/2 is no share; give one such as 1/4");
+    scene.must_fail("render --sheets 2x2 --share 3/2" + to, "3/2 is no share");
+    scene.must_fail("render --sheets 2x2 --share 1/2 --stats " + scene("s.json") + to,
+                    "--stats: would be written");
 }
 
 TEST_CASE("settings with sheets draw all of them, one page, or one sheet, as the command says") {

@@ -331,6 +331,13 @@ TEST_CASE("a search by radius that ends at its first go leaves no file behind") 
     CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("a search by radius can be guessed at instead: words, their error, and hours, for each radius") {
+    const Outcome outcome = run_dapple("tile search --points 16 --estimate");
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.out.find("hours of one core") != std::string::npos);
+    CHECK(std::ranges::count(outcome.out, '\n') == 11);
+}
+
 TEST_CASE("an unfinished search is never replaced by another one") {
     const TemporaryFolder folder;
     const std::string state = folder / "dapple-search-40.txt";

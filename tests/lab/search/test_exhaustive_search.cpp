@@ -285,6 +285,42 @@ TEST_CASE("a stopped search keeps what it found and goes on to the same end, thr
     CHECK(state == whole);
 }
 
+TEST_CASE("parts that are searched one by one, in any order, come to what the search finds, to the byte") {
+    for (const auto& [points, top] : {std::pair{12, 3}, {16, 5}, {8, 100}}) {
+        CAPTURE(points);
+        SearchState state = start_exhaustive_search(points, top);
+        while (!state.finished) {
+            const PartSearch pass(state);
+            const int number = state.pass;
+            begin_pass(state, pass.parts());
+            for (std::size_t i = 0; i < pass.parts(); ++i) {
+                REQUIRE(state.pass == number);
+                const std::size_t part = pass.parts() - 1 - pass.in_turn(i);
+                CHECK_FALSE(state.done[part]);
+                take_part(state, part, pass.search(part, radius_wanted(state)));
+            }
+            REQUIRE((state.finished || state.pass == number + 1));
+        }
+        CHECK(write_search_state(state) == write_search_state(search(points, top)));
+    }
+}
+
+TEST_CASE("how long a search takes is guessed about right, by Knuth's random ways down") {
+    constexpr int kPoints = 16;
+    constexpr double kFloor = 0.5;
+    const RadiusBound bound(kPoints, kFloor);
+    WordTree tree(kPoints);
+    const std::vector<std::string> endings = tree.endings(10, bound);
+    const std::uint64_t before = tree.steps();
+    for (const std::string& ending : endings) tree.complete(ending, bound, {}, [](const std::string&) {});
+    const auto words = static_cast<double>(tree.steps() - before);
+    REQUIRE(words > 500);
+    const SearchEstimate estimate = estimate_pass(kPoints, kFloor, 200, 1);
+    CHECK(estimate.error > 0);
+    CHECK(estimate.error < 0.1 * words);
+    CHECK(std::abs(estimate.words - words) < 4 * estimate.error);
+}
+
 TEST_CASE("progress rises from 0 to 1 within each pass, and floors fall from pass to pass") {
     double floor = 2, fraction = 1;
     const auto watch = [&](const SearchProgress& progress) {
