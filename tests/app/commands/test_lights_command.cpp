@@ -224,7 +224,7 @@ TEST_CASE("the samples of a sky with a sun keep its flux and light surfaces with
     }
     for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(map.total_flux()[c]).epsilon(1e-9));
     const auto normals = fibonacci_normals(100);
-    CHECK(irradiance_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)) < 0.005);
+    CHECK(relative_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)).mean < 0.005);
 }
 
 TEST_CASE("light below 0 is refused or taken as none, and a picture whose light ends at white is told of") {
