@@ -9,6 +9,7 @@
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment_file.h"
+#include "app/files/exr_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
@@ -53,10 +54,12 @@ EnvironmentMap map_of(const LightsOptions& options) {
 }
 
 void check_that_fit(const CLI::App& command, const LightsOptions& options) {
+    if (options.pdf && ending_of(*options.pdf) != ".exr")
+        throw CLI::ValidationError("--pdf", options.pdf->string() + " does not end in .exr");
     if (options.compare) {
         refuse(command,
                {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
-                "--order", "--placer", "--seed", "--threads", "--exposure"},
+                "--order", "--placer", "--seed", "--threads", "--exposure", "--pdf"},
                "is not for --compare, which tries samples of several kinds and numbers");
         return;
     }
@@ -67,7 +70,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
         throw CLI::ValidationError("--radiance",
                                    "point is for samples drawn at random; give --position random too");
     if (options.output.empty()) {
-        refuse(command, {"--convention", "--ranking"}, "is for a file; name one with --output");
+        refuse(command, {"--convention", "--ranking", "--pdf"}, "is for a file; name one with --output");
         return;
     }
     if (light_file_of(options.output) == LightFile::png) {
@@ -86,6 +89,7 @@ void lights(const LightsOptions& options) {
             fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
     }
     check_can_save(options.output);
+    if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
     if (!meets_itself(tile.tile())) {
@@ -100,6 +104,10 @@ void lights(const LightsOptions& options) {
     save_lights(
         options.output, map, samples,
         {options.convention, options.rotation_degrees, source_of(options), options.exposure.value_or(0)});
+    if (options.pdf)
+        save_atomically(*options.pdf, [&](std::ostream& out) {
+            write_exr(out, light_pdf(map, options.request.importance));
+        });
 }
 
 void compare_lights(const LightsOptions& options) {
@@ -156,6 +164,11 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
+    command
+        ->add_option("--pdf", options_.pdf,
+                     "Also write the density by which samples are placed, per steradian at each pixel of the "
+                     "map, as it lies in its file: for multiple importance sampling; ends in .exr")
+        ->type_name("FILE");
     command->add_flag("--clamp", options_.clamp,
                       "Take light below 0, which some programs leave in maps, as none");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
@@ -203,7 +216,9 @@ LightsCommand::LightsCommand(CLI::App& program) {
                                        options_.output.string() + " does not end in " + kLightEndings);
         }
         check_that_fit(*command, options_);
-        check_apart(*command, {"--output"}, {{options_.output, "the lights"}});
+        std::vector<FileInUse> written{{options_.output, "the lights"}};
+        if (options_.pdf) written.push_back({*options_.pdf, "the density"});
+        check_apart(*command, {"--output", "--pdf"}, written);
         lights(options_);
     });
 }

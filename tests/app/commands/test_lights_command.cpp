@@ -245,6 +245,29 @@ TEST_CASE("light below 0 is refused or taken as none, and a picture whose light 
     CHECK(dim.err.find("no light above white") != dim.err.npos);
 }
 
+TEST_CASE("the density by which samples are placed is written beside them, as OpenEXR") {
+    const TemporaryFolder folder;
+    write_picture(folder / "map.exr", test_map());
+    const std::string command = "lights " + quoted(folder / "map.exr") + " -n 20 -o " +
+                                quoted(folder / "s.json") + " --pdf " + quoted(folder / "pdf.exr");
+    const EnvironmentMap map = read_environment(folder / "map.exr").map;
+    for (const LightImportance importance : {LightImportance::light, LightImportance::compensated}) {
+        const bool compensated = importance == LightImportance::compensated;
+        const Outcome outcome = run_dapple(command + (compensated ? " --mis-compensation" : ""));
+        CHECK_MESSAGE(outcome.status == 0, outcome.err);
+        const Grid<glm::vec3> written = read_environment(folder / "pdf.exr").map.radiance();
+        const Grid<float> pdf = light_pdf(map, importance);
+        REQUIRE(written.values.size() == pdf.values.size());
+        for (std::size_t i = 0; i < pdf.values.size(); ++i)
+            CHECK(written.values[i] == glm::vec3(pdf.values[i]));
+    }
+    check_refused(run_dapple("lights --pdf " + quoted(folder / "x.exr")), "name one with --output");
+    check_refused(run_dapple(command + "x"), "pdf.exrx does not end in .exr");
+    check_refused(run_dapple("lights " + quoted(folder / "map.exr") + " -o " + quoted(folder / "s.json") +
+                             " --pdf " + quoted(folder / "map.exr")),
+                  "map.exr");
+}
+
 TEST_CASE("a map of one pixel is an even sky") {
     const TemporaryFolder folder;
     write_picture(folder / "sky.exr", PictureFile{.channels = 3, .values = {2, 2, 2}, .type = "float"});
