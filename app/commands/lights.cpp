@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLargeFile = 1e9;    // bytes, that are told of before they are written
+constexpr double kMemoryOfOne = 180;  // bytes a sample, measured
 constexpr const char* kReportEndings = ".html, .csv or .svg";
 
 bool is_report(const fs::path& output) {
@@ -92,6 +94,12 @@ void lights(const LightsOptions& options) {
     if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
+    const std::uint64_t count = options.request.count;
+    if (const double bytes = expected_bytes(*light_file_of(options.output), count); bytes >= kLargeFile)
+        fmt::print(stderr,
+                   "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
+                   printable(options.output.string()), grouped(count), bytes / 1e9,
+                   kMemoryOfOne * static_cast<double>(count) / 1e9);
     if (!meets_itself(tile.tile())) {
         fmt::print(
             stderr,

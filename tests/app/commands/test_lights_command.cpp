@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/files/environment_file.h"
+#include "app/files/save_lights.h"
 #include "core/image/sky.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
@@ -243,6 +244,17 @@ TEST_CASE("light below 0 is refused or taken as none, and a picture whose light 
     const Outcome dim = run_dapple("lights " + quoted(folder / "map.png") + output);
     CHECK(dim.status == 0);
     CHECK(dim.err.find("no light above white") != dim.err.npos);
+}
+
+TEST_CASE("a list is about as large as it is said to become") {
+    const TemporaryFolder folder;
+    for (const std::string ending : {".json", ".csv", ".pbrt", ".xml", ".usda", ".gltf", ".py"}) {
+        CAPTURE(ending);
+        const std::filesystem::path file = folder / ("s" + ending);
+        REQUIRE(run_dapple("lights -n 3000 -o " + quoted(file)).status == 0);
+        CHECK(static_cast<double>(std::filesystem::file_size(file)) ==
+              doctest::Approx(expected_bytes(*light_file_of(file), 3000)).epsilon(0.15));
+    }
 }
 
 TEST_CASE("the density by which samples are placed is written beside them, as OpenEXR") {
