@@ -192,7 +192,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command->footer(
         "Weights are irradiances on a surface that faces the light; they sum to the map's total flux.\n\n"
         "Examples:\n"
-        "  dapple lights hall.hdr                               look at it, and at a sphere in its light\n"
+        "  dapple lights hall.hdr                               look at it, and at what it lights\n"
         "  dapple lights hall.hdr -n 1024 -o hall.json          directions, radiance, pdf and weights\n"
         "  dapple lights hall.hdr -n 300 -o hall.xml            lights for a Mitsuba 3 scene\n"
         "  dapple lights hall.hdr -n 300 -o hall.pbrt --rotate 90\n"
