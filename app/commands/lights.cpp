@@ -9,6 +9,7 @@
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment_file.h"
+#include "app/files/exr_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/save_lights.h"
 #include "app/files/tile_library.h"
@@ -21,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLargeFile = 1e9;    // bytes, that are told of before they are written
+constexpr double kMemoryOfOne = 180;  // bytes a sample, measured
 constexpr const char* kReportEndings = ".html, .csv or .svg";
 
 bool is_report(const fs::path& output) {
@@ -53,10 +56,12 @@ EnvironmentMap map_of(const LightsOptions& options) {
 }
 
 void check_that_fit(const CLI::App& command, const LightsOptions& options) {
+    if (options.pdf && ending_of(*options.pdf) != ".exr")
+        throw CLI::ValidationError("--pdf", options.pdf->string() + " does not end in .exr");
     if (options.compare) {
         refuse(command,
                {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
-                "--order", "--placer", "--seed", "--threads", "--exposure"},
+                "--order", "--placer", "--seed", "--threads", "--exposure", "--pdf"},
                "is not for --compare, which tries samples of several kinds and numbers");
         return;
     }
@@ -67,7 +72,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
         throw CLI::ValidationError("--radiance",
                                    "point is for samples drawn at random; give --position random too");
     if (options.output.empty()) {
-        refuse(command, {"--convention", "--ranking"}, "is for a file; name one with --output");
+        refuse(command, {"--convention", "--ranking", "--pdf"}, "is for a file; name one with --output");
         return;
     }
     if (light_file_of(options.output) == LightFile::png) {
@@ -86,8 +91,15 @@ void lights(const LightsOptions& options) {
             fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
     }
     check_can_save(options.output);
+    if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
+    const std::uint64_t count = options.request.count;
+    if (const double bytes = expected_bytes(*light_file_of(options.output), count); bytes >= kLargeFile)
+        fmt::print(stderr,
+                   "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
+                   printable(options.output.string()), grouped(count), bytes / 1e9,
+                   kMemoryOfOne * static_cast<double>(count) / 1e9);
     if (!meets_itself(tile.tile())) {
         fmt::print(
             stderr,
@@ -100,6 +112,10 @@ void lights(const LightsOptions& options) {
     save_lights(
         options.output, map, samples,
         {options.convention, options.rotation_degrees, source_of(options), options.exposure.value_or(0)});
+    if (options.pdf)
+        save_atomically(*options.pdf, [&](std::ostream& out) {
+            write_exr(out, light_pdf(map, options.request.importance));
+        });
 }
 
 void compare_lights(const LightsOptions& options) {
@@ -156,6 +172,11 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
+    command
+        ->add_option("--pdf", options_.pdf,
+                     "Also write the density by which samples are placed, per steradian at each pixel of the "
+                     "map, as it lies in its file: for multiple importance sampling; ends in .exr")
+        ->type_name("FILE");
     command->add_flag("--clamp", options_.clamp,
                       "Take light below 0, which some programs leave in maps, as none");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
@@ -171,7 +192,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
     command->footer(
         "Weights are irradiances on a surface that faces the light; they sum to the map's total flux.\n\n"
         "Examples:\n"
-        "  dapple lights hall.hdr                               look at it, and at a sphere in its light\n"
+        "  dapple lights hall.hdr                               look at it, and at what it lights\n"
         "  dapple lights hall.hdr -n 1024 -o hall.json          directions, radiance, pdf and weights\n"
         "  dapple lights hall.hdr -n 300 -o hall.xml            lights for a Mitsuba 3 scene\n"
         "  dapple lights hall.hdr -n 300 -o hall.pbrt --rotate 90\n"
@@ -203,7 +224,9 @@ LightsCommand::LightsCommand(CLI::App& program) {
                                        options_.output.string() + " does not end in " + kLightEndings);
         }
         check_that_fit(*command, options_);
-        check_apart(*command, {"--output"}, {{options_.output, "the lights"}});
+        std::vector<FileInUse> written{{options_.output, "the lights"}};
+        if (options_.pdf) written.push_back({*options_.pdf, "the density"});
+        check_apart(*command, {"--output", "--pdf"}, written);
         lights(options_);
     });
 }

@@ -26,7 +26,8 @@ struct LightsOptions {
     double rotation_degrees = 0;
     std::string tile = "paper16";
     RankingMethod ranking = RankingMethod::energy;
-    std::optional<double> exposure;  // of a PNG, in stops over the natural one
+    std::optional<std::filesystem::path> pdf;  // also: the density by which samples are placed, an .exr
+    std::optional<double> exposure;            // of a PNG, in stops over the natural one
 };
 
 /// Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file

@@ -10,9 +10,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <locale>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,15 +62,46 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     before_pixels({.in_memory = bytes + row * kBandRows * sizeof(float), .in_all = bytes});
 }
 
-// OpenImageIO reads Radiance's pictures of red, green and blue, and says of others that they have no format.
-void expect_radiance_rgb(int file) {
-    std::array<char, 1024> beginning{};
+std::string radiance_header(int file) {
+    std::array<char, 1 << 14> beginning{};
     const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
-    const std::string_view header(beginning.data(), got < 0 ? 0 : static_cast<std::size_t>(got));
-    if (header.substr(0, header.find("\n\n")).find("FORMAT=32-bit_rle_xyze") != header.npos)
+    const std::string_view text(beginning.data(), got < 0 ? 0 : static_cast<std::size_t>(got));
+    return std::string(text.substr(0, text.find("\n\n")));
+}
+
+// OpenImageIO reads Radiance's pictures of red, green and blue, and says of others that they have no format.
+void expect_radiance_rgb(const std::string& header) {
+    if (header.find("FORMAT=32-bit_rle_xyze") != header.npos)
         throw DecodeError(
             "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green and "
             "blue");
+}
+
+// The way from the values to the light, as Radiance has it: they were multiplied by every EXPOSURE and every
+// COLORCORR of the header. OpenImageIO gives them as they are.
+glm::mat3 radiance_light(const std::string& header) {
+    glm::dvec3 multiplied(1);
+    std::istringstream lines(header);
+    for (std::string line; std::getline(lines, line);) {
+        const bool exposure = line.starts_with("EXPOSURE=");
+        if (!exposure && !line.starts_with("COLORCORR=")) continue;
+        std::istringstream numbers(line.substr(line.find('=') + 1));
+        numbers.imbue(std::locale::classic());
+        glm::dvec3 by(0);
+        numbers >> by.x;
+        if (exposure)
+            by.y = by.z = by.x;
+        else
+            numbers >> by.y >> by.z;
+        multiplied *= by;
+    }
+    const glm::dvec3 light = 1.0 / multiplied;
+    for (int i = 0; i < 3; ++i)
+        if (!(light[i] > 0 && light[i] <= kMostLightOfAPixel))
+            throw DecodeError(
+                "says in its header by which EXPOSURE or COLORCORR its light was multiplied, and that is not "
+                "a number over 0; mend these lines or leave them out");
+    return {light.x, 0, 0, 0, light.y, 0, 0, 0, light.z};
 }
 
 // `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
@@ -248,7 +283,12 @@ float pixel_aspect_of(const OIIO::ImageSpec& spec, int file, PictureFormat forma
 void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
-    if (format == PictureFormat::radiance) expect_radiance_rgb(file);
+    std::optional<glm::mat3> to_srgb;
+    if (format == PictureFormat::radiance) {
+        const std::string header = radiance_header(file);
+        expect_radiance_rgb(header);
+        to_srgb = radiance_light(header);
+    }
     const std::string name = "/dev/fd/" + std::to_string(file);
     const bool halved = format == PictureFormat::raw && request.enough_side > 0;
     std::optional<std::vector<unsigned char>> plain;
@@ -289,6 +329,7 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, const 
     };
 
     PixelLayout layout = layout_of(spec);
+    layout.to_srgb = to_srgb;
     if (format == PictureFormat::bmp || format == PictureFormat::targa)
         forget_unused_alpha(layout, spec, band_rows, band, read);
     const int orientation = whole.get_int_attribute("Orientation", 1);

@@ -25,7 +25,7 @@ struct PixelLayout {
     int count = 1;  // channels of a pixel
     Encoding encoding;
     std::string profile{};               // ICC's bytes, which count for more; empty: none
-    std::optional<glm::mat3> to_srgb{};  // of light, from other primaries
+    std::optional<glm::mat3> to_srgb{};  // of light, from other primaries or an exposure
     bool premultiplied = false;          // colours by alpha
     bool eight_bit = false;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
@@ -51,6 +52,12 @@ std::optional<LightFile> light_file_of(const fs::path& path) {
     if (ending == ".py") return LightFile::blender;
     if (ending == ".png") return LightFile::png;
     return std::nullopt;
+}
+
+double expected_bytes(LightFile kind, std::uint64_t samples) {
+    // In the order of LightFile, of photographed maps.
+    constexpr std::array kBytesOfOne{348, 257, 220, 241, 420, 259, 163, 0};
+    return kBytesOfOne[static_cast<std::size_t>(kind)] * static_cast<double>(samples);
 }
 
 void save_lights(const fs::path& path, const EnvironmentMap& map, const LightSamples& lights,

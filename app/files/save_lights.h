@@ -1,6 +1,7 @@
 #pragma once
 // Light samples to a file; its name's ending says what kind.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ inline constexpr const char* kLightEndings = ".json, .csv, .pbrt, .xml, .usda, .
 
 /// By the ending, in small or capital letters; none if it is another.
 std::optional<LightFile> light_file_of(const std::filesystem::path& path);
+
+/// About how many bytes a file of so many samples has; 0 of a picture, which has as many for any number.
+double expected_bytes(LightFile kind, std::uint64_t samples);
 
 struct LightSaving {
     std::optional<SphereConvention> convention{};  // none: the one of the program that reads such a file

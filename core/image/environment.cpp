@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -104,6 +105,15 @@ Density light_density(const EnvironmentMap& map, LightImportance importance, int
         if (density.mean() > 0) return density;
     }
     return Density(fill(0), Sides::wrap);
+}
+
+Grid<float> light_pdf(const EnvironmentMap& map, LightImportance importance) {
+    Grid<float> pdf = light_density(map, importance).values();
+    const double sum = std::accumulate(pdf.values.begin(), pdf.values.end(), 0.0);
+    for (int y = 0; y < pdf.height; ++y)
+        for (int x = 0; x < pdf.width; ++x)
+            pdf.at(x, y) = static_cast<float>(pdf.at(x, y) / (sum * map.solid_angle(y)));
+    return pdf;
 }
 
 }  // namespace dapple

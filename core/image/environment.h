@@ -57,4 +57,8 @@ enum class LightImportance {
 Density light_density(const EnvironmentMap& map, LightImportance importance = LightImportance::light,
                       int first_column = 0);
 
+/// The density by which samples are placed, as probability per steradian, constant over each texel: times the
+/// texels' solid angles it sums to 1. What a renderer weighs samples by that it draws otherwise.
+Grid<float> light_pdf(const EnvironmentMap& map, LightImportance importance = LightImportance::light);
+
 }  // namespace dapple

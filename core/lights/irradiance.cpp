@@ -73,6 +73,22 @@ std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::sp
     return result;
 }
 
+RelativeError relative_error(std::span<const glm::dvec3> found, std::span<const glm::dvec3> exact,
+                             std::span<const double> weights) {
+    RelativeError error;
+    double sum = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const double right = luminance(exact[i]), weight = weights.empty() ? 1 : weights[i];
+        if (!(right > 0)) continue;
+        const double here = std::abs(luminance(found[i]) - right) / right;
+        error.mean += weight * here;
+        error.largest = std::max(error.largest, here);
+        sum += weight;
+    }
+    if (sum > 0) error.mean /= sum;
+    return error;
+}
+
 std::vector<glm::dvec3> fibonacci_normals(int count) {
     constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749978969641);
     std::vector<glm::dvec3> normals(count);

@@ -29,6 +29,18 @@ std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_s
 std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals,
                                    unsigned exponent = 1);
 
+/// Over normals, of |E - exact| / exact, E and exact being the luminance of what a surface gets by some
+/// lights and by all of a map's. Normals with no light at all are left out.
+struct RelativeError {
+    double mean = 0, largest = 0;
+};
+/// `weights`, one a normal, count in the mean; none: all alike.
+RelativeError relative_error(std::span<const glm::dvec3> found, std::span<const glm::dvec3> exact,
+                             std::span<const double> weights = {});
+
+/// The exponent of the glossy surface that samples are measured by.
+inline constexpr unsigned kGlossy = 50;
+
 /// Evenly spread unit vectors: the golden angle around, equal steps in height (Swinbank & Purser 2006).
 std::vector<glm::dvec3> fibonacci_normals(int count);
 

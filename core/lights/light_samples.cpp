@@ -195,13 +195,11 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
                         .total_flux = map.total_flux()};
     check_count(request.count);
     const Stopwatch placing;
+    const Grid<float> power = light_density(map, request.importance).values();
+    const auto lit = std::ranges::count_if(power.values, [](float value) { return value > 0; });
     std::optional<SettledSamples> settling;
-    if (request.position == SamplePosition::settled) {
-        Grid<float> power = light_density(map, request.importance).values();
-        const auto lit = std::ranges::count_if(power.values, [](float value) { return value > 0; });
-        if (static_cast<std::uint64_t>(lit) >= request.count)
-            settling.emplace(map, std::move(power), request);
-    }
+    if (request.position == SamplePosition::settled && static_cast<std::uint64_t>(lit) >= request.count)
+        settling.emplace(map, power, request);
     const std::vector<glm::dvec2> dots =
         settling ? settling->dots(tile, watch.stop) : light_dots(map, tile, request, watch.stop);
     if (!watch.goes_on(kPlacingShare)) return result;
@@ -217,7 +215,7 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
         return result;
     }
     const std::vector<LightRegion> regions =
-        share_light(map, dots, drawn ? std::optional(request.seed) : std::nullopt, while_sharing);
+        share_light(map, power, dots, drawn ? std::optional(request.seed) : std::nullopt, while_sharing);
     if (regions.empty()) return result;
     result.samples.resize(dots.size());
     for (std::size_t i = 0; i < dots.size(); ++i) {
@@ -226,13 +224,14 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
         sample.uv = dots[i];
         if (request.position == SamplePosition::settled && glm::length(region.moment) > 0)
             sample.uv = uv_of(region.moment, SphereConvention::openexr);
-        if (request.position == SamplePosition::random && region.luminance > 0) sample.uv = region.drawn;
+        if (request.position == SamplePosition::random && region.power > 0) sample.uv = region.drawn;
         sample.weight = region.flux;
         sample.radiance = region.flux / region.solid_angle;
         double density = 1 / region.solid_angle;
-        if (request.radiance == SampleRadiance::point && region.luminance > 0) {
+        if (request.radiance == SampleRadiance::point && region.power > 0) {
             sample.radiance = map.at(sample.uv);
-            density = luminance(sample.radiance) / region.luminance;
+            const glm::ivec2 texel(sample.uv * glm::dvec2(power.width, power.height));
+            density = power.at(texel.x, texel.y) / (map.solid_angle(texel.y) * region.power);
         }
         sample.pdf = density / static_cast<double>(dots.size());
     }

@@ -29,9 +29,10 @@ enum class SamplePosition {
               // over the regions comes out exactly. A texel with more light than a sample's share has a
               // sample of its own
     dot,      // where the placer put the dot
-    random,   // drawn from the region's light: unbiased in luminance for any integrand, since a region's
-              // flux times an integrand at a place drawn in proportion to its light has the region's
-              // integral as its mean
+    random,   // a texel drawn from the region's light: unbiased in luminance for any integrand, since a
+              // region's flux times an integrand at a place drawn in proportion to its light has the region's
+              // integral as its mean. Of compensated importance, only texels above the mean are drawn, and
+              // the rest is left to the other samples of multiple importance sampling
 };
 constexpr auto names_of(SamplePosition) {
     return names("settled", "dot", "random");
@@ -41,7 +42,8 @@ constexpr auto names_of(SamplePosition) {
 /// pdf) estimates the integral of f times the map's light.
 enum class SampleRadiance {
     mean,   // over its region, whose solid angle is 1 / (n pdf): weight = radiance / (n pdf) holds exactly
-    point,  // the map's at (u, v), and the density with which it was drawn: of random positions only
+    point,  // the map's at (u, v), and the density with which it was drawn, near light_pdf()'s there: of
+            // random positions only
 };
 constexpr auto names_of(SampleRadiance) {
     return names("mean", "point");

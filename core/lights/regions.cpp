@@ -155,14 +155,15 @@ class Owners {
 // texel from the texel's centre.
 struct Pair {
     glm::dvec3 flux;
-    double luminance;
+    double power;
     double x, z;  // of the moment, but for the height's sine
 };
 
 class TexelPairs {
  public:
-    explicit TexelPairs(const EnvironmentMap& map)
+    TexelPairs(const EnvironmentMap& map, const Grid<float>& power)
         : map_(map),
+          power_(power),
           before_(map.width(), azimuth((0.5 - kThird) / map.width()), -2 * std::numbers::pi / map.width()),
           after_(map.width(), azimuth((0.5 + kThird) / map.width()), -2 * std::numbers::pi / map.width()) {}
 
@@ -172,16 +173,16 @@ class TexelPairs {
         const double share = map_.solid_angle(row) / 4;
         const int width = map_.width();
         glm::dvec3 left = share * glm::dvec3(radiance[width - 1]);
-        double left_light = luminance(left);
+        double left_power = power_.at(width - 1, row) / 4.0;
         for (int i = 0; i < width; ++i) {
             const int l = i == 0 ? width - 1 : i - 1;
             const glm::dvec3 right = share * glm::dvec3(radiance[i]);
-            const double right_light = luminance(right);
-            pairs[i] = {left + right, left_light + right_light,
-                        left_light * after_.sine[l] + right_light * before_.sine[i],
-                        left_light * after_.cosine[l] + right_light * before_.cosine[i]};
+            const double right_power = power_.at(i, row) / 4.0;
+            pairs[i] = {left + right, left_power + right_power,
+                        left_power * after_.sine[l] + right_power * before_.sine[i],
+                        left_power * after_.cosine[l] + right_power * before_.cosine[i]};
             left = right;
-            left_light = right_light;
+            left_power = right_power;
         }
     }
 
@@ -189,6 +190,7 @@ class TexelPairs {
     static constexpr double kThird = 1.0 / 3;
 
     const EnvironmentMap& map_;
+    const Grid<float>& power_;
     Ring before_, after_;  // by column: a third of a texel to the left and to the right of its centre
 };
 
@@ -211,41 +213,40 @@ RowPart part_of_row(const EnvironmentMap& map, int row, Side side) {
 
 void add(LightRegion& whole, const Pair& pair, const RowPart& part) {
     whole.flux += pair.flux;
-    whole.luminance += pair.luminance;
+    whole.power += pair.power;
     whole.solid_angle += part.solid_angle;
-    whole.moment += glm::dvec3(part.sine * pair.x, part.cosine * pair.luminance, part.sine * pair.z);
+    whole.moment += glm::dvec3(part.sine * pair.x, part.cosine * pair.power, part.sine * pair.z);
 }
 
 void add(LightRegion& region, const LightRegion& patch, double share, const glm::dvec3& moved) {
     region.flux += share * patch.flux;
-    region.luminance += share * patch.luminance;
+    region.power += share * patch.power;
     region.solid_angle += share * patch.solid_angle;
-    region.moment += share * (patch.moment + patch.luminance * moved);
+    region.moment += share * (patch.moment + patch.power * moved);
 }
 
 // A texel drawn for each region: every quarter of a patch replaces what was drawn before with its share of
-// the light so far.
-void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByPatch& by_patch,
+// the power so far.
+void draw_places(const Grid<float>& power, const PatchGrid& grid, const DotsByPatch& by_patch,
                  const Owners& owners, Random random, std::vector<LightRegion>& regions) {
     std::vector<double> so_far(regions.size());
-    const auto offer = [&](std::size_t dot, int column, int row, double light) {
-        so_far[dot] += light;
-        if (!(light > 0) || random.unit() * so_far[dot] >= light) return;
-        regions[dot].drawn = {(column + 0.5) / map.width(), (row + 0.5) / map.height()};
+    const auto offer = [&](std::size_t dot, int column, int row, double part) {
+        so_far[dot] += part;
+        if (!(part > 0) || random.unit() * so_far[dot] >= part) return;
+        regions[dot].drawn = {(column + 0.5) / power.width, (row + 0.5) / power.height};
     };
     for (int j = 0; j < grid.rows(); ++j) {
         for (const int row : {j - 1, j}) {
-            if (row < 0 || row >= map.height()) continue;
-            const double quarter = map.solid_angle(row) / 4;
+            if (row < 0 || row >= power.height) continue;
             for (int i = 0; i < grid.width; ++i) {
                 const std::span own = by_patch.of(grid.index(i, j));
                 for (const int column : {grid.left(i), i}) {
-                    const double light = luminance(map.radiance().at(column, row)) * quarter;
+                    const double quarter = power.at(column, row) / 4.0;
                     if (own.size() < 2) {
-                        offer(owners.at(i, j), column, row, light);
+                        offer(owners.at(i, j), column, row, quarter);
                         continue;
                     }
-                    const double share = light / static_cast<double>(own.size());
+                    const double share = quarter / static_cast<double>(own.size());
                     for (const std::uint32_t dot : own) offer(dot, column, row, share);
                 }
             }
@@ -255,12 +256,13 @@ void draw_places(const EnvironmentMap& map, const PatchGrid& grid, const DotsByP
 
 }  // namespace
 
-std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                     std::optional<std::uint64_t> seed, const LightWatch& watch) {
+std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float>& power,
+                                     std::span<const glm::dvec2> dots, std::optional<std::uint64_t> seed,
+                                     const LightWatch& watch) {
     const PatchGrid grid{map.width(), map.height()};
     const DotsByPatch by_patch(grid, dots);
     const Owners owners(grid, dots, by_patch, watch);
-    const TexelPairs pairs(map);
+    const TexelPairs pairs(map, power);
 
     std::vector<LightRegion> regions(dots.size());
     std::vector<Pair> above(grid.width), below(grid.width);
@@ -298,7 +300,7 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const 
             }
         }
     }
-    if (seed) draw_places(map, grid, by_patch, owners, Random(*seed), regions);
+    if (seed) draw_places(power, grid, by_patch, owners, Random(*seed), regions);
     return regions;
 }
 

@@ -22,14 +22,15 @@ namespace dapple {
 struct LightRegion {
     glm::dvec3 flux{};       // linear RGB; over all regions, the map's total flux
     double solid_angle = 0;  // steradians; over all regions, 4 pi
-    glm::dvec3 moment{};     // the integral of luminance * direction, directions as in OpenEXR
-    glm::dvec2 drawn{};      // u, v of a place drawn at random in proportion to luminance
-    double luminance = 0;    // of the flux; 0: moment and drawn say nothing
+    glm::dvec3 moment{};     // the integral of power * direction, directions as in OpenEXR
+    glm::dvec2 drawn{};      // u, v of a place drawn at random in proportion to power
+    double power = 0;        // 0: moment and drawn say nothing
 };
 
-/// One for each dot (u in [0, 1), v in [0, 1]). Dots at the same place share alike. Places are drawn if there
-/// is a seed. Nothing if stopped.
-std::vector<LightRegion> share_light(const EnvironmentMap& map, std::span<const glm::dvec2> dots,
-                                     std::optional<std::uint64_t> seed = {}, const LightWatch& watch = {});
+/// One for each dot (u in [0, 1), v in [0, 1]). Dots at the same place share alike. `power` is what dots were
+/// placed by, a texel's whole. Places are drawn if there is a seed. Nothing if stopped.
+std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float>& power,
+                                     std::span<const glm::dvec2> dots, std::optional<std::uint64_t> seed = {},
+                                     const LightWatch& watch = {});
 
 }  // namespace dapple

@@ -6,11 +6,11 @@ namespace dapple {
 
 namespace {
 
-double slope_of(std::span<const std::uint64_t> counts, std::span<const double> errors) {
+double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeError> errors) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (!(errors[i] > 0)) continue;
-        const double x = std::log(static_cast<double>(counts[i])), y = std::log(errors[i]);
+        if (!(errors[i].mean > 0)) continue;
+        const double x = std::log(static_cast<double>(counts[i])), y = std::log(errors[i].mean);
         n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
     }
     const double spread = n * sxx - sx * sx;
@@ -18,18 +18,6 @@ double slope_of(std::span<const std::uint64_t> counts, std::span<const double> e
 }
 
 }  // namespace
-
-double irradiance_error(std::span<const glm::dvec3> found, std::span<const glm::dvec3> exact) {
-    double sum = 0;
-    int lit = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        const double right = luminance(exact[i]);
-        if (!(right > 0)) continue;
-        sum += std::abs(luminance(found[i]) - right) / right;
-        ++lit;
-    }
-    return lit > 0 ? sum / lit : 0;
-}
 
 LightComparison compare_samplers(const EnvironmentMap& map, RankedTile& tile,
                                  const ComparisonRequest& request) {
@@ -41,17 +29,20 @@ LightComparison compare_samplers(const EnvironmentMap& map, RankedTile& tile,
     for (const LightSampler sampler : kLightSamplers) {
         SamplerErrors result{.sampler = sampler};
         for (const std::uint64_t count : request.counts) {
-            double sum = 0, glossy_sum = 0;
+            RelativeError& of_irradiance = result.irradiance.emplace_back();
+            RelativeError& of_glossy = result.glossy.emplace_back();
+            const auto average = [&request](RelativeError& so_far, const RelativeError& run) {
+                so_far.mean += run.mean / request.runs;
+                so_far.largest += run.largest / request.runs;
+            };
             for (int run = 1; run <= request.runs; ++run) {
                 const auto lights =
                     sampled_lights(map, tile, sampler, count, static_cast<std::uint64_t>(run));
-                sum += irradiance_error(irradiance(lights, normals), exact);
-                glossy_sum += irradiance_error(irradiance(lights, normals, kGlossy), glossy);
+                average(of_irradiance, relative_error(irradiance(lights, normals), exact));
+                average(of_glossy, relative_error(irradiance(lights, normals, kGlossy), glossy));
             }
-            result.errors.push_back(sum / request.runs);
-            result.glossy_errors.push_back(glossy_sum / request.runs);
         }
-        result.slope = slope_of(request.counts, result.errors);
+        result.slope = slope_of(request.counts, result.irradiance);
         comparison.samplers.push_back(std::move(result));
     }
     return comparison;

@@ -8,6 +8,7 @@
 
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
+#include "core/lights/sobol.h"
 #include "core/tile/random.h"
 
 namespace dapple {
@@ -179,6 +180,13 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
                 const double t = (static_cast<double>(i / side) + random.unit()) / static_cast<double>(side);
                 lights.push_back(inverted_light(map, inversion, {s, t}, side * side));
             }
+            return lights;
+        }
+        case LightSampler::sobol: {
+            const LightInversion inversion(map);
+            for (std::uint64_t i = 0; i < count; ++i)
+                lights.push_back(inverted_light(
+                    map, inversion, scrambled(sobol_point(static_cast<std::uint32_t>(i)), seed), count));
             return lights;
         }
         case LightSampler::median_cut:

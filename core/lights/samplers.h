@@ -17,19 +17,20 @@ enum class LightSampler {
     uniform,     // directions at random over the sphere
     importance,  // at random in proportion to light: row, then column, by inverting the cumulative sums
     stratified,  // the same, with one random number in each of sqrt(n) x sqrt(n) equal squares
+    sobol,       // the same, of Sobol' points with Owen's scrambling (core/lights/sobol.h)
     median_cut,  // the map cut into rectangles of like light, again and again, the brightest first; a light
                  // in the middle of each one's (Debevec 2005)
     unbiased,    // ours, SamplePosition::random
     settled,     // ours, SamplePosition::settled
 };
 constexpr auto names_of(LightSampler) {
-    return names("uniform random", "importance random", "stratified inversion", "median cut",
-                 "dapple, unbiased", "dapple");
+    return names("uniform random", "importance random", "stratified inversion", "owen-scrambled sobol",
+                 "median cut", "dapple, unbiased", "dapple");
 }
 
-inline constexpr LightSampler kLightSamplers[] = {LightSampler::uniform,    LightSampler::importance,
-                                                  LightSampler::stratified, LightSampler::median_cut,
-                                                  LightSampler::unbiased,   LightSampler::settled};
+inline constexpr LightSampler kLightSamplers[] = {
+    LightSampler::uniform,    LightSampler::importance, LightSampler::stratified, LightSampler::sobol,
+    LightSampler::median_cut, LightSampler::unbiased,   LightSampler::settled};
 
 /// Inverts the cumulative luminance of a map (Pharr, Jakob & Humphreys, Physically Based Rendering, 2-D
 /// piecewise constant distributions).

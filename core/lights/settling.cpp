@@ -142,22 +142,18 @@ class TexelTree::Descent {
     }
 
     void each_texel(const Square& square, std::size_t first) {
-        const int right = std::min((square.column + 1) * kLeaf, tree_.map_.width());
-        const int bottom = std::min((square.row + 1) * kLeaf, tree_.map_.height());
-        for (int row = square.row * kLeaf; row < bottom; ++row) {
-            for (int column = square.column * kLeaf; column < right; ++column) {
-                const glm::dvec3 here = tree_.direction(column, row);
-                double least2 = std::numeric_limits<double>::max();
-                std::uint32_t nearest = 0;
-                for (std::size_t i = first; i < near_.size(); ++i) {
-                    const double away2 = distance2(lights_[near_[i]], here);
-                    if (away2 >= least2) continue;
-                    least2 = away2;
-                    nearest = near_[i];
-                }
-                texel_(column, row, nearest);
+        tree_.for_each_texel(square, [&](int column, int row) {
+            const glm::dvec3 here = tree_.direction(column, row);
+            double least2 = std::numeric_limits<double>::max();
+            std::uint32_t nearest = 0;
+            for (std::size_t i = first; i < near_.size(); ++i) {
+                const double away2 = distance2(lights_[near_[i]], here);
+                if (away2 >= least2) continue;
+                least2 = away2;
+                nearest = near_[i];
             }
-        }
+            texel_(column, row, nearest);
+        });
     }
 
     const TexelTree& tree_;
@@ -193,6 +189,15 @@ std::vector<TexelTree::Task> TexelTree::tasks(std::span<const glm::dvec3> lights
         tasks = std::move(smaller);
     }
     return tasks;
+}
+
+template <class Texel>
+void TexelTree::for_each_texel(const Square& square, const Texel& texel) const {
+    const int side = kLeaf << square.level;
+    for (int row = square.row * side; row < std::min((square.row + 1) * side, map_.height()); ++row)
+        for (int column = square.column * side; column < std::min((square.column + 1) * side, map_.width());
+             ++column)
+            texel(column, row);
 }
 
 // What comes of each light's texels: of the tasks side by side, added up in their order.
@@ -237,6 +242,23 @@ std::optional<std::vector<TexelSum>> TexelTree::nearest_to(std::span<const glm::
     return sums;
 }
 
+Grid<std::uint32_t> TexelTree::nearest_of(std::span<const glm::dvec3> lights) const {
+    Grid<std::uint32_t> nearest(map_.width(), map_.height());
+    struct Nothing {
+        void operator+=(Nothing) {}
+    };
+    // Squares and texels have no part in common.
+    const auto set_texel = [&](int column, int row, std::uint32_t light, Nothing) {
+        nearest.at(column, row) = light;
+    };
+    const auto set = [&](const Square& square, std::uint32_t light, Nothing) {
+        for_each_texel(square, [&](int column, int row) { nearest.at(column, row) = light; });
+    };
+    std::vector<Nothing> nothing;
+    for_each_light(lights, {}, set, set_texel, nothing);
+    return nearest;
+}
+
 std::vector<glm::ivec2> TexelTree::texels_with(Most most, std::span<const glm::dvec3> lights,
                                                std::span<const std::size_t> which) const {
     struct Best {
@@ -256,11 +278,7 @@ std::vector<glm::ivec2> TexelTree::texels_with(Most most, std::span<const glm::d
     };
     const auto look_at_all = [&](const Square& square, std::uint32_t light, Best& best) {
         if (!wanted[light]) return;
-        const int side = kLeaf << square.level;
-        for (int row = square.row * side; row < std::min((square.row + 1) * side, map_.height()); ++row)
-            for (int column = square.column * side;
-                 column < std::min((square.column + 1) * side, map_.width()); ++column)
-                look(column, row, light, best);
+        for_each_texel(square, [&](int column, int row) { look(column, row, light, best); });
     };
     std::vector<Best> found;
     for_each_light(lights, {}, look_at_all, look, found);

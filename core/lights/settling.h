@@ -5,6 +5,7 @@
 // Where lights have gathered more densely than there are texels, as on a sun, some are nearest to none. These
 // go where power is spread out most, so that in the end each has some.
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -39,6 +40,9 @@ class TexelTree {
     std::optional<std::vector<TexelSum>> nearest_to(std::span<const glm::dvec3> lights,
                                                     const LightWatch& watch) const;
 
+    /// The number of the light that is nearest to each texel.
+    Grid<std::uint32_t> nearest_of(std::span<const glm::dvec3> lights) const;
+
     enum class Most {
         power,
         spread,  // power times the square of the distance to the light
@@ -61,6 +65,8 @@ class TexelTree {
         Square square;
         std::vector<std::uint32_t> lights;  // that may be nearest to a texel of it
     };
+    template <class Texel>
+    void for_each_texel(const Square& square, const Texel& texel) const;
     template <class Result, class Whole, class Texel>
     bool for_each_light(std::span<const glm::dvec3> lights, const LightWatch& watch, const Whole& whole,
                         const Texel& texel, std::vector<Result>& results) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace dapple {
@@ -14,9 +15,10 @@ namespace {
 class Figure8 {
  public:
     Figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks, double scale,
-            Figure8Result& result, const std::stop_token& stop)
+            std::size_t most_dots, Figure8Result& result, const std::stop_token& stop)
         : density_(density),
           scale_(scale),
+          most_dots_(most_dots),
           ranks_(ranks),
           successor_(tile.successor),
           result_(result),
@@ -28,7 +30,7 @@ class Figure8 {
     // `placed_before`: for each point, whether an ancestor has placed it. It changes nothing but the count of
     // duplicates.
     void place_tile(glm::dvec2 corner, int level, std::uint64_t placed_before) {
-        if (stop_.stop_requested()) return;
+        if (stop_.stop_requested() || result_.dots.size() > most_dots_) return;
         const auto count = static_cast<double>(points_.size());
         const double side = std::ldexp(1.0, -level);
         // The paper's 1/A is for 16 points; with other sizes scale keeps its meaning.
@@ -65,6 +67,7 @@ class Figure8 {
 
     const Density& density_;
     double scale_;
+    std::size_t most_dots_;
     const std::vector<int>& ranks_;
     const std::vector<std::uint32_t>& successor_;
     Figure8Result& result_;
@@ -73,10 +76,9 @@ class Figure8 {
     std::vector<int> quadrant_;
 };
 
-}  // namespace
-
-Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
-                            double scale, const std::stop_token& stop) {
+// Gives up beyond so many dots.
+Figure8Result place(const Density& density, const Tile& tile, const std::vector<int>& ranks, double scale,
+                    std::size_t most_dots, const std::stop_token& stop) {
     if (tile.rule != Rule{} || tile.kinds() > 1 || tile.size() > 62) {
         throw std::runtime_error(
             "the paper's placer (figure8) knows only tiles of one kind whose children are not turned; use "
@@ -86,8 +88,15 @@ Figure8Result place_figure8(const Density& density, const Tile& tile, const std:
         throw std::runtime_error("the scale must be a number from 0 up");
     Figure8Result result;
     result.scale = scale;
-    Figure8(density, tile, ranks, scale, result, stop).place_tile({0, 0}, 0, 0);
+    Figure8(density, tile, ranks, scale, most_dots, result, stop).place_tile({0, 0}, 0, 0);
     return result;
+}
+
+}  // namespace
+
+Figure8Result place_figure8(const Density& density, const Tile& tile, const std::vector<int>& ranks,
+                            double scale, const std::stop_token& stop) {
+    return place(density, tile, ranks, scale, std::numeric_limits<std::size_t>::max(), stop);
 }
 
 std::optional<Figure8Result> place_figure8_count(const Density& density, const Tile& tile,
@@ -96,12 +105,16 @@ std::optional<Figure8Result> place_figure8_count(const Density& density, const T
     constexpr int kCloseRounds = 4;  // from then on any scale will do that has enough
     constexpr double kClose = 1.01;
     constexpr double kMostGrowth = 1e9;
+    // A scale at most four times too large has no more. What has is a spot so bright that all places lie in
+    // it at once, where a smaller scale loses it.
+    const auto most_dots = static_cast<std::size_t>(16 * count + 1'000'000);
     const auto wanted = static_cast<double>(count);
     const double first = scale_for(density, wanted);
     double scale = first;
     for (int round = 1; scale <= first * kMostGrowth; ++round) {
-        Figure8Result result = place_figure8(density, tile, ranks, scale, stop);
+        Figure8Result result = place(density, tile, ranks, scale, most_dots, stop);
         if (stop.stop_requested()) return std::nullopt;
+        if (result.dots.size() > most_dots) break;
         const auto found = static_cast<double>(result.dots.size() - result.duplicates);
         if (found >= wanted && (found <= kClose * wanted + 1 || round > kCloseRounds)) return result;
         // Aims at the middle of what is close enough.

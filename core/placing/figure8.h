@@ -29,8 +29,8 @@ Figure8Result place_figure8(const Density& density, const Tile& tile, const std:
                             double scale, const std::stop_token& stop = {});
 
 /// The same at a scale that has so many distinct dots, or a few more: how many a scale has is known once they
-/// are placed. Nothing if stopped. Throws std::runtime_error as above, and if so many are not found: what a
-/// tile's points miss is lost.
+/// are placed. Nothing if stopped. Throws std::runtime_error as above, and if so many are not found, or only
+/// with far more: what a tile's points miss is lost.
 std::optional<Figure8Result> place_figure8_count(const Density& density, const Tile& tile,
                                                  const std::vector<int>& ranks, std::uint64_t count,
                                                  const std::stop_token& stop = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/lights/sobol.h"
 #include "lab/related/warp.h"
 
 namespace dapple {
@@ -62,19 +63,6 @@ PlainDots halton(const DotsWanted& wanted) {
 PlainDots hammersley(const DotsWanted& wanted) {
     const double n = double(wanted.count);
     return warped(wanted, [n](std::size_t i) { return glm::dvec2(double(i) / n, radical_inverse(2, i)); });
-}
-
-glm::dvec2 sobol_point(std::uint32_t i) {
-    // The direction numbers of the second dimension, of the polynomial x + 1: each is the last one xor its
-    // half. Those of the first are single bits.
-    std::uint32_t x = 0, y = 0, direction = 0x80000000u;
-    std::uint32_t single = 0x80000000u;
-    for (; i > 0; i >>= 1, single >>= 1, direction ^= direction >> 1) {
-        if ((i & 1) == 0) continue;
-        x ^= single;
-        y ^= direction;
-    }
-    return {double(x) * 0x1p-32, double(y) * 0x1p-32};
 }
 
 PlainDots sobol(const DotsWanted& wanted) {

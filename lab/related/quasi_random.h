@@ -21,10 +21,7 @@ PlainDots halton(const DotsWanted& wanted);
 /// of i in base 2).
 PlainDots hammersley(const DotsWanted& wanted);
 
-/// The point of number i of I. M. Sobol's sequence (1967), in its first two dimensions; i < 2^32.
-glm::dvec2 sobol_point(std::uint32_t i);
-
-/// The first points of that sequence.
+/// The first points of I. M. Sobol's sequence (1967), in its first two dimensions.
 PlainDots sobol(const DotsWanted& wanted);
 
 /// The g below n with which the points (i / n, (g i mod n) / n) are farthest apart on the torus, the first of

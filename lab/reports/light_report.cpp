@@ -14,39 +14,76 @@ namespace dapple {
 
 namespace {
 
-constexpr std::array<glm::vec3, 6> kColours{{{0.55f, 0.55f, 0.55f},
+constexpr std::array<glm::vec3, 7> kColours{{{0.55f, 0.55f, 0.55f},
                                              {0.85f, 0.6f, 0.1f},
                                              {0.75f, 0.2f, 0.2f},
+                                             {0.6f, 0.3f, 0.7f},
                                              {0.2f, 0.55f, 0.3f},
                                              {0.3f, 0.6f, 0.85f},
                                              {0.1f, 0.25f, 0.6f}}};
 
-const SamplerErrors& of(const LightComparison& comparison, LightSampler sampler) {
-    return *std::ranges::find(comparison.samplers, sampler, &SamplerErrors::sampler);
-}
+// Ways to look at the errors, each a table of its own.
+struct Measure {
+    std::string_view name;
+    std::vector<RelativeError> SamplerErrors::*of_surface;
+    double RelativeError::*over_normals;
+
+    double of(const SamplerErrors& sampler, std::size_t count_index) const {
+        return (sampler.*of_surface)[count_index].*over_normals;
+    }
+};
+constexpr std::array<Measure, 4> kMeasures{
+    {{"irradiance: mean error", &SamplerErrors::irradiance, &RelativeError::mean},
+     {"irradiance: largest error", &SamplerErrors::irradiance, &RelativeError::largest},
+     {"a glossy surface, cosine^50: mean error", &SamplerErrors::glossy, &RelativeError::mean},
+     {"a glossy surface, cosine^50: largest error", &SamplerErrors::glossy, &RelativeError::largest}}};
+static_assert(kGlossy == 50);
 
 // How many times as large the least error of the others is.
-double ratio_to_best(const LightComparison& comparison, std::size_t count_index) {
-    const double ours = of(comparison, LightSampler::settled).errors[count_index];
-    double best = std::numeric_limits<double>::max();
-    for (const SamplerErrors& sampler : comparison.samplers)
-        if (sampler.sampler != LightSampler::settled && sampler.sampler != LightSampler::unbiased)
-            best = std::min(best, sampler.errors[count_index]);
+double ratio_to_best(const LightComparison& comparison, const Measure& measure, std::size_t count_index) {
+    double ours = 0, best = std::numeric_limits<double>::max();
+    for (const SamplerErrors& sampler : comparison.samplers) {
+        const double error = measure.of(sampler, count_index);
+        if (sampler.sampler == LightSampler::settled)
+            ours = error;
+        else if (sampler.sampler != LightSampler::unbiased)
+            best = std::min(best, error);
+    }
     return ours > 0 ? best / ours : 0;
 }
 
-std::string per_cent(double error) {
-    return fmt::format("{:.3g} %", 100 * error);
+// The first row has the names.
+std::vector<std::vector<std::string>> table_of(const LightComparison& comparison, const Measure& measure) {
+    std::vector<std::vector<std::string>> rows{{"samples"}};
+    for (const SamplerErrors& sampler : comparison.samplers)
+        rows.front().emplace_back(name_of(sampler.sampler));
+    rows.front().emplace_back("best other / dapple");
+    for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
+        auto& row = rows.emplace_back(1, fmt::format("{}", comparison.request.counts[i]));
+        for (const SamplerErrors& sampler : comparison.samplers)
+            row.push_back(fmt::format("{:.3g} %", 100 * measure.of(sampler, i)));
+        row.push_back(fmt::format("{:.1f}", ratio_to_best(comparison, measure, i)));
+    }
+    return rows;
+}
+
+std::vector<std::string> slopes_of(const LightComparison& comparison) {
+    std::vector<std::string> row{"slope"};
+    for (const SamplerErrors& sampler : comparison.samplers)
+        row.push_back(fmt::format("{:.2f}", sampler.slope));
+    row.emplace_back("");
+    return row;
 }
 
 }  // namespace
 
 void write_comparison_csv(std::ostream& out, const LightComparison& comparison) {
-    out << "sampler,samples,relative_error,glossy_error,slope\n";
+    out << "sampler,samples,relative_error,largest_error,glossy_error,largest_glossy_error,slope\n";
     for (const SamplerErrors& sampler : comparison.samplers) {
-        for (std::size_t i = 0; i < sampler.errors.size(); ++i) {
-            out << fmt::format("\"{}\",{},{},{},{}\n", name_of(sampler.sampler), comparison.request.counts[i],
-                               sampler.errors[i], sampler.glossy_errors[i], sampler.slope);
+        for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
+            out << fmt::format("\"{}\",{}", name_of(sampler.sampler), comparison.request.counts[i]);
+            for (const Measure& measure : kMeasures) out << fmt::format(",{}", measure.of(sampler, i));
+            out << fmt::format(",{}\n", sampler.slope);
         }
     }
 }
@@ -63,8 +100,9 @@ std::string comparison_plot(const LightComparison& comparison) {
         PlotCurve curve;
         curve.name = std::string(name_of(sampler.sampler));
         curve.colour = kColours[s % kColours.size()];
-        for (std::size_t i = 0; i < sampler.errors.size(); ++i)
-            curve.points.push_back({static_cast<double>(comparison.request.counts[i]), sampler.errors[i]});
+        for (std::size_t i = 0; i < comparison.request.counts.size(); ++i)
+            curve.points.push_back(
+                {static_cast<double>(comparison.request.counts[i]), sampler.irradiance[i].mean});
         plot.curves.push_back(std::move(curve));
     }
     return svg_plot(plot);
@@ -73,65 +111,36 @@ std::string comparison_plot(const LightComparison& comparison) {
 std::string comparison_page(const LightComparison& comparison, std::string_view map_name) {
     HtmlPage page(fmt::format("Light samples of {}", map_name));
     const ComparisonRequest& request = comparison.request;
-    page.paragraph(
-        fmt::format("Irradiance on {} surfaces that face every way, lit by n samples, against the sum over "
-                    "all texels of the "
-                    "map: mean relative error of luminance, over {} seeds.",
-                    request.normals, request.runs));
+    page.paragraph(fmt::format(
+        "What {} surfaces that face every way get of n samples, against the sum over all texels of the map: "
+        "relative errors of luminance, the mean and the largest over these surfaces, averaged over {} seeds.",
+        request.normals, request.runs));
     const std::array plots{comparison_plot(comparison)};
     page.drawings(plots,
                   "Lower is better. Random samples gain a half decade for every decade of samples; "
                   "samples that share the map evenly among themselves gain a whole one or more.");
-    std::vector<std::string> head{"samples"};
-    for (const SamplerErrors& sampler : comparison.samplers) head.emplace_back(name_of(sampler.sampler));
-    head.emplace_back("best other / dapple");
-    std::vector<HtmlPage::Row> rows;
-    for (std::size_t i = 0; i < request.counts.size(); ++i) {
-        HtmlPage::Row row{.cells = {fmt::format("{}", request.counts[i])}};
-        for (const SamplerErrors& sampler : comparison.samplers)
-            row.cells.push_back(per_cent(sampler.errors[i]));
-        row.cells.push_back(fmt::format("{:.1f}", ratio_to_best(comparison, i)));
-        rows.push_back(std::move(row));
+    for (const Measure& measure : kMeasures) {
+        page.heading(measure.name);
+        const auto table = table_of(comparison, measure);
+        std::vector<HtmlPage::Row> rows;
+        for (std::size_t i = 1; i < table.size(); ++i) rows.push_back({.cells = table[i]});
+        if (&measure == kMeasures.data()) rows.push_back({.cells = slopes_of(comparison)});
+        page.table(table.front(), rows);
     }
-    HtmlPage::Row slopes{.cells = {"slope"}};
-    for (const SamplerErrors& sampler : comparison.samplers)
-        slopes.cells.push_back(fmt::format("{:.2f}", sampler.slope));
-    slopes.cells.emplace_back("");
-    rows.push_back(std::move(slopes));
-    page.table(head, rows);
-    page.paragraph(fmt::format(
-        "The same of a glossy surface, which sees the light by the cosine to the power {}:", kGlossy));
-    head.pop_back();
-    rows.clear();
-    for (std::size_t i = 0; i < request.counts.size(); ++i) {
-        HtmlPage::Row row{.cells = {fmt::format("{}", request.counts[i])}};
-        for (const SamplerErrors& sampler : comparison.samplers)
-            row.cells.push_back(per_cent(sampler.glossy_errors[i]));
-        rows.push_back(std::move(row));
-    }
-    page.table(head, rows);
     return page.text();
 }
 
 std::string comparison_table(const LightComparison& comparison) {
-    std::string text = fmt::format("{:>8}", "samples");
-    for (const SamplerErrors& sampler : comparison.samplers)
-        text += fmt::format("{:>22}", name_of(sampler.sampler));
-    text += fmt::format("{:>21}\n", "best other / dapple");
-    for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
-        text += fmt::format("{:>8}", comparison.request.counts[i]);
-        for (const SamplerErrors& sampler : comparison.samplers)
-            text += fmt::format("{:>22}", per_cent(sampler.errors[i]));
-        text += fmt::format("{:>21.1f}\n", ratio_to_best(comparison, i));
-    }
-    text += fmt::format("{:>8}", "slope");
-    for (const SamplerErrors& sampler : comparison.samplers) text += fmt::format("{:>22.2f}", sampler.slope);
-    text += fmt::format("\nof a glossy surface, cosine^{}:\n", kGlossy);
-    for (std::size_t i = 0; i < comparison.request.counts.size(); ++i) {
-        text += fmt::format("{:>8}", comparison.request.counts[i]);
-        for (const SamplerErrors& sampler : comparison.samplers)
-            text += fmt::format("{:>22}", per_cent(sampler.glossy_errors[i]));
+    std::string text;
+    const auto add = [&text](const std::vector<std::string>& row) {
+        text += fmt::format("{:>8}", row.front());
+        for (std::size_t i = 1; i < row.size(); ++i) text += fmt::format("{:>22}", row[i]);
         text += '\n';
+    };
+    for (const Measure& measure : kMeasures) {
+        text += fmt::format("{}\n", measure.name);
+        for (const auto& row : table_of(comparison, measure)) add(row);
+        if (&measure == kMeasures.data()) add(slopes_of(comparison));
     }
     return text;
 }

@@ -9,16 +9,17 @@
 
 namespace dapple {
 
-/// sampler,samples,relative_error,glossy_error,slope and a line for each sampler and count.
+/// sampler,samples,relative_error,largest_error,glossy_error,largest_glossy_error,slope and a line for each
+/// sampler and count.
 void write_comparison_csv(std::ostream& out, const LightComparison& comparison);
 
 /// Error over count, both logarithmic, an <svg> element.
 std::string comparison_plot(const LightComparison& comparison);
 
-/// A page with the plot, the figures, and the ratio of the least error of the others to ours.
+/// A page with the plot, the figures, and the ratios of the least error of the others to ours.
 std::string comparison_page(const LightComparison& comparison, std::string_view map_name);
 
-/// The figures as a table of text, a line a count, then the slopes and the ratios.
+/// The figures as tables of text, a line a count, and the slopes.
 std::string comparison_table(const LightComparison& comparison);
 
 }  // namespace dapple

@@ -17,13 +17,30 @@
 namespace dapple {
 namespace {
 
-constexpr float kLargestSphere = 1024;  // pixels: larger ones are enlarged
+constexpr float kLargestObject = 1024;  // pixels: larger ones are enlarged
+constexpr int kOutlinesWidth = 2048;    // pixels at least, and as many of each texel
 
 Grid<glm::u8vec4> tone_mapped_picture(const Grid<glm::vec3>& preview, double exposure) {
     Grid<glm::u8vec4> pixels(preview.width, preview.height);
     tbb::parallel_for(0, preview.height, [&](int y) {
         for (int x = 0; x < preview.width; ++x)
             pixels.at(x, y) = glm::u8vec4(tone_mapped(preview.at(x, y), exposure), 255);
+    });
+    return pixels;
+}
+
+// White between texels that are nearest to different samples.
+Grid<glm::u8vec4> outlines(const Grid<std::uint32_t>& nearest) {
+    const int times = std::max((kOutlinesWidth + nearest.width - 1) / nearest.width, 1);
+    Grid<glm::u8vec4> pixels(times * nearest.width, times * nearest.height, glm::u8vec4(255, 255, 255, 0));
+    tbb::parallel_for(0, pixels.height, [&](int y) {
+        const int below = std::min(y + 1, pixels.height - 1) / times;
+        for (int x = 0; x < pixels.width; ++x) {
+            const std::uint32_t here = nearest.at(x / times, y / times);
+            const int right = (x + 1) % pixels.width / times;
+            if (nearest.at(right, y / times) != here || nearest.at(x / times, below) != here)
+                pixels.at(x, y).a = 255;
+        }
     });
     return pixels;
 }
@@ -45,17 +62,21 @@ float marker_radius(std::size_t samples, glm::vec2 map_size) {
 
 }  // namespace
 
-void LightScene::draw_textures(const LightsShown& shown, int sphere_pixels) {
+void LightScene::draw_textures(const LightsShown& shown, int object_pixels) {
     const LightsSettings& settings = shown.settings;
-    const Drawn wanted{shown.map_number, shown.samplings, settings.stops, settings.turn_degrees,
-                       sphere_pixels};
+    const Drawn wanted{shown.map_number,      shown.samplings, settings.stops,
+                       settings.turn_degrees, object_pixels,   settings.marks == SampleMarks::areas};
     if (drawn_ == wanted) return;
     const double exposure = shown.lit.natural_exposure * std::exp2(settings.stops);
     if (!drawn_ || drawn_->map_number != wanted.map_number || drawn_->stops != wanted.stops)
         map_texture_.write(tone_mapped_picture(shown.lit.preview, exposure));
-    const SphereLook look{sphere_pixels, settings.turn_degrees, exposure};
-    spheres_[0].write(sphere_picture(*shown.samples.found, look));
-    spheres_[1].write(sphere_picture(shown.lit.exact, look));
+    const ObjectLook look{object_pixels, settings.turn_degrees, exposure};
+    for (std::size_t i = 0; i < std::size(kLitObjects); ++i) {
+        objects_[0][i].write(object_picture(*shown.samples.found, kLitObjects[i], look));
+        objects_[1][i].write(object_picture(shown.lit.exact, kLitObjects[i], look));
+    }
+    if (wanted.areas && (!drawn_ || !drawn_->areas || drawn_->samplings != wanted.samplings))
+        areas_texture_.write(outlines(shown.samples.nearest));
     drawn_ = wanted;
 }
 
@@ -65,18 +86,25 @@ LightLayout light_layout(glm::vec2 corner, glm::vec2 size) {
     LightLayout layout;
     layout.map = {{corner.x + (size.x - width) / 2, corner.y + air}, {width, width / 2}};
     const float top = std::floor(layout.map.corner.y + layout.map.size.y + air);
-    // Whole, so that their pixels are the screen's.
-    layout.sphere_side =
-        std::floor(std::max(std::min(corner.y + size.y - top - 2 * air, width / 2 - air), 1.0f));
+    // Whole, so that their pixels are the screen's: two groups of objects, less than the air between them
+    // apart.
+    constexpr auto kInGroup = static_cast<float>(std::size(kLitObjects));
+    const float apart = std::floor(air / 2), group = (size.x - 4 * air) / 2;
+    layout.object_side = std::floor(std::max(
+        std::min(corner.y + size.y - top - 2 * air, (group - (kInGroup - 1) * apart) / kInGroup), 1.0f));
+    const float group_width = kInGroup * (layout.object_side + apart) - apart;
     const float middle = std::floor(corner.x + size.x / 2);
-    layout.spheres = {
-        {{std::floor(middle - layout.sphere_side - air), top}, {std::floor(middle + air), top}}};
+    for (std::size_t i = 0; i < std::size(kLitObjects); ++i) {
+        const float along = static_cast<float>(i) * (layout.object_side + apart);
+        layout.objects[0][i] = {std::floor(middle - air - group_width) + along, top};
+        layout.objects[1][i] = {std::floor(middle + air) + along, top};
+    }
     return layout;
 }
 
 // Its rotation lays the map's seam somewhere in the view: a piece on either side.
-void LightScene::show_map(const CanvasPlace& place, const Camera& camera,
-                          const LightsSettings& settings) const {
+void LightScene::show_on_map(const GlTexture& texture, const CanvasPlace& place, const Camera& camera,
+                             const LightsSettings& settings) {
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     const glm::dvec2 seen_from = in_page_units(point_at(camera, {0, 0}));
     const glm::dvec2 seen_to = in_page_units(point_at(camera, camera.canvas));
@@ -86,7 +114,7 @@ void LightScene::show_map(const CanvasPlace& place, const Camera& camera,
         if (left >= right) return;
         const glm::vec2 a = place.corner + glm::vec2(to_canvas(camera, page_point({left, seen_from.y})));
         const glm::vec2 b = place.corner + glm::vec2(to_canvas(camera, page_point({right, seen_to.y})));
-        list->AddImage(id_of(map_texture_), {a.x, a.y}, {b.x, b.y},
+        list->AddImage(id_of(texture), {a.x, a.y}, {b.x, b.y},
                        {static_cast<float>(left + u_at_0), static_cast<float>(2 * seen_from.y)},
                        {static_cast<float>(right + u_at_0), static_cast<float>(2 * seen_to.y)});
     };
@@ -94,7 +122,7 @@ void LightScene::show_map(const CanvasPlace& place, const Camera& camera,
     piece(1 - turn, 1, turn - 1);
 }
 
-void LightScene::show_samples(const CanvasPlace& place, const Camera& camera, const LightsShown& shown) {
+void LightScene::show_points(const CanvasPlace& place, const Camera& camera, const LightsShown& shown) {
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     const auto width = static_cast<float>(camera.pixels_per_unit);
     const float radius =
@@ -115,20 +143,25 @@ void LightScene::show_samples(const CanvasPlace& place, const Camera& camera, co
 }
 
 void LightScene::show(const LightLayout& layout, const Camera& camera, const LightsShown& shown) {
-    const float pixels = layout.sphere_side * ImGui::GetIO().DisplayFramebufferScale.x;
-    draw_textures(shown, static_cast<int>(std::lround(std::clamp(pixels, 8.0f, kLargestSphere))));
-    show_map(layout.map, camera, shown.settings);
-    if (shown.settings.samples_shown) show_samples(layout.map, camera, shown);
+    const float pixels = layout.object_side * ImGui::GetIO().DisplayFramebufferScale.x;
+    draw_textures(shown, static_cast<int>(std::lround(std::clamp(pixels, 8.0f, kLargestObject))));
+    show_on_map(map_texture_, layout.map, camera, shown.settings);
+    if (shown.settings.marks == SampleMarks::points) show_points(layout.map, camera, shown);
+    if (shown.settings.marks == SampleMarks::areas)
+        show_on_map(areas_texture_, layout.map, camera, shown.settings);
 
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    const float side = layout.sphere_side, air = 16 * ImGui::GetFontSize() / 15;
+    const float side = layout.object_side, air = 16 * ImGui::GetFontSize() / 15;
     const std::array labels{"lit by the samples", "lit by the whole map"};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto [left, top] = std::pair(layout.spheres[i].x, layout.spheres[i].y);
-        list->AddImage(id_of(spheres_[i]), {left, top}, {left + side, top + side});
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto& places = layout.objects[i];
+        for (std::size_t k = 0; k < places.size(); ++k)
+            list->AddImage(id_of(objects_[i][k]), {places[k].x, places[k].y},
+                           {places[k].x + side, places[k].y + side});
+        const float width = places.back().x + side - places.front().x;
         const float text = ImGui::CalcTextSize(labels[i]).x;
-        list->AddText({left + (side - text) / 2, top + side + air / 4}, colour_of(ThemeColour::quiet),
-                      labels[i]);
+        list->AddText({places.front().x + (width - text) / 2, places.front().y + side + air / 4},
+                      colour_of(ThemeColour::quiet), labels[i]);
     }
 }
 

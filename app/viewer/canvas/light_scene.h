@@ -1,5 +1,5 @@
 #pragma once
-// The canvas of an environment map: the map with its samples, and two spheres in their light.
+// The canvas of an environment map: the map with its samples, and what they light beside what the map lights.
 
 #include <array>
 #include <cstdint>
@@ -16,10 +16,11 @@ namespace dapple {
 /// Where things are on the canvas, in ImGui's points.
 struct LightLayout {
     CanvasPlace map;
-    std::array<glm::vec2, 2> spheres;  // their upper left corners
-    float sphere_side = 1;
+    /// The upper left corners of kLitObjects, by the samples and by the map.
+    std::array<std::array<glm::vec2, std::size(kLitObjects)>, 2> objects;
+    float object_side = 1;
 };
-/// The map above, twice as wide as high, the spheres in what is left below.
+/// The map above, twice as wide as high, the objects in what is left below.
 LightLayout light_layout(glm::vec2 corner, glm::vec2 size);
 
 /// What is to be seen.
@@ -38,20 +39,22 @@ class LightScene {
     void show(const LightLayout& layout, const Camera& camera, const LightsShown& shown);
 
  private:
-    void draw_textures(const LightsShown& shown, int sphere_pixels);
-    void show_map(const CanvasPlace& place, const Camera& camera, const LightsSettings& settings) const;
-    static void show_samples(const CanvasPlace& place, const Camera& camera, const LightsShown& shown);
+    void draw_textures(const LightsShown& shown, int object_pixels);
+    static void show_on_map(const GlTexture& texture, const CanvasPlace& place, const Camera& camera,
+                            const LightsSettings& settings);
+    static void show_points(const CanvasPlace& place, const Camera& camera, const LightsShown& shown);
 
     struct Drawn {
         int map_number = 0;
         std::uint64_t samplings = 0;
         double stops = 0, turn_degrees = 0;
-        int sphere_pixels = 0;
+        int object_pixels = 0;
+        bool areas = false;
         bool operator==(const Drawn&) const = default;
     };
     std::optional<Drawn> drawn_;
-    GlTexture map_texture_;
-    std::array<GlTexture, 2> spheres_;
+    GlTexture map_texture_, areas_texture_;
+    std::array<std::array<GlTexture, std::size(kLitObjects)>, 2> objects_;
 };
 
 }  // namespace dapple

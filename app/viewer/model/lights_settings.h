@@ -9,13 +9,20 @@
 
 namespace dapple {
 
+/// How samples are shown on the map.
+enum class SampleMarks {
+    points,
+    areas,  // outlines of what is nearer to each than to any other
+    none,
+};
+
 /// All that the window of an environment map edits.
 struct LightsSettings {
     LightRequest request{};
     std::string tile = "paper16";
     double stops = 0;         // exposure over the natural one
     double turn_degrees = 0;  // of the map about the up axis, -180..180
-    bool samples_shown = true;
+    SampleMarks marks = SampleMarks::points;
     std::optional<SphereConvention> convention{};  // of a file; none: the one usual for its kind
 
     bool operator==(const LightsSettings&) const = default;

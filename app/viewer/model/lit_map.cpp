@@ -6,11 +6,12 @@
 
 #include "app/files/tile_library.h"
 #include "core/lights/light_picture.h"
+#include "core/lights/settling.h"
 
 namespace dapple {
 namespace {
 
-constexpr int kPreviewWidth = 2048, kLightsWidth = 512;
+constexpr int kPreviewWidth = 2048, kLightsWidth = 256;
 
 // So many texels a side of a map become one, for it to be about that wide.
 int texels_in_one(const EnvironmentMap& map, int width) {
@@ -38,6 +39,15 @@ Grid<glm::vec3> preview_of(const EnvironmentMap& map) {
     return preview;
 }
 
+Grid<std::uint32_t> nearest_of(std::span<const DistantLight> lights, const Grid<glm::vec3>& preview) {
+    const int height = std::max(preview.height, 1);
+    const EnvironmentMap even(Grid<glm::vec3>(2 * height, height, glm::vec3(1)));
+    const Grid<float> power(even.width(), even.height(), 1.0f);
+    std::vector<glm::dvec3> directions;
+    for (const DistantLight& light : lights) directions.push_back(light.direction);
+    return TexelTree(even, power, 0).nearest_of(directions);
+}
+
 }  // namespace
 
 LitMap::LitMap(EnvironmentMap environment)
@@ -60,8 +70,12 @@ std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& setti
         sum += sample.weight;
     }
     result.found.emplace(distant);
-    result.info = {lights.place_ms, lights.share_ms, difference(*result.found, lit.exact),
-                   std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+    result.info = {.place_ms = lights.place_ms,
+                   .share_ms = lights.share_ms,
+                   .irradiance = difference(result.found->diffuse, lit.exact.diffuse),
+                   .glossy = difference(result.found->glossy, lit.exact.glossy),
+                   .flux_error = std::abs(luminance(sum) / luminance(lights.total_flux) - 1)};
+    result.nearest = nearest_of(distant, lit.preview);
     return result;
 }
 

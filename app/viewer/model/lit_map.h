@@ -1,6 +1,7 @@
 #pragma once
 // An environment map and the samples taken of it.
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -11,32 +12,34 @@
 #include "core/image/environment.h"
 #include "core/image/grid.h"
 #include "core/lights/light_watch.h"
-#include "core/lights/lit_sphere.h"
+#include "core/lights/lit_objects.h"
 
 namespace dapple {
 
 /// How well the samples stand for the map.
 struct LightsInfo {
     double place_ms = 0, share_ms = 0;
-    double difference = 0;  // of irradiance from the full map's, mean over normals, relative
-    double flux_error = 0;  // of the weights' sum, relative
+    RelativeError irradiance{}, glossy{};  // beside the full map's, over all normals
+    double flux_error = 0;                 // of the weights' sum, relative
 };
 
-/// A map and what showing it needs, made once: the irradiance takes a second.
+/// A map and what showing it needs, made once: its light takes a second.
 struct LitMap {
     explicit LitMap(EnvironmentMap environment);
 
     EnvironmentMap map;
-    IrradianceMap exact;
+    LitObjects exact;
     double natural_exposure;
     Grid<glm::vec3> preview;  // at most 2,048 wide
 };
 
 /// A map's samples and what they light.
 struct SampledMap {
-    std::vector<glm::dvec2> places;      // on the map, 0..1
-    std::optional<IrradianceMap> found;  // none: there are no samples yet
+    std::vector<glm::dvec2> places;   // on the map, 0..1
+    std::optional<LitObjects> found;  // none: there are no samples yet
     LightsInfo info;
+    /// Which sample is the nearest to each pixel of the preview, which is cut to be twice as wide as high.
+    Grid<std::uint32_t> nearest;
 };
 /// Nothing if stopped. Throws std::runtime_error if the tile or its samples cannot be had.
 std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings,

@@ -75,8 +75,10 @@ bool draw_view(LightsSettings& settings) {
                     .neutral = 0,
                     .format = "%.0f deg",
                     .tip = "Turns the light about the vertical axis, on the spheres and in the file."});
-    changed |= switch_row("Show samples", settings.samples_shown,
-                          "Marks each sample on the map; the spheres are lit by them all the same.", true);
+    changed |=
+        segmented_row("Samples as", settings.marks, std::array{"points", "areas", "none"},
+                      "What shows the samples on the map: where they are, or outlines of what is nearer "
+                      "to each than to any other. The spheres are lit by them all the same.");
     return changed;
 }
 
@@ -84,6 +86,13 @@ bool draw_view(LightsSettings& settings) {
 std::string small_percentage(double share) {
     constexpr double kLeast = 1e-6;
     return share < kLeast ? "under 0.0001 %" : fmt::format("{:.3g} %", 100 * share);
+}
+
+std::string mean_and_largest(const RelativeError& error) {
+    const auto per_cent = [](double share) {
+        return share < 10 ? fmt::format("{:.3g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+    };
+    return per_cent(error.mean) + ", at most " + per_cent(error.largest);
 }
 
 // The value at the right edge: in a line of its own where the label leaves too little room.
@@ -107,15 +116,17 @@ bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>
             line(label, info ? words(*info) : std::string("measuring"));
             note_place(label);
         };
-        figure("Irradiance differs by",
-               [](const LightsInfo& f) { return fmt::format("{:.3g} %", 100 * f.difference); });
+        figure("Irradiance differs by", [](const LightsInfo& f) { return mean_and_largest(f.irradiance); });
+        figure("Glossy light differs by", [](const LightsInfo& f) { return mean_and_largest(f.glossy); });
         figure("Total flux differs by", [](const LightsInfo& f) { return small_percentage(f.flux_error); });
         figure("Placing", [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.place_ms); });
         figure("Sharing out the light",
                [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.share_ms); });
         hint(
-            "Irradiance: mean difference over all normals between the left sphere, lit by the samples, and "
-            "the right one, lit by every texel of the map.");
+            "Mean and largest difference, over all directions, between what the samples and every texel of "
+            "the map "
+            "light: a diffuse sphere, and a glossy one. The largest are where the map is dark, and hardly "
+            "show.");
     }
     return changed;
 }

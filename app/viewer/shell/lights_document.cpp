@@ -198,7 +198,7 @@ std::optional<nlohmann::ordered_json> LightsDocument::status() const {
                         .samplings = session_.samplings(),
                         .sampling = session_.sampling(),
                         .stops = session_.settings.stops,
-                        .difference = session_.samples().info.difference,
+                        .difference = session_.samples().info.irradiance.mean,
                         .zoom = camera_.pixels_per_unit / camera_.canvas.x,
                         .saving = session_.saving()});
 }

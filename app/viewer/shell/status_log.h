@@ -24,7 +24,7 @@ struct LightStatus {
     std::uint64_t samplings = 0;  // since the start
     bool sampling = false;        // another is under way
     double stops = 0;             // LightsSettings::stops
-    double difference = 0;        // LightsInfo::difference
+    double difference = 0;        // LightsInfo::irradiance.mean
     double zoom = 1;              // how many times larger than fitted the map is
     bool saving = false;          // a file is being written
 };

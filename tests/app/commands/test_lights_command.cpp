@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/files/environment_file.h"
+#include "app/files/save_lights.h"
 #include "core/image/sky.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
@@ -224,7 +225,7 @@ TEST_CASE("the samples of a sky with a sun keep its flux and light surfaces with
     }
     for (int c = 0; c < 3; ++c) CHECK(sum[c] == doctest::Approx(map.total_flux()[c]).epsilon(1e-9));
     const auto normals = fibonacci_normals(100);
-    CHECK(irradiance_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)) < 0.005);
+    CHECK(relative_error(irradiance(lights, normals), irradiance(texel_lights(map), normals)).mean < 0.005);
 }
 
 TEST_CASE("light below 0 is refused or taken as none, and a picture whose light ends at white is told of") {
@@ -243,6 +244,40 @@ TEST_CASE("light below 0 is refused or taken as none, and a picture whose light 
     const Outcome dim = run_dapple("lights " + quoted(folder / "map.png") + output);
     CHECK(dim.status == 0);
     CHECK(dim.err.find("no light above white") != dim.err.npos);
+}
+
+TEST_CASE("a list is about as large as it is said to become") {
+    const TemporaryFolder folder;
+    for (const std::string ending : {".json", ".csv", ".pbrt", ".xml", ".usda", ".gltf", ".py"}) {
+        CAPTURE(ending);
+        const std::filesystem::path file = folder / ("s" + ending);
+        REQUIRE(run_dapple("lights -n 3000 -o " + quoted(file)).status == 0);
+        CHECK(static_cast<double>(std::filesystem::file_size(file)) ==
+              doctest::Approx(expected_bytes(*light_file_of(file), 3000)).epsilon(0.15));
+    }
+}
+
+TEST_CASE("the density by which samples are placed is written beside them, as OpenEXR") {
+    const TemporaryFolder folder;
+    write_picture(folder / "map.exr", test_map());
+    const std::string command = "lights " + quoted(folder / "map.exr") + " -n 20 -o " +
+                                quoted(folder / "s.json") + " --pdf " + quoted(folder / "pdf.exr");
+    const EnvironmentMap map = read_environment(folder / "map.exr").map;
+    for (const LightImportance importance : {LightImportance::light, LightImportance::compensated}) {
+        const bool compensated = importance == LightImportance::compensated;
+        const Outcome outcome = run_dapple(command + (compensated ? " --mis-compensation" : ""));
+        CHECK_MESSAGE(outcome.status == 0, outcome.err);
+        const Grid<glm::vec3> written = read_environment(folder / "pdf.exr").map.radiance();
+        const Grid<float> pdf = light_pdf(map, importance);
+        REQUIRE(written.values.size() == pdf.values.size());
+        for (std::size_t i = 0; i < pdf.values.size(); ++i)
+            CHECK(written.values[i] == glm::vec3(pdf.values[i]));
+    }
+    check_refused(run_dapple("lights --pdf " + quoted(folder / "x.exr")), "name one with --output");
+    check_refused(run_dapple(command + "x"), "pdf.exrx does not end in .exr");
+    check_refused(run_dapple("lights " + quoted(folder / "map.exr") + " -o " + quoted(folder / "s.json") +
+                             " --pdf " + quoted(folder / "map.exr")),
+                  "map.exr");
 }
 
 TEST_CASE("a map of one pixel is an even sky") {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/decoding/decoder_process.h"
+#include "app/files/environment_file.h"
 #include "app/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
@@ -294,4 +295,28 @@ TEST_CASE("a Radiance picture of XYZ is refused by its name, not for a lack of o
     CHECK(sentence_of(folder / "xyz.hdr").find("has colours as XYZ") != std::string::npos);
     put_text(folder / "rgb.hdr", radiance("rgbe"));
     CHECK(sentence_of(folder / "rgb.hdr").empty());
+}
+
+TEST_CASE("the light of a Radiance picture is its values by all that they were multiplied by") {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& lines) {
+        put_text(folder / "map.hdr", "#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" +
+                                         "\x80\x80\x80\x81\x80\x80\x80\x81");
+    };
+    const auto light = [&](const std::string& lines) {
+        write(lines);
+        return read_environment(folder / "map.hdr").map.radiance().at(0, 0);
+    };
+    CHECK(light("") == glm::vec3(1));
+    CHECK(light("EXPOSURE=4\n") == glm::vec3(0.25));
+    CHECK(light("EXPOSURE= 4.0\nGAMMA=1\nEXPOSURE=0.5\n") == glm::vec3(0.5));
+    CHECK(light("EXPOSURE=2\nCOLORCORR=1 2 0.25\n") == glm::vec3(0.5, 0.25, 2));
+    // Of another picture that this one was made of.
+    CHECK(light("\tEXPOSURE=4\n") == glm::vec3(1));
+    for (const std::string wrong :
+         {"EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=light\n", "EXPOSURE=1e-300\n", "COLORCORR=1 1\n"}) {
+        write(wrong);
+        CHECK(sentence_of(folder / "map.hdr").find("says in its header by which EXPOSURE or COLORCORR") !=
+              std::string::npos);
+    }
 }

@@ -131,6 +131,31 @@ TEST_CASE("MIS compensation leaves out what is not above the mean") {
     CHECK(light_density(EnvironmentMap(even(8, glm::vec3(3))), LightImportance::compensated).mean() > 0);
 }
 
+TEST_CASE("the pdf of a map is its light's share per steradian and integrates to one") {
+    Grid<glm::vec3> grid = even(8, glm::vec3(1));
+    grid.at(4, 3) = glm::vec3(50);
+    grid.at(2, 0) = glm::vec3(0);
+    const EnvironmentMap map(grid);
+    const double flux = luminance(map.total_flux());
+    for (const LightImportance importance : {LightImportance::light, LightImportance::compensated}) {
+        const Grid<float> pdf = light_pdf(map, importance);
+        double sum = 0;
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                sum += pdf.at(x, y) * map.solid_angle(y);
+                if (importance == LightImportance::light)
+                    CHECK(pdf.at(x, y) == doctest::Approx(luminance(map.radiance().at(x, y)) / flux));
+                else
+                    CHECK((pdf.at(x, y) > 0) == (x == 4 && y == 3));
+            }
+        }
+        CHECK(sum == doctest::Approx(1));
+    }
+    const Grid<float> even_pdf =
+        light_pdf(EnvironmentMap(even(8, glm::vec3(3))), LightImportance::compensated);
+    for (const float value : even_pdf.values) CHECK(value == doctest::Approx(1 / (16 * std::acos(0.0) / 2)));
+}
+
 TEST_CASE("maps that cannot be are refused in words") {
     using doctest::Contains;
     CHECK_THROWS_WITH(EnvironmentMap(Grid<glm::vec3>(8, 8)),

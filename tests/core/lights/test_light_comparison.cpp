@@ -99,10 +99,11 @@ TEST_CASE("random samples err with the root of their number, ours faster and les
     const SamplerErrors& ours = samplers.back();
     CHECK(ours.slope < -0.65);
     for (const std::size_t i : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
-        CHECK(samplers[1].errors[i] > samplers[2].errors[i]);
-        CHECK(samplers[2].errors[i] > ours.errors[i]);
+        CHECK(samplers[1].irradiance[i].mean > samplers[2].irradiance[i].mean);
+        CHECK(samplers[2].irradiance[i].mean > samplers[3].irradiance[i].mean);
+        CHECK(samplers[3].irradiance[i].mean > ours.irradiance[i].mean);
         for (std::size_t other = 0; other + 1 < samplers.size(); ++other)
-            CHECK(samplers[other].glossy_errors[i] > ours.glossy_errors[i]);
+            CHECK(samplers[other].glossy[i].mean > ours.glossy[i].mean);
     }
 }
 
@@ -110,26 +111,31 @@ TEST_CASE("a comparison is written as a table, a plot and a page that are well-f
     LightComparison comparison;
     comparison.request.counts = {16, 64};
     for (const LightSampler sampler : kLightSamplers)
-        comparison.samplers.push_back(
-            {.sampler = sampler, .errors = {0.25, 0.125}, .glossy_errors = {0.5, 0.375}, .slope = -0.5});
+        comparison.samplers.push_back({.sampler = sampler,
+                                       .irradiance = {{0.25, 0.5}, {0.125, 0.25}},
+                                       .glossy = {{0.5, 1}, {0.375, 0.625}},
+                                       .slope = -0.5});
     std::ostringstream csv;
     write_comparison_csv(csv, comparison);
-    CHECK(
-        csv.str().starts_with("sampler,samples,relative_error,glossy_error,slope\n\"uniform "
-                              "random\",16,0.25,0.5,-0.5\n\"uniform random\",64,0.125,0.375,-0.5\n"));
+    CHECK(csv.str().starts_with(
+        "sampler,samples,relative_error,largest_error,glossy_error,largest_glossy_error,slope\n"
+        "\"uniform random\",16,0.25,0.5,0.5,1,-0.5\n"
+        "\"uniform random\",64,0.125,0.25,0.375,0.625,-0.5\n"));
     pugi::xml_document document;
     CHECK(document.load_string(comparison_plot(comparison).c_str()));
     CHECK(document.load_string(comparison_page(comparison, "a < b").c_str()));
     const std::string table = comparison_table(comparison);
     CHECK(table.find("12.5 %") != table.npos);
     CHECK(table.find("37.5 %") != table.npos);
+    CHECK(table.find("62.5 %") != table.npos);
     CHECK(table.find("1.0\n") != table.npos);
 }
 
-TEST_CASE("the error of irradiance is the mean of what luminance is wrong by") {
+TEST_CASE("the error of irradiance is the mean of what luminance is wrong by, and the most of it") {
     const std::vector<glm::dvec3> exact{glm::dvec3(1), glm::dvec3(2), glm::dvec3(0)};
     const std::vector<glm::dvec3> found{glm::dvec3(1.1), glm::dvec3(1), glm::dvec3(5)};
-    CHECK(irradiance_error(found, exact) == doctest::Approx((0.1 + 0.5) / 2));
+    CHECK(relative_error(found, exact).mean == doctest::Approx((0.1 + 0.5) / 2));
+    CHECK(relative_error(found, exact).largest == doctest::Approx(0.5));
 }
 
 TEST_CASE("the median cut parts a map where it has half of its light on either side") {

@@ -163,6 +163,84 @@ TEST_CASE("point radiance over n times its pdf has the map's light as its mean, 
         for (int c = 0; c < 3; ++c) CHECK(mean[k][c] == doctest::Approx(exact[k][c]).epsilon(0.03));
 }
 
+TEST_CASE("each part of a map has as many samples as its pdf says") {
+    const EnvironmentMap map = sky_map({.height = 128, .sun_radius = 12, .sun_radiance = 5});
+    RankedTile tile = paper_tile();
+    constexpr int kCount = 1000, kPart = 32;  // texels a side
+    using enum SamplePosition;
+    for (const LightImportance importance : {LightImportance::light, LightImportance::compensated}) {
+        const Grid<float> pdf = light_pdf(map, importance);
+        const bool compensated = importance == LightImportance::compensated;
+        for (const SamplePosition position : {settled, dot, random}) {
+            const LightSamples lights =
+                light_samples(map, tile, {.count = kCount, .importance = importance, .position = position});
+            Grid<double> found(map.width() / kPart, map.height() / kPart), expected = found;
+            for (const LightSample& sample : lights.samples)
+                ++found.at(static_cast<int>(sample.uv.x * found.width),
+                           static_cast<int>(sample.uv.y * found.height));
+            for (int y = 0; y < map.height(); ++y)
+                for (int x = 0; x < map.width(); ++x)
+                    expected.at(x / kPart, y / kPart) += kCount * pdf.at(x, y) * map.solid_angle(y);
+            double apart = 0;
+            for (std::size_t i = 0; i < found.values.size(); ++i)
+                apart += std::abs(found.values[i] - expected.values[i]) / kCount;
+            CAPTURE(name_of(position));
+            // Settled ones move from where there is nothing to sample.
+            CHECK(apart < (compensated && position == settled ? 0.15 : 0.06));
+        }
+    }
+}
+
+TEST_CASE(
+    "compensated samples and those of a surface, weighed by the map's pdf, have all light as their mean") {
+    const EnvironmentMap map = small_sky();
+    const Grid<float> pdf = light_pdf(map, LightImportance::compensated);
+    RankedTile tile = paper_tile();
+    constexpr int kDraws = 200, kSamples = 32;
+    // What is lit: the cosine about an axis, whose samples are drawn by that cosine, as many of them.
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 0.5, 0.2));
+    const auto cosine = [&](glm::dvec3 direction) { return std::max(glm::dot(direction, normal), 0.0); };
+    const auto share_of_lights = [&](int x, int y, glm::dvec3 direction) {
+        return pdf.at(x, y) / (pdf.at(x, y) + cosine(direction) / kPi);
+    };
+    glm::dvec3 exact{}, by_surface{};
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            const glm::dvec3 direction =
+                direction_of({(x + 0.5) / map.width(), (y + 0.5) / map.height()}, SphereConvention::openexr);
+            if (cosine(direction) == 0) continue;
+            const glm::dvec3 part =
+                cosine(direction) * map.solid_angle(y) * glm::dvec3(map.radiance().at(x, y));
+            exact += part;
+            by_surface += (1 - share_of_lights(x, y, direction)) * part;
+        }
+    }
+    glm::dvec3 mean{};
+    double squares = 0;
+    for (int draw = 1; draw <= kDraws; ++draw) {
+        glm::dvec3 sum = by_surface;
+        const LightSamples lights = light_samples(map, tile,
+                                                  {.count = kSamples,
+                                                   .importance = LightImportance::compensated,
+                                                   .position = SamplePosition::random,
+                                                   .radiance = SampleRadiance::point,
+                                                   .seed = std::uint64_t(draw)});
+        for (const LightSample& sample : lights.samples) {
+            const glm::ivec2 texel(sample.uv * glm::dvec2(map.width(), map.height()));
+            const glm::dvec3 direction = direction_of(sample.uv, SphereConvention::openexr);
+            CHECK(pdf.at(texel.x, texel.y) > 0);
+            if (cosine(direction) > 0)
+                sum += share_of_lights(texel.x, texel.y, direction) * cosine(direction) * sample.radiance /
+                       (kSamples * sample.pdf);
+        }
+        mean += sum / double(kDraws);
+        squares += luminance(sum) * luminance(sum) / kDraws;
+    }
+    const double deviation = std::sqrt(squares - luminance(mean) * luminance(mean));
+    CHECK(luminance(mean) ==
+          doctest::Approx(luminance(exact)).epsilon(4.5 * deviation / std::sqrt(kDraws) / luminance(exact)));
+}
+
 TEST_CASE("a sun of one texel gets its share of the dots and all of its light is kept") {
     Grid<glm::vec3> grid(256, 128, glm::vec3(0.5f));
     grid.at(40, 50) = glm::vec3(1e5f);
@@ -295,6 +373,27 @@ TEST_CASE("a sun at the pole is found from every side") {
     CHECK(irradiance_error(map, lights) < 0.01);
 }
 
+TEST_CASE("samples of a row at the pole lie in it, and where bilinear light ends if they are placed by it") {
+    Grid<glm::vec3> grid(20, 10);
+    for (int x = 0; x < 20; ++x) grid.at(x, 0) = glm::vec3(1);
+    const EnvironmentMap map(grid);
+    RankedTile tile = paper_tile();
+    const auto lowest = [&](SamplePosition position, std::uint64_t count) {
+        const LightSamples lights = light_samples(map, tile, {.count = count, .position = position});
+        check_flux(map, lights);
+        double v = 0;
+        for (const LightSample& sample : lights.samples) v = std::max(v, sample.uv.y);
+        return v;
+    };
+    for (const std::uint64_t count : {1u, 5u, 20u}) CHECK(lowest(SamplePosition::settled, count) < 0.1);
+    for (const std::uint64_t count : {1u, 100u, 1000u}) {
+        CHECK(lowest(SamplePosition::random, count) == doctest::Approx(0.05));
+        CHECK(lowest(SamplePosition::dot, count) < 0.15);
+        CHECK(lowest(SamplePosition::settled, count) < 0.15);
+    }
+    CHECK(lowest(SamplePosition::dot, 1000) > 0.1);
+}
+
 TEST_CASE("an even map lights every surface with pi L through its samples too") {
     RankedTile tile = paper_tile();
     const LightSamples lights = light_samples(even_map(128, {1, 2, 3}), tile, {.count = 1024});
@@ -402,7 +501,7 @@ TEST_CASE("a region's light is that of the texels nearer to its dot than to any 
             nearest[static_cast<std::size_t>(owner - dots.begin())] += map.solid_angle(y);
         }
     }
-    const std::vector<LightRegion> regions = share_light(map, dots, 0);
+    const std::vector<LightRegion> regions = share_light(map, light_density(map).values(), dots);
     for (std::size_t i = 0; i < dots.size(); ++i)
         CHECK(regions[i].solid_angle == doctest::Approx(nearest[i]).epsilon(0.02));
 }

@@ -74,6 +74,12 @@ TEST_CASE("each light stands for the texels that are nearest to it, but for thos
             }
         for (const int threads : {1, 3}) {
             const TexelTree tree(map, power, threads);
+            const Grid<std::uint32_t> numbers = tree.nearest_of(lights);
+            int others = 0;
+            for (int y = 0; y < map.height(); ++y)
+                for (int x = 0; x < map.width(); ++x)
+                    others += numbers.at(x, y) != nearest(lights, texel_direction(map, x, y));
+            CHECK(others == 0);
             const auto found = tree.nearest_to(lights, {});
             REQUIRE(found);
             double off = 0;

@@ -127,4 +127,9 @@ TEST_CASE("Figure 8 says so where it does not find as many dots as asked for") {
     CHECK_THROWS_WITH(stipple(paper, Density(Grid<float>(4, 4)), PlacerKind::figure8, {.count = 10}, result),
                       "the paper's placer (figure8) does not find 10 places in this picture's dark parts; "
                       "use the exact placer");
+    // It loses the spot until the scale is that of the dim rest, and by then the spot has a thousand million.
+    Grid<float> spot(64, 64, 1e-9f);
+    spot.at(37, 21) = 1;
+    CHECK_THROWS_WITH(stipple(paper, Density(spot), PlacerKind::figure8, {.count = 1000}, result),
+                      doctest::Contains("does not find 1000 places"));
 }

@@ -1,0 +1,195 @@
+#include "core/lights/lit_objects.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <numbers>
+#include <vector>
+
+#include "core/lights/direction.h"
+#include "core/lights/light_picture.h"
+
+namespace dapple {
+
+namespace {
+
+constexpr int kGlossyRows = 36;   // a lobe of cosine^kGlossy is 19 degrees wide
+constexpr int kGroundSide = 64;   // places along each side of the ground's square
+constexpr double kLookDown = 50;  // degrees, on the ground
+
+glm::dvec2 place_of(const Grid<glm::dvec3>& values, int column, int row) {
+    return {(column + 0.5) / values.width, (row + 0.5) / values.height};
+}
+
+// Between four values, which are those of (column, row).
+glm::dvec3 bilinear(double x, double y, const auto& value) {
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    return glm::mix(glm::mix(value(x0, y0), value(x0 + 1, y0), x - x0),
+                    glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), x - x0), y - y0);
+}
+
+std::vector<DistantLight> above_horizon(std::span<const DistantLight> lights) {
+    std::vector<DistantLight> above;
+    std::ranges::copy_if(lights, std::back_inserter(above),
+                         [](const DistantLight& light) { return light.direction.y > 0; });
+    return above;
+}
+
+// The ground's places about its middle.
+double ground_step() {
+    return 2 * ShadedGround::kRadius / (kGroundSide - 1);
+}
+
+}  // namespace
+
+IrradianceMap::IrradianceMap(std::span<const DistantLight> lights, unsigned exponent, int rows)
+    : values_(2 * rows, rows) {
+    std::vector<glm::dvec3> normals;
+    for (int y = 0; y < values_.height; ++y) {
+        for (int x = 0; x < values_.width; ++x)
+            normals.push_back(direction_of(place_of(values_, x, y), SphereConvention::openexr));
+    }
+    values_.values = irradiance(lights, normals, exponent);
+}
+
+glm::dvec3 IrradianceMap::at(glm::dvec3 normal) const {
+    const glm::dvec2 uv = uv_of(normal, SphereConvention::openexr);
+    const int width = values_.width, height = values_.height;
+    return bilinear(
+        uv.x * width - 0.5, std::clamp(uv.y * height - 0.5, 0.0, height - 1.0),
+        [&](int column, int row) { return values_.at((column + width) % width, std::min(row, height - 1)); });
+}
+
+RelativeError difference(const IrradianceMap& found, const IrradianceMap& exact) {
+    std::vector<double> weights;
+    for (int y = 0; y < exact.values().height; ++y)
+        weights.resize(weights.size() + static_cast<std::size_t>(exact.values().width),
+                       std::sin(std::numbers::pi * place_of(exact.values(), 0, y).y));
+    return relative_error(found.values().values, exact.values().values, weights);
+}
+
+ShadedGround::ShadedGround(std::span<const DistantLight> lights) : values_(kGroundSide, kGroundSide) {
+    const std::vector<DistantLight> above = above_horizon(lights);
+    tbb::parallel_for(0, kGroundSide, [&](int row) {
+        for (int column = 0; column < kGroundSide; ++column) {
+            const glm::dvec3 place(column * ground_step() - kRadius, 0, row * ground_step() - kRadius);
+            const glm::dvec3 to_sphere = glm::dvec3(0, 1, 0) - place;
+            const double away = glm::length(to_sphere);
+            const glm::dvec3 towards = to_sphere / away;
+            const double rim_cosine = std::sqrt(std::max(1 - 1 / (away * away), 0.0));
+            glm::dvec3 sum{};
+            for (const DistantLight& light : above)
+                if (glm::dot(light.direction, towards) < rim_cosine) sum += light.weight * light.direction.y;
+            values_.at(column, row) = sum;
+        }
+    });
+}
+
+glm::dvec3 ShadedGround::at(glm::dvec2 place) const {
+    const glm::dvec2 cell =
+        glm::clamp((place + kRadius) / ground_step(), glm::dvec2(0), glm::dvec2(kGroundSide - 1));
+    return bilinear(cell.x, cell.y, [&](int column, int row) {
+        return values_.at(std::min(column, kGroundSide - 1), std::min(row, kGroundSide - 1));
+    });
+}
+
+LitObjects::LitObjects(std::span<const DistantLight> lights)
+    : diffuse(lights),
+      glossy(lights, kGlossy, kGlossyRows),
+      from_above(above_horizon(lights)),
+      ground(lights) {}
+
+namespace {
+
+// What is seen where a ray meets an object, and the share of the pixel that the object covers.
+struct Seen {
+    glm::dvec3 radiance{};
+    double covered = 0;
+};
+
+class Sight {
+ public:
+    Sight(const LitObjects& objects, const ObjectLook& look)
+        : objects_(objects),
+          look_(look),
+          centre_(look.size / 2.0),
+          radius_(look.size / 2.0 - 1),
+          down_(kLookDown * std::numbers::pi / 180) {}
+
+    Seen at(LitObject object, glm::dvec2 pixel) const {
+        const glm::dvec2 at = glm::dvec2(pixel.x - centre_, centre_ - pixel.y) / radius_;
+        switch (object) {
+            case LitObject::diffuse:
+                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3) {
+                    return objects_.diffuse.at(turned(normal)) / std::numbers::pi;
+                });
+            case LitObject::glossy:
+                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3 view) {
+                    const glm::dvec3 mirrored = view - 2 * glm::dot(view, normal) * normal;
+                    return objects_.glossy.at(turned(mirrored)) * ((kGlossy + 1) / (2 * std::numbers::pi));
+                });
+            case LitObject::shaded:
+                return shaded(at * ShadedGround::kRadius);
+        }
+        return {};
+    }
+
+ private:
+    // Of radius 1, as many pixels; who sees it looks down by an angle.
+    Seen sphere(glm::dvec2 at, double pixels, double down, const auto& radiance) const {
+        const double away = glm::length(at);
+        const double covered = std::clamp((1 - away) * pixels + 0.5, 0.0, 1.0);
+        if (away > 1) at /= away;
+        const double towards = std::sqrt(std::max(0.0, 1 - glm::dot(at, at)));
+        const glm::dvec3 right(-1, 0, 0), up(0, std::cos(down), std::sin(down)),
+            view(0, -std::sin(down), std::cos(down));
+        return {radiance(at.x * right + at.y * up - towards * view, view), covered};
+    }
+
+    Seen shaded(glm::dvec2 at) const {
+        const double a_radius = radius_ / ShadedGround::kRadius;  // pixels
+        const Seen ball =
+            sphere(at - glm::dvec2(0, std::cos(down_)), a_radius, down_, [&](glm::dvec3 normal, glm::dvec3) {
+                return objects_.from_above.at(turned(normal)) / std::numbers::pi;
+            });
+        glm::dvec2 place(-at.x, at.y / std::sin(down_));
+        const double away = glm::length(place);
+        // How fast it grows from pixel to pixel.
+        const double slope = glm::length(glm::dvec2(place.x, place.y / std::sin(down_))) / away;
+        const double covered =
+            away > 0 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
+        if (away > ShadedGround::kRadius) place *= ShadedGround::kRadius / away;
+        const glm::dvec3 there = turned({place.x, 0, place.y});
+        const glm::dvec3 ground = objects_.ground.at({there.x, there.z}) / std::numbers::pi;
+        return {glm::mix(ground, ball.radiance, ball.covered), std::max(covered, ball.covered)};
+    }
+
+    glm::dvec3 turned(glm::dvec3 direction) const {
+        return turned_about_up(direction, -look_.turn_degrees, SphereConvention::openexr);
+    }
+
+    const LitObjects& objects_;
+    const ObjectLook& look_;
+    double centre_, radius_, down_;
+};
+
+}  // namespace
+
+Grid<glm::u8vec4> object_picture(const LitObjects& objects, LitObject object, const ObjectLook& look) {
+    Grid<glm::u8vec4> picture(look.size, look.size);
+    const Sight sight(objects, look);
+    tbb::parallel_for(0, look.size, [&](int y) {
+        for (int x = 0; x < look.size; ++x) {
+            const Seen seen = sight.at(object, {x + 0.5, y + 0.5});
+            picture.at(x, y) = glm::u8vec4(tone_mapped(seen.radiance, look.exposure),
+                                           static_cast<glm::u8>(255 * seen.covered + 0.5));
+        }
+    });
+    return picture;
+}
+
+}  // namespace dapple

@@ -1,0 +1,68 @@
+#pragma once
+// White things in the light of a map or of its samples, by which to see what a renderer makes of them: a
+// diffuse sphere, a glossy one, and ground in the shadow of a sphere.
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "core/image/grid.h"
+#include "core/lights/irradiance.h"
+
+namespace dapple {
+
+/// Sum of weight * cosine^exponent about every direction, on a latitude-longitude grid of so many rows and
+/// twice as many columns, directions as in OpenEXR.
+class IrradianceMap {
+ public:
+    explicit IrradianceMap(std::span<const DistantLight> lights, unsigned exponent = 1, int rows = 24);
+
+    /// Bilinear.
+    glm::dvec3 at(glm::dvec3 normal) const;
+
+    const Grid<glm::dvec3>& values() const { return values_; }
+
+ private:
+    Grid<glm::dvec3> values_;
+};
+
+/// Over the sphere's directions.
+RelativeError difference(const IrradianceMap& found, const IrradianceMap& exact);
+
+/// The irradiance of level ground on which a sphere of radius 1 stands, in whose shadow some of it lies.
+class ShadedGround {
+ public:
+    static constexpr double kRadius = 2.6;  // of the piece that is known
+
+    explicit ShadedGround(std::span<const DistantLight> lights);
+
+    /// Bilinear, x and z from where the sphere stands.
+    glm::dvec3 at(glm::dvec2 place) const;
+
+ private:
+    Grid<glm::dvec3> values_;
+};
+
+struct LitObjects {
+    explicit LitObjects(std::span<const DistantLight> lights);
+
+    IrradianceMap diffuse, glossy, from_above;  // from_above: without the light from below the horizon
+    ShadedGround ground;
+};
+
+enum class LitObject { diffuse, glossy, shaded };
+inline constexpr LitObject kLitObjects[] = {LitObject::diffuse, LitObject::glossy, LitObject::shaded};
+
+struct ObjectLook {
+    int size = 192;           // pixels, square
+    double turn_degrees = 0;  // of the light about the up axis, see turned_about_up()
+    double exposure = 1;      // the factor on radiance; objects reflect all of their light
+};
+
+/// sRGB-encoded, transparent around the object, where its rim's colours go on: who enlarges the picture mixes
+/// no others into it. Seen by one who looks towards the map's centre, +Z, from far away, on ground from
+/// above too: the light of the map's left falls on the sphere's left.
+Grid<glm::u8vec4> object_picture(const LitObjects& objects, LitObject object, const ObjectLook& look);
+
+}  // namespace dapple
