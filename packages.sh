@@ -21,6 +21,7 @@ test_packages=(
 compiler_packages=(clang libclang-rt-dev)
 web_packages=(
     cmake emscripten imagemagick libfmt-dev libglm-dev libkissfft-dev libstb-dev ninja-build nlohmann-json3-dev nodejs
+    xz-utils
 )
 web_test_packages=(chromium)
 

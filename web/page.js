@@ -65,11 +65,7 @@ function merged(usual, changed) {
     return result;
 }
 
-async function engineModule() {
-    const packed = Uint8Array.from(atob(byId("engine").textContent), (c) => c.charCodeAt(0));
-    const bytes = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
-    return WebAssembly.compile(await bytes.arrayBuffer());
-}
+const bytesOf = (id) => Uint8Array.from(atob(byId(id).textContent), (c) => c.charCodeAt(0));
 
 // Orientation and colour profile are the browser's work.
 async function pictureOf(blob) {
@@ -80,13 +76,12 @@ async function pictureOf(blob) {
     return {pixels: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer), width, height};
 }
 function sample() {
-    const bytes = Uint8Array.from(atob(byId("picture").textContent), (c) => c.charCodeAt(0));
-    return new File([bytes], "Still life", {type: "image/jpeg"});
+    return new File([bytesOf("picture")], "Still life", {type: "image/webp"});
 }
 
 async function main() {
     const script = URL.createObjectURL(new Blob([byId("thread").textContent], {type: "text/javascript"}));
-    const module = await engineModule();
+    const module = await WebAssembly.compile(unpackLzma(bytesOf("engine")));
     const placing = engineThread(script, module);
     let settling = engineThread(script, module);
     const {usual, rows: table, tiles} = await placing.ask("describe");
