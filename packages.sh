@@ -14,13 +14,14 @@ build_packages=(
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    clang-format doctest-dev imagemagick inkscape libopenmpi-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev libxml2-utils
-    openimageio-tools openmpi-bin poppler-utils pybind11-dev python3-cssselect python3-dev python3-ezdxf python3-lxml python3-numpy
+    appstream clang-format doctest-dev imagemagick inkscape libopenmpi-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev
+    libxml2-utils openimageio-tools openmpi-bin poppler-utils pybind11-dev python3-cssselect python3-dev python3-ezdxf python3-lxml python3-numpy
     python3-pil python3-pytest python3-tinycss2 x11-utils xauth xclip xdotool xvfb
 )
 compiler_packages=(clang libclang-rt-dev)
 web_packages=(
     cmake emscripten imagemagick libfmt-dev libglm-dev libkissfft-dev libstb-dev ninja-build nlohmann-json3-dev nodejs
+    xz-utils
 )
 web_test_packages=(chromium)
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/analysis/autocorrelation.h"
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/page_pixels.h"
@@ -140,6 +141,14 @@ std::vector<DrawnTile> Drawing::tiles() const {
     for (const PlacedTile& tile : placed)
         tiles.push_back({tile.level, tile.x * mm, tile.y * mm, tile.side * mm, tile.kind.value_or(0)});
     return tiles;
+}
+
+double Drawing::period_mm() const {
+    const PageSize& page = state_->page.layout.page;
+    const double mm = page.mm_per_page_unit;
+    const double units = page.width_mm / mm * (page.height_mm / mm);
+    const double points = std::max(static_cast<double>(count()), 1.0);
+    return mm * tile_period(points / units / static_cast<double>(state_->drawing.tile_size));
 }
 
 bool Drawing::write(std::ostream& out, FileFormat kind, const Watch& watch) const {

@@ -1,6 +1,7 @@
 // The library for JavaScript in a browser: numbers and texts in WebAssembly's memory. One picture and one
 // drawing at a time. What fails returns 0 or null, and engine_error() then says why in one sentence.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "dapple/analysis.h"
 #include "dapple/drawing.h"
 #include "dapple/tile.h"
 
@@ -72,6 +74,28 @@ void collect_tiles() {
         for (const double value :
              {tile.x, tile.y, tile.side, double(tile.level), static_cast<double>(tile.kind)})
             tiles.push_back(static_cast<float>(value));
+}
+
+// The dots whose spectrum tells of the drawing: all of them or, of too many, those in the page's middle.
+struct MeasuredDots {
+    std::vector<double> x, y;
+    double width = 0, height = 0;  // what they lie in, millimetres
+};
+MeasuredDots measured_dots() {
+    constexpr std::size_t kMost = 50'000;
+    const double page_width = drawing.value().page_width_mm(), page_height = drawing->page_height_mm();
+    MeasuredDots measured;
+    for (double share = 1;; share *= 0.95) {
+        measured = {{}, {}, share * page_width, share * page_height};
+        const double left = (page_width - measured.width) / 2, top = (page_height - measured.height) / 2;
+        for (std::size_t i = 0; i < dots.size(); i += 4) {
+            const double x = dots[i] - left, y = dots[i + 1] - top;
+            if (x < 0 || y < 0 || x > measured.width || y > measured.height) continue;
+            measured.x.push_back(x);
+            measured.y.push_back(y);
+        }
+        if (measured.x.size() <= kMost) return measured;
+    }
 }
 
 }  // namespace
@@ -160,6 +184,29 @@ const char* engine_file(const char* format) {
             out, std::string_view(format) == "svg" ? dapple::FileFormat::svg : dapple::FileFormat::csv);
         return kept(std::move(out).str());
     });
+}
+
+/// How many of the drawing's dots were measured, and how much they repeat after the tile, as JSON; their
+/// spectrum is then at engine_spectrum_pixels(), as large as the functions below say.
+const char* engine_spectrum() {
+    return guarded([] {
+        using enum dapple::PointEdges;
+        const auto [x, y, width, height] = measured_dots();
+        dapple::SpectrumPicture picture = dapple::spectrum_of(x, y, width, height, unknown);
+        pixels = {picture.width, picture.height, std::move(picture.rgb)};
+        // To see one repeat takes two tiles beside each other.
+        const double period = drawing->period_mm();
+        const bool two = 2 * period <= std::min(width, height) * (1 + 1e-9);
+        const Json measured{
+            {"dots", x.size()},
+            {"period", two ? Json(period) : Json()},
+            {"periodicity",
+             two ? Json(dapple::periodicity_of(x, y, width, height, period, unknown)) : Json()}};
+        return kept(measured.dump());
+    });
+}
+const std::uint8_t* engine_spectrum_pixels() {
+    return pixels.rgb.data();
 }
 
 /// Red, green and blue; gone after the next call.

@@ -61,12 +61,20 @@ export async function startEngine(module) {
         file: (format) => textOf("engine_file", format),
         // Red, green, blue and alpha.
         pixels(dpi) {
-            const place = given(exports.engine_pixels(dpi));
-            const width = exports.engine_pixels_width(), height = exports.engine_pixels_height();
-            const rgb = new Uint8Array(exports.memory.buffer, place, 3 * width * height);
-            const rgba = new Uint8ClampedArray(4 * width * height).fill(255);
-            for (let i = 0, j = 0; i < rgb.length; i += 3, j += 4) rgba.set(rgb.subarray(i, i + 3), j);
-            return {width, height, rgba};
+            return pixelsAt(given(exports.engine_pixels(dpi)));
+        },
+        // Of the drawing: {dots, period, periodicity} of those that were measured, and the picture of their spectrum.
+        spectrum() {
+            const measured = JSON.parse(textOf("engine_spectrum"));
+            return {...measured, ...pixelsAt(exports.engine_spectrum_pixels())};
         },
     };
+
+    function pixelsAt(place) {
+        const width = exports.engine_pixels_width(), height = exports.engine_pixels_height();
+        const rgb = new Uint8Array(exports.memory.buffer, place, 3 * width * height);
+        const rgba = new Uint8ClampedArray(4 * width * height).fill(255);
+        for (let i = 0, j = 0; i < rgb.length; i += 3, j += 4) rgba.set(rgb.subarray(i, i + 3), j);
+        return {width, height, rgba};
+    }
 }

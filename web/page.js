@@ -65,11 +65,7 @@ function merged(usual, changed) {
     return result;
 }
 
-async function engineModule() {
-    const packed = Uint8Array.from(atob(byId("engine").textContent), (c) => c.charCodeAt(0));
-    const bytes = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
-    return WebAssembly.compile(await bytes.arrayBuffer());
-}
+const bytesOf = (id) => Uint8Array.from(atob(byId(id).textContent), (c) => c.charCodeAt(0));
 
 // Orientation and colour profile are the browser's work.
 async function pictureOf(blob) {
@@ -80,13 +76,12 @@ async function pictureOf(blob) {
     return {pixels: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer), width, height};
 }
 function sample() {
-    const bytes = Uint8Array.from(atob(byId("picture").textContent), (c) => c.charCodeAt(0));
-    return new File([bytes], "Still life", {type: "image/jpeg"});
+    return new File([bytesOf("picture")], "Still life", {type: "image/webp"});
 }
 
 async function main() {
     const script = URL.createObjectURL(new Blob([byId("thread").textContent], {type: "text/javascript"}));
-    const module = await engineModule();
+    const module = await WebAssembly.compile(unpackLzma(bytesOf("engine")));
     const placing = engineThread(script, module);
     let settling = engineThread(script, module);
     const {usual, rows: table, tiles} = await placing.ask("describe");
@@ -133,20 +128,38 @@ async function main() {
         change(() => {});
     }
     byId("divider").oninput = () => canvas.splitAt(Number(byId("divider").value));
+    let spectrumShown = false;
+    // `spectra`: of both sides, from left to right, if they are shown and the dots have settled.
     async function drawnBy(thread, wanted) {
+        const spectra = [];
+        const drawn = async (settings) => {
+            const result = await thread.ask("draw", settings);
+            if (spectrumShown && thread === settling)
+                spectra.unshift({tile: settings.drawing.tile, ...await thread.ask("spectrum")});
+            return result;
+        };
         // The drawing itself last: it is what is saved then.
-        const right = rightTile && await thread.ask("draw", merged(wanted, {drawing: {tile: rightTile}}));
-        const result = await thread.ask("draw", wanted);
-        return {result, right};
+        const right = rightTile && await drawn(merged(wanted, {drawing: {tile: rightTile}}));
+        return {right, result: await drawn(wanted), spectra};
+    }
+    const spectraShown = Object.assign(element("div", {id: "spectra"}), {refresh() {}, applies: () => spectrumShown});
+    function showSpectra(spectra) {
+        spectraShown.replaceChildren(...spectra.map(({tile, width, height, rgba, periodicity}) => {
+            const canvas = element("canvas", {width, height, role: "img", ariaLabel: `Spectrum of ${tile}`});
+            canvas.getContext("2d").putImageData(new ImageData(rgba, width, height), 0, 0);
+            const said = periodicity === null ? "too few tiles to see one repeat" : `periodicity ${Math.max(periodicity, 0).toFixed(2)}`;
+            return element("figure", {}, canvas, element("figcaption", {textContent: `${tile}: ${said}`}));
+        }));
     }
 
     let newest, settled, timer, camera, waiting = [];  // settings: those wanted, and those whose dots have settled
     const whenSettled = () => newest === settled ? undefined : new Promise((resolve) => waiting.push(resolve));
     const settle = latest(async (wanted) => {
         try {
-            const {result, right} = await drawnBy(settling, wanted);
+            const {result, right, spectra} = await drawnBy(settling, wanted);
             if (wanted !== newest) return;
             if (right) canvas.showBeside(right);
+            showSpectra(spectra);
             showDrawn(result, true);
         } catch (failed) {
             if (failed.ended || wanted !== newest) return;
@@ -321,6 +334,11 @@ async function main() {
             row(choiceRow, "drawing.tile", {
                 about: {row: "Right tile", tip: "The tile that the right side's dots come from."},
                 choices: tiles.map((tile) => [tile, tile]), get: () => rightTile, set: beside, applies: () => rightTile !== undefined}),
+            row(switchRow, "drawing.tile", {
+                about: {row: "Spectrum", tip: "The waves in the dots, slow ones in the middle: a dark disc with an even ring is good. Orange spots are stronger than chance makes them. Periodicity is the share of dots that meet another one when all are moved by whole tiles: 0 is chance, 1 a wallpaper."},
+                get: () => spectrumShown,
+                set: (on) => change(() => { spectrumShown = on; })}),
+            spectraShown,
         ],
     };
     const made = [];

@@ -11,6 +11,7 @@ const answers = {
     picture: async (picture) => engine.setPicture(picture),
     draw: async (settings) => engine.draw(settings),
     file: async (format) => engine.file(format),
+    spectrum: async () => engine.spectrum(),
     pixels: async (dpi) => engine.pixels(dpi),
 };
 

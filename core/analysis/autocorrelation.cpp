@@ -104,4 +104,8 @@ Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain
     return highest;
 }
 
+double tile_period(double tiles) {
+    return std::exp2(-std::floor(std::log2(tiles) / 2 + 1e-9));
+}
+
 }  // namespace dapple

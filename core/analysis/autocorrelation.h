@@ -40,4 +40,8 @@ struct Periodicity {
 Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 period,
                         const PeriodicityOptions& options = {}, std::stop_token stop = {});
 
+/// The period to look for in dots of a tile, in page units, with so many tiles' points (> 0) on a square
+/// unit: the side of the last level's tiles that are all there.
+double tile_period(double tiles);
+
 }  // namespace dapple

@@ -57,6 +57,8 @@ void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSe
                                  .settings = drawing.settings};
             return with_ink([&](const auto& ink) { write_svg(out, ink, page, style, progress); });
         }
+// The page in the browser saves none of these, and is to stay small.
+#ifndef DAPPLE_FOR_BROWSERS
         case DrawingFormat::gcode: {
             check_heights(drawing.saving);
             GcodeStyle style = gcode_style_of(drawing.saving);
@@ -77,10 +79,14 @@ void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSe
         case DrawingFormat::dxf:
             if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);
             return write_dxf(out, drawing.dots, page, radius, drawing.pens, progress, marks);
-        case DrawingFormat::csv:
-            return write_csv(out, drawing.dots, page, columns, progress);
         case DrawingFormat::json:
             return write_dots_json(out, drawing.dots, page, columns, progress);
+#endif
+        case DrawingFormat::csv:
+            return write_csv(out, drawing.dots, page, columns, progress);
+#ifdef DAPPLE_FOR_BROWSERS
+        default:
+#endif
         case DrawingFormat::pdf:
         case DrawingFormat::png:
         case DrawingFormat::tiff:

@@ -2,7 +2,9 @@
 // How even a set of points is, and how periodic.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "dapple/export.h"
 
@@ -27,5 +29,23 @@ struct PointEvenness {
 /// second. Throws std::runtime_error if one is not finite or lies outside a cut-out.
 DAPPLE_API PointEvenness evenness_of(std::span<const double> x, std::span<const double> y, double width,
                                      double height, PointEdges edges = PointEdges::meet);
+
+/// The power spectrum as `dapple analyse` draws it, row after row from the top: waves of up to two a mean
+/// distance of points to all sides, slow ones in the middle; black is 0, white noise a dark grey, and what
+/// chance does not make, as a repetition, orange.
+struct SpectrumPicture {
+    int width = 0, height = 0;      // about alike
+    std::vector<std::uint8_t> rgb;  // sRGB-encoded
+};
+
+/// Throws as evenness_of() does.
+DAPPLE_API SpectrumPicture spectrum_of(std::span<const double> x, std::span<const double> y, double width,
+                                       double height, PointEdges edges = PointEdges::meet);
+
+/// The share of points that meet another one when all are moved by that period, or some of it, freed of
+/// chance: 1 if the set repeats itself, about 0 for unrelated points. Throws as evenness_of() does, and if
+/// the period is not above 0.
+DAPPLE_API double periodicity_of(std::span<const double> x, std::span<const double> y, double width,
+                                 double height, double period, PointEdges edges = PointEdges::meet);
 
 }  // namespace dapple

@@ -95,6 +95,10 @@ class DAPPLE_API Drawing {
     /// The copies of the tile that the dots come from, those of all levels, larger ones before their parts.
     std::vector<DrawnTile> tiles() const;
 
+    /// The side of the smallest tiles that are all there at the mean density, in millimetres: what the dots
+    /// would repeat after, if the tile repeated.
+    double period_mm() const;
+
     /// As a file of that kind, with the settings' order, shapes, strokes and pens. False if stopped: what is
     /// written by then is not whole. Throws std::runtime_error if such a file cannot hold the drawing.
     bool write(std::ostream& out, FileFormat format, const Watch& watch = {}) const;

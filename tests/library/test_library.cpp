@@ -389,8 +389,49 @@ TEST_CASE("lights carry the map's flux, and points are measured") {
     // A square grid's spacing is 1, the largest sqrt(2 / sqrt(3)).
     CHECK(grid.nearest_minimum == doctest::Approx(std::sqrt(std::sqrt(3.0) / 2)));
     CHECK(grid.power_below_05 < 1e-6);
+    CHECK(periodicity_of(x, y, 32, 32, 1) == doctest::Approx(1));
+    CHECK(periodicity_of(x, y, 32, 32, 11.0 / 9) < 0);  // eight times it is no whole number yet
+    CHECK_THROWS_WITH(periodicity_of(x, y, 32, 32, 0), "a period of 0 cannot repeat; give a positive length");
+    // One wave a spacing to the right: a peak, halfway between the middle and the edge. None that is longer.
+    const SpectrumPicture spectrum = spectrum_of(x, y, 32, 32);
+    REQUIRE(spectrum.width == spectrum.height);
+    const auto pixel = [&](double right) {
+        const auto column = static_cast<std::size_t>((0.5 + right / 2) * spectrum.width);
+        const std::size_t at = 3 * (static_cast<std::size_t>(spectrum.height / 2 * spectrum.width) + column);
+        return std::vector<int>(&spectrum.rgb[at], &spectrum.rgb[at] + 3);
+    };
+    CHECK(pixel(0.5) == std::vector{255, 140, 0});
+    CHECK(pixel(0.25) == std::vector{0, 0, 0});
     x.pop_back();
     CHECK_THROWS_WITH(evenness_of(x, y, 32, 32), doctest::Contains("1023 values of x and 1024 of y"));
+}
+
+TEST_CASE("dots of a tile that repeats meet others after its period, and those of eight kinds do not") {
+    Stippler stippler;
+    const std::vector<float> grey(1, 0.5f);
+    stippler.set_density(grey, 1, 1);
+    for (const std::string tile : {"best32", "kinds4096"}) {
+        CAPTURE(tile);
+        const bool repeats = tile == "best32";
+        Settings settings;
+        settings.set(std::string(R"({"drawing": {"count": 20000, "relax": 0, "tile": ")") + tile + "\"}}");
+        const Drawing drawing = *stippler.draw(settings);
+        std::vector<double> x, y;
+        drawing.for_each([&](const DotSpan& dots) {
+            x.insert(x.end(), dots.x.begin(), dots.x.end());
+            y.insert(y.end(), dots.y.begin(), dots.y.end());
+            return true;
+        });
+        const double period = drawing.period_mm();
+        // 625 tiles of 32 points are more than the 256 of level 4, and fewer than the next ones; likewise
+        // four of 4,096.
+        const double side = drawing.page_width_mm() / (repeats ? 16 : 2);
+        CHECK(period == doctest::Approx(side).epsilon(0.02));
+        const double value = periodicity_of(x, y, drawing.page_width_mm(), drawing.page_height_mm(), period,
+                                            PointEdges::unknown);
+        CHECK((value > 0.9) == repeats);
+        CHECK((value < 0.1) == !repeats);
+    }
 }
 
 TEST_CASE("C gets the same bytes, and errors as text") {

@@ -9,18 +9,18 @@ import {pathToFileURL} from "node:url";
 const [page_file, dapple, folder] = process.argv.slice(2);
 const {chromium} = createRequire(resolve(folder, "x"))("playwright-core");
 const url = pathToFileURL(resolve(page_file)).href;
-const browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const launched = (...args) => chromium.launch({executablePath: "/usr/bin/chromium", args: ["--no-sandbox", ...args]});
+const browser = await launched("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+const PATIENCE = 300_000;  // milliseconds: nothing here is about speed, and a busy machine takes its time
 let failed = 0;
 function check(right, sentence) {
     console.log(`${right ? "right" : "WRONG"}: ${sentence}`);
     failed += !right;
 }
 const requests = [];
-async function opened({hash = "", ...look} = {}) {
-    const page = await browser.newPage({viewport: {width: 1280, height: 800}, ...look});
+async function opened({hash = "", by = browser, ...look} = {}) {
+    const page = await by.newPage({viewport: {width: 1280, height: 800}, ...look});
+    page.setDefaultTimeout(PATIENCE);
     page.on("pageerror", (error) => check(false, `no error: ${error.message}`));
     page.on("request", (request) => requests.push(request.url()));
     await page.goto(url + hash);
@@ -30,7 +30,7 @@ async function opened({hash = "", ...look} = {}) {
 const settled = (page) => page.waitForFunction(() => {
     const [work, message, count] = ["work", "message", "count"].map((id) => document.getElementById(id).textContent);
     return message || (count && work === "");
-}, null, {timeout: 120_000});
+}, null, {timeout: PATIENCE});
 const text = (page, id) => page.textContent(`#${id}`);
 async function saved(page, button, name) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#${button}`)]);
@@ -39,6 +39,28 @@ async function saved(page, button, name) {
     return file;
 }
 const shot = (page, name) => page.screenshot({path: `${folder}/${name}.png`});
+// Waits until it is seen.
+async function seen(what, sentence) {
+    for (const end = Date.now() + PATIENCE; Date.now() < end;) {
+        if (await what()) return check(true, sentence);
+        await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    check(false, sentence);
+}
+// Of the canvas as it is on screen: where its page begins in the middle row, and its mean light, 0 to 255.
+async function onScreen(page) {
+    const png = (await page.screenshot({clip: await page.locator("#view").boundingBox()})).toString("base64");
+    return page.evaluate(async (png) => {
+        const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (c) => c.charCodeAt(0))]));
+        const {width, height} = bitmap, context = new OffscreenCanvas(width, height).getContext("2d");
+        context.drawImage(bitmap, 0, 0);
+        const {data} = context.getImageData(0, 0, width, height), row = 4 * width * Math.floor(height / 2);
+        let left = 0, sum = 0;
+        while (left < width && Math.abs(data[row + 4 * left] - data[row]) < 5) ++left;
+        for (let i = 0; i < data.length; i += 4) sum += data[i];
+        return {left, light: sum / (width * height)};
+    }, png);
+}
 
 {
     const page = await opened();
@@ -65,10 +87,14 @@ const shot = (page, name) => page.screenshot({path: `${folder}/${name}.png`});
     });
     await page.mouse.move(box.x + box.width * 0.6, box.y + box.height / 2);
     await page.mouse.down();
-    for (let i = 0; i <= 60; ++i) {
-        await page.mouse.move(box.x + box.width * (0.6 - 0.1 * Math.sin(i / 10)), box.y + box.height / 2);
-        await page.waitForTimeout(16);
-    }
+    let moves = 0;
+    await seen(async () => {
+        for (let i = 0; i <= 60; ++i, ++moves) {
+            await page.mouse.move(box.x + box.width * (0.6 - 0.1 * Math.sin(moves / 10)), box.y + box.height / 2);
+            await page.waitForTimeout(16);
+        }
+        return page.evaluate(() => seen.counts.size > 3);
+    }, "dots follow the slider while it is dragged");
     await page.mouse.up();
     const {frames, counts} = await page.evaluate(() => {
         cancelAnimationFrame(seen.next);
@@ -77,7 +103,6 @@ const shot = (page, name) => page.screenshot({path: `${folder}/${name}.png`});
     const gaps = frames.slice(1).map((at, i) => at - frames[i]).sort((a, b) => a - b);
     const part = (share) => gaps[Math.floor(share * (gaps.length - 1))].toFixed(0);
     console.log(`dragging: ${frames.length} frames, half of them within ${part(0.5)} ms, 95 % within ${part(0.95)} ms; ${counts} drawings seen`);
-    check(counts > 3, "dots follow the slider while it is dragged");
     await settled(page);
 
     // Keys and a typed value.
@@ -128,6 +153,50 @@ for (const [name, look] of Object.entries({
     check(wide <= (look.viewport?.width ?? 1280), `${name}: nothing is cut off`);
     await shot(page, name);
     await page.close();
+}
+{
+    // One tile beside another, and what they repeat.
+    const page = await opened({hash: "#" + encodeURIComponent(JSON.stringify({drawing: {relax: 0, count: 30000}}))});
+    await page.getByLabel("Split view", {exact: true}).check();
+    await page.getByLabel("Spectrum", {exact: true}).check();
+    const captions = () => page.locator("figcaption").allTextContents();
+    await seen(async () => (await captions()).length === 2, "both sides have a spectrum");
+    const numbers = (await captions()).map((text) => Number(/^(?:kinds4096|best32): periodicity (.*)$/.exec(text)?.[1]));
+    check(numbers[0] < 0.1 && numbers[1] > 0.5, `one tile repeats, eight do not: ${await captions()}`);
+    await page.locator("#spectra").scrollIntoViewIfNeeded();
+    await shot(page, "spectrum");
+    await page.close();
+}
+{
+    // Fingers.
+    const page = await opened({hasTouch: true});
+    const cdp = await page.context().newCDPSession(page);
+    const touch = (type, ...points) => cdp.send("Input.dispatchTouchEvent", {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    const {left} = await onScreen(page);
+    await touch("touchStart", [400, 400]);
+    for (let x = 400; x <= 460; x += 10) await touch("touchMove", [x, 400]);
+    await touch("touchEnd");
+    await seen(async () => Math.abs((await onScreen(page)).left - left - 60) <= 1, "a finger moves the page");
+    const zoom = async () => parseInt(await text(page, "zoom"));
+    const before = await zoom();
+    await touch("touchStart", [380, 400], [480, 400]);
+    for (let by = 0; by <= 50; by += 10) await touch("touchMove", [380 - by, 400], [480 + by, 400]);
+    await touch("touchEnd");
+    await seen(async () => Math.abs(await zoom() - 2 * before) <= 2, `two fingers zoom: from ${before} % to twice as much`);
+    await page.close();
+}
+{
+    // Without WebGL.
+    const plain = await launched("--disable-3d-apis");
+    const pages = [await opened(), await opened({by: plain})];
+    check(await pages[1].evaluate(() => !document.createElement("canvas").getContext("webgl2")), "there is no WebGL");
+    const lights = [];
+    for (const page of pages) lights.push((await onScreen(page)).light);
+    // Dots' edges, which it does not blend in linear light, come out darker.
+    check(Math.abs(lights[0] - lights[1]) < 20, `a plain canvas shows the same: mean light ${lights.map((light) => light.toFixed(1))}`);
+    await shot(pages[1], "plain");
+    for (const page of pages) await page.close();
+    await plain.close();
 }
 check(requests.every((each) => /^(file|blob|data):/.test(each)), "nothing is sent anywhere");
 await browser.close();

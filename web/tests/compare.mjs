@@ -57,6 +57,24 @@ for (const [number, [name, settings, options]] of cases.entries()) {
         console.log(`${same ? "same" : "NOT THE SAME"}: ${drawn.dots} dots of ${name}.${format} ${options.join(" ")}`);
     }
 }
+// The spectrum is the one that the program measures of the same dots, to what another Fourier transform rounds; and of one
+// tile that repeats it says so.
+for (const [tile, repeats] of [["best32", true], ["kinds4096", false]]) {
+    const settings = {drawing: {count: 30000, relax: 0, tile, automatic_tone: false}};
+    engine.setPicture(painted(100, 100, () => [120, 120, 120]));
+    engine.draw(settings);
+    const here = engine.spectrum(), table = `${folder}/${tile}.csv`;
+    writeFileSync(table, engine.file("csv"));
+    execFileSync(dapple, ["analyse", table, "-o", `${folder}/${tile}.png`]);
+    execFileSync(dapple, ["analyse", table, "-o", `${folder}/${tile}.json`, "--period", String(here.period)]);
+    const pixels = execFileSync("convert", [`${folder}/${tile}.png`, "-depth", "8", "rgba:-"], {maxBuffer: 1e9});
+    const other = pixels.length === here.rgba.length ? pixels.filter((value, i) => Math.abs(value - here.rgba[i]) > 1).length : NaN;
+    const value = JSON.parse(readFileSync(`${folder}/${tile}.json`)).periodicity;
+    const right = other <= pixels.length / 1e5 && Math.abs(value - here.periodicity) < 1e-3 && value > 0.9 === repeats;
+    failed += !right;
+    console.log(`${right ? "same" : "NOT THE SAME"}: spectrum of ${here.dots} dots of ${tile}, ${other} of ${pixels.length} values differ; ` +
+                `periodicity ${here.periodicity}, the program's ${value}`);
+}
 try {
     engine.draw({drawing: {count: 0}});
     failed += console.log("NOT REFUSED: 0 dots") ?? 1;

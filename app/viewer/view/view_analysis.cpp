@@ -73,7 +73,7 @@ bool collect(const DotPieces& dots, std::span<const DotBlock> blocks, const Rect
 std::optional<double> tile_side(const Domain& domain, std::size_t points, std::size_t tile_size) {
     const double tiles = static_cast<double>(points) / domain.area() / static_cast<double>(tile_size);
     if (!(tiles > 0)) return std::nullopt;
-    const double side = std::exp2(-std::floor(std::log2(tiles) / 2 + 1e-9));
+    const double side = tile_period(tiles);
     if (2 * side > std::min(domain.width, domain.height) * (1 + 1e-9)) return std::nullopt;
     return side;
 }
