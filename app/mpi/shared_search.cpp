@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <deque>
+#include <map>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <stop_token>
 #include <string>
@@ -20,15 +22,14 @@
 namespace dapple {
 namespace {
 
-// From rank 0:  "search POINTS TOP PASS PART RADIUS", "stop" to whoever searches, or "end".
-// To rank 0:    "ready", "found PASS PART WORD WORD ...", or "stopped".
+// From rank 0:  "search POINTS TOP PASS RADIUS PART PART ...", "stop" to whoever searches, or "end".
+// To rank 0:    "ready", or "found PASS DONE WORD WORD ...": so many of the parts, the first ones, are done.
 
 constexpr const char *kStop = "stop", *kEnd = "end";
-
-std::string task_text(const SearchState& state, std::size_t part) {
-    return fmt::format("search {} {} {} {} {:a}", state.points, state.top, state.pass, part,
-                       radius_wanted(state));
-}
+// A rank tells what it has after so long, so that the others learn of it and little is lost if it is killed;
+// and gets no more parts at once than these, and than half of its share of those that are left.
+constexpr std::chrono::milliseconds kTells{500};
+constexpr std::size_t kMostParts = 256;
 
 class Distribution {
  public:
@@ -44,7 +45,7 @@ class Distribution {
             else
                 wait_a_moment();
         }
-        for (const int rank : at_work_) send_text(rank, kStop);
+        for (const auto& [rank, parts] : at_work_) send_text(rank, kStop);
         while (!at_work_.empty()) take(next_message());
     }
 
@@ -52,18 +53,27 @@ class Distribution {
     void prepare_pass() {
         pass_.emplace(state_);
         number_ = state_.pass;
-        next_ = 0;
         begin_pass(state_, pass_->parts());
+        todo_.clear();
+        for (std::size_t i = 0; i < state_.done.size(); ++i)
+            if (const std::size_t part = pass_->in_turn(i); !state_.done[part]) todo_.push_back(part);
         if (state_.pass != number_ || state_.finished) pass_.reset();
     }
 
     void hand_out() {
-        while (!idle_.empty() && next_ < pass_->parts()) {
-            const std::size_t part = pass_->in_turn(next_++);
-            if (state_.done[part]) continue;
-            send_text(idle_.front(), task_text(state_, part));
-            at_work_.insert(idle_.front());
+        while (!idle_.empty() && !todo_.empty()) {
+            const int rank = idle_.front();
             idle_.pop_front();
+            const auto share = todo_.size() / (2 * static_cast<std::size_t>(ranks_in_all()));
+            std::string task = fmt::format("search {} {} {} {:a}", state_.points, state_.top, state_.pass,
+                                           radius_wanted(state_));
+            std::vector<std::size_t>& parts = at_work_[rank];
+            for (std::size_t i = std::clamp<std::size_t>(share, 1, kMostParts); i > 0; --i) {
+                parts.push_back(todo_.front());
+                todo_.pop_front();
+                task += fmt::format(" {}", parts.back());
+            }
+            send_text(rank, task);
         }
     }
 
@@ -72,14 +82,15 @@ class Distribution {
         std::istringstream in(message.text);
         std::string kind, word;
         int pass = 0;
-        std::size_t part = 0;
-        in >> kind >> pass >> part;
-        at_work_.erase(message.from);
+        std::size_t done = 0;
+        in >> kind >> pass >> done;
         if (kind != "found") return;
+        const std::vector<std::size_t> parts = std::exchange(at_work_[message.from], {});
+        at_work_.erase(message.from);
+        todo_.insert(todo_.begin(), parts.begin() + static_cast<std::ptrdiff_t>(done), parts.end());
         std::vector<FoundTile> found;
         while (in >> word) found.push_back({word, relative_radius(word)});
-        if (state_.finished || pass != number_ || !pass_) return;
-        take_part(state_, part, std::move(found));
+        for (std::size_t i = 0; i < done; ++i) take_part(state_, parts[i], std::exchange(found, {}));
         if (control_.on_progress) control_.on_progress({pass_->floor(), share_done(), state_});
         if (state_.pass != number_ || state_.finished) pass_.reset();
     }
@@ -94,9 +105,9 @@ class Distribution {
     const SearchControl& control_;
     std::optional<PartSearch> pass_;
     int number_ = 0;
-    std::size_t next_ = 0;
-    std::deque<int> idle_;  // that wait for a part
-    std::set<int> at_work_;
+    std::deque<std::size_t> todo_;  // parts of the pass that nobody has
+    std::deque<int> idle_;          // ranks that wait for some
+    std::map<int, std::vector<std::size_t>> at_work_;
 };
 
 }  // namespace
@@ -118,25 +129,32 @@ void search_for_rank_0() {
         std::istringstream in(task);
         std::string kind, radius;
         SearchState state;
-        std::size_t part = 0;
-        in >> kind >> state.points >> state.top >> state.pass >> part >> radius;
+        in >> kind >> state.points >> state.top >> state.pass >> radius;
+        std::vector<std::size_t> parts;
+        for (std::size_t part = 0; in >> part;) parts.push_back(part);
         if (!pass || !(state == of)) pass.emplace(of = state);
         std::vector<FoundTile> found;
+        std::size_t searched = 0;
         std::atomic<bool> done = false;
         std::jthread searching([&](const std::stop_token& stop) {
-            found = pass->search(part, std::strtod(radius.c_str(), nullptr), stop);
+            const auto begin = std::chrono::steady_clock::now();
+            while (searched < parts.size() && std::chrono::steady_clock::now() - begin < kTells) {
+                for (FoundTile& tile :
+                     pass->search(parts[searched], std::strtod(radius.c_str(), nullptr), stop))
+                    found.push_back(std::move(tile));
+                if (stop.stop_requested()) break;
+                ++searched;
+            }
             done = true;
         });
-        bool stopped = false;
+        // Nothing else comes while it searches.
         while (!done) {
-            // Nothing else comes while it searches.
-            if (message_there()) stopped = searching.request_stop();
+            if (message_there()) searching.request_stop();
             wait_a_moment();
         }
         searching.join();
-        std::string answer = stopped ? "stopped" : fmt::format("found {} {}", state.pass, part);
-        for (const FoundTile& tile : found)
-            if (!stopped) answer += ' ' + tile.word;
+        std::string answer = fmt::format("found {} {}", state.pass, searched);
+        for (const FoundTile& tile : found) answer += ' ' + tile.word;
         send_text(0, answer);
     }
 }
