@@ -286,7 +286,8 @@ TEST_CASE("a stopped search keeps what it found and goes on to the same end, thr
 }
 
 TEST_CASE("parts that are searched one by one, in any order, come to what the search finds, to the byte") {
-    for (const auto& [points, top] : {std::pair{12, 3}, {16, 5}, {8, 100}}) {
+    for (const std::pair<int, int>& asked : {std::pair(12, 3), {16, 5}, {8, 100}}) {
+        const int points = asked.first, top = asked.second;
         CAPTURE(points);
         SearchState state = start_exhaustive_search(points, top);
         while (!state.finished) {
