@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <deque>
 #include <map>
@@ -121,6 +122,8 @@ SearchState continue_on_ranks(SearchState state, const SearchControl& control) {
 void search_for_rank_0() {
     std::optional<PartSearch> pass;
     SearchState of;  // that pass's
+    // What ends a job is sent to all ranks: rank 0 saves the search and tells the others.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
     send_text(0, "ready");
     while (true) {
         const std::string task = next_message().text;
