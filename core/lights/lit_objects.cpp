@@ -117,7 +117,7 @@ class Sight {
         : objects_(objects),
           look_(look),
           centre_(look.size / 2.0),
-          radius_(look.size / 2.0 - 1),
+          radius_(std::max(look.size / 2.0 - 1, 0.5)),
           down_(kLookDown * std::numbers::pi / 180) {}
 
     Seen at(LitObject object, glm::dvec2 pixel) const {
@@ -159,9 +159,10 @@ class Sight {
         glm::dvec2 place(-at.x, at.y / std::sin(down_));
         const double away = glm::length(place);
         // How fast it grows from pixel to pixel.
-        const double slope = glm::length(glm::dvec2(place.x, place.y / std::sin(down_))) / away;
+        const double slope =
+            glm::length(glm::dvec2(place.x, place.y / std::sin(down_))) / std::max(away, 1e-9);
         const double covered =
-            away > 0 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
+            away > 1 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
         if (away > ShadedGround::kRadius) place *= ShadedGround::kRadius / away;
         const glm::dvec3 there = turned({place.x, 0, place.y});
         const glm::dvec3 ground = objects_.ground.at({there.x, there.z}) / std::numbers::pi;

@@ -134,3 +134,13 @@ TEST_CASE("the picture of shaded ground has the shadow away from the light, and 
     CHECK(at(0, -0.35) > at(0, 0.25) + 50);
     CHECK(at(180, 0.35) > at(180, -0.25) + 50);
 }
+
+TEST_CASE("pictures of any size show something, whether there is a pixel in the middle or not") {
+    const LitObjects objects = objects_lit_from({1, 1, 0});
+    for (const int size : {1, 2, 3, 4, 5, 31, 63})
+        for (const LitObject object : kLitObjects) {
+            CAPTURE(size);
+            const auto picture = object_picture(objects, object, {.size = size});
+            CHECK(picture.at(size / 2, size / 2).w > 0);
+        }
+}
