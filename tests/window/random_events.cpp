@@ -58,20 +58,20 @@ struct Place {
 /// of a file in the folder, and `close`.
 class Hands {
  public:
-    Hands(const fs::path& log, fs::path folder)
-        : log_(log), folder_(std::move(folder)), pipe_(popen("xdotool - 2>/dev/null", "w")) {
+    Hands(const fs::path& log, fs::path folder, const RunningViewer& viewer)
+        : log_(log), folder_(std::move(folder)), viewer_(viewer), pipe_(popen("xdotool - 2>/dev/null", "w")) {
         REQUIRE(pipe_ != nullptr);
     }
     ~Hands() { pclose(pipe_); }
     Hands(const Hands&) = delete;
     Hands& operator=(const Hands&) = delete;
 
-    /// Waits until all of it is done; false if that takes a minute.
+    /// Waits until all of it is done, or the program has ended; false if that takes a minute.
     bool are_done() {
         TemporaryFolder folder;
         const fs::path file = folder / "done";
         (*this)("exec --sync touch " + file.string());
-        return wait_until([&] { return fs::exists(file); });
+        return wait_until([&] { return fs::exists(file) || viewer_.has_ended(); });
     }
 
     void operator()(const std::string& command) {
@@ -90,6 +90,7 @@ class Hands {
  private:
     std::ofstream log_;
     fs::path folder_;
+    const RunningViewer& viewer_;
     std::FILE* pipe_;
 };
 
@@ -305,7 +306,7 @@ TEST_CASE("whatever keyboard and mouse do at random, the window answers and ends
         CAPTURE(round_log);
         Display display;
         RunningViewer viewer(folder.path(), arguments);
-        Hands hands(round_log, folder.path());
+        Hands hands(round_log, folder.path(), viewer);
         Person person(seed + 1000 * round);
         std::optional<double> memory_before;
         const auto measure_memory = [&] {

@@ -41,6 +41,8 @@ struct PlacedDrawing : Stippling {
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
 
     bool settled() const { return steps == all_steps; }
+    /// False before anything was placed, and where it could not be: there is neither a page nor a dot.
+    bool is_there() const { return layout.page.mm_per_page_unit > 0; }
 };
 
 }  // namespace dapple

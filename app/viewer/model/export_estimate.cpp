@@ -188,6 +188,10 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     const Stippling& stippling = drawing;
     const PageSize& page = drawing.layout.page;
     info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
+    if (!drawing.is_there()) {
+        info_.trouble = "There is no drawing to save";
+        return info_;
+    }
     DrawingToSave estimated{.dots = stream_of(stippling.dots, stippling.scale),
                             .page = page,
                             .pens = drawing.pens,

@@ -44,9 +44,10 @@ std::string paper_in_words(const PageSize& page, LengthUnit unit) {
 std::vector<StatusItem> status_items(const StatusInfo& info) {
     std::vector<StatusItem> items{{dots_in_words(info), 6}};
     if (!info.paper.empty()) items.push_back({info.paper, 3});
-    items.push_back(
-        {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
-         5});
+    if (info.zoom > 0)
+        items.push_back(
+            {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
+             5});
     if (!info.plotting.empty()) items.push_back({info.plotting, 4});
     const bool settles = info.steps < info.all_steps;
     const bool is_long = info.placing_seconds > kLongPlacing;

@@ -29,7 +29,7 @@ struct StatusInfo {
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;
     std::string paper = {};            // "210 x 297 mm"
-    double zoom = 1;                   // of the paper: 1 is as large as it is in the hand
+    double zoom = 1;                   // of the paper: 1 is as large as it is in the hand; 0: there is none
     bool method = false;               // whether its scale and its times are told too
     std::string plotting = {};         // how long a machine plots it: "plots about 31 min"; none: empty
     std::optional<LoupeInfo> loupe{};  // while it shows something

@@ -393,9 +393,10 @@ void DrawingDocument::draw(const Frame& frame) {
     frame.window.leave_out(canvas_.show(place, look_of(compared_, zoom(), pixel_scale), redraw));
     const Pane& seen = compared_.seen();
     // What it says of the view is of the one that is seen now.
-    if (session_.placed_once())
-        paper_zoom_ = canvas_.camera().pixels_per_unit / seen.page().layout.page.mm_per_page_unit *
-                      kMmPerInch / frame.window.pixels_per_inch();
+    paper_zoom_ = !seen.page().is_there()
+                      ? 0
+                      : canvas_.camera().pixels_per_unit / seen.page().layout.page.mm_per_page_unit *
+                            kMmPerInch / frame.window.pixels_per_inch();
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
@@ -510,7 +511,8 @@ std::optional<double> DrawingDocument::placed_share() const {
 
 StatusInfo DrawingDocument::info() const {
     const Pane& pane = compared_.seen();
-    const Stippling &stippling = pane.shown(), &page = pane.page();
+    const Stippling& stippling = pane.shown();
+    const PlacedDrawing& page = pane.page();
     const double enlarged = canvas_.enlargement();
     const bool more_dots = pane.shows_close() && zoom().mode == ZoomMode::constant_density && enlarged > 1;
     return {.dots = page.dots.size(),
@@ -527,7 +529,7 @@ StatusInfo DrawingDocument::info() const {
             .placing_seconds = placing_seconds(),
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,
-            .paper = paper_in_words(pane.page().layout.page, session_.settings.unit),
+            .paper = page.is_there() ? paper_in_words(page.layout.page, session_.settings.unit) : "",
             .zoom = paper_zoom_,
             .method = open_.method,
             .plotting = &pane == &session_.pane() ? plotting_ : "",
