@@ -286,24 +286,28 @@ TEST_CASE("a stopped search keeps what it found and goes on to the same end, thr
 }
 
 TEST_CASE("parts that are searched one by one, in any order, come to what the search finds, to the byte") {
-    for (const std::pair<int, int>& asked : {std::pair(12, 3), {16, 5}, {8, 100}}) {
-        const int points = asked.first, top = asked.second;
-        CAPTURE(points);
-        SearchState state = start_exhaustive_search(points, top);
-        while (!state.finished) {
-            const PartSearch pass(state);
-            const int number = state.pass;
-            begin_pass(state, pass.parts());
-            for (std::size_t i = 0; i < pass.parts(); ++i) {
-                REQUIRE(state.pass == number);
-                const std::size_t part = pass.parts() - 1 - pass.in_turn(i);
-                CHECK_FALSE(state.done[part]);
-                take_part(state, part, pass.search(part, radius_wanted(state)));
+    // The 15th, 17th and 27th of 12 points have a radius that the next one has too.
+    const std::vector<std::pair<int, int>> asked{{12, 3}, {12, 15}, {12, 17}, {12, 27}, {16, 5}, {8, 100}};
+    for (const std::pair<int, int>& each : asked)
+        for (const bool from_the_end : {false, true}) {
+            const int points = each.first, top = each.second;
+            CAPTURE(points);
+            CAPTURE(top);
+            SearchState state = start_exhaustive_search(points, top);
+            while (!state.finished) {
+                const PartSearch pass(state);
+                const int number = state.pass;
+                begin_pass(state, pass.parts());
+                for (std::size_t i = 0; i < pass.parts(); ++i) {
+                    REQUIRE(state.pass == number);
+                    const std::size_t part = from_the_end ? pass.parts() - 1 - i : pass.in_turn(i);
+                    CHECK_FALSE(state.done[part]);
+                    take_part(state, part, pass.search(part, radius_wanted(state)));
+                }
+                REQUIRE((state.finished || state.pass == number + 1));
             }
-            REQUIRE((state.finished || state.pass == number + 1));
+            CHECK(write_search_state(state) == write_search_state(search(points, top)));
         }
-        CHECK(write_search_state(state) == write_search_state(search(points, top)));
-    }
 }
 
 TEST_CASE("how long a search takes is guessed about right, by Knuth's random ways down") {
