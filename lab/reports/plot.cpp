@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include "core/image/colour.h"
 #include "core/text/xml_text.h"
@@ -99,14 +100,40 @@ std::vector<Tick> ticks_of(const PlotAxis& axis, const Ruler& ruler, int about) 
     return ticks;
 }
 
+// A curve's name above the picture.
+struct LegendEntry {
+    const PlotCurve* curve;
+    double x = 0;
+    int line = 0;
+};
+
+// In as many lines as it takes; none for a single curve.
+std::vector<LegendEntry> legend_of(const Plot& plot) {
+    std::vector<LegendEntry> entries;
+    double x = kLeft;
+    int line = 0;
+    for (const PlotCurve& curve : plot.curves) {
+        if (curve.name.empty()) continue;
+        const double width = 32 + 6.8 * double(curve.name.size());
+        if (x > kLeft && x + width > plot.width) {
+            x = kLeft;
+            ++line;
+        }
+        entries.push_back({&curve, x, line});
+        x += width;
+    }
+    if (entries.size() < 2) entries.clear();
+    return entries;
+}
+
 class Writer {
  public:
     explicit Writer(const Plot& plot)
         : plot_(plot),
           x_(ruler_of(plot, plot.x, [](glm::dvec2 p) { return p.x; })),
           y_(ruler_of(plot, plot.y, [](glm::dvec2 p) { return p.y; })),
-          named_(std::ranges::count_if(plot.curves, [](const PlotCurve& c) { return !c.name.empty(); })),
-          top_(kTop + (named_ > 1 ? kLegendLine : 0)),
+          legend_(legend_of(plot)),
+          top_(kTop + (legend_.empty() ? 0 : kLegendLine * (legend_.back().line + 1))),
           width_(plot.width - kLeft - kRight),
           height_(plot.height - top_ - kBottom) {}
 
@@ -202,19 +229,15 @@ class Writer {
     }
 
     void legend() {
-        if (named_ < 2) return;
-        double x = kLeft;
-        for (const PlotCurve& curve : plot_.curves) {
-            if (curve.name.empty()) continue;
-            add(R"(<rect x="{:.2f}" y="8" width="12" height="4" fill="{}"/><text x="{:.2f}" y="14" fill="#222">{}</text>)",
-                x, hex_of(curve.colour), x + 17, xml_text(curve.name));
-            x += 32 + 6.8 * double(curve.name.size());
-        }
+        for (const auto& [curve, x, line] : legend_)
+            add(R"(<rect x="{:.2f}" y="{}" width="12" height="4" fill="{}"/><text x="{:.2f}" y="{}" fill="#222">{}</text>)",
+                x, 8 + kLegendLine * line, hex_of(curve->colour), x + 17, 14 + kLegendLine * line,
+                xml_text(curve->name));
     }
 
     const Plot& plot_;
     Ruler x_, y_;
-    std::ptrdiff_t named_;
+    std::vector<LegendEntry> legend_;
     double top_, width_, height_;
     std::string text_;
 };

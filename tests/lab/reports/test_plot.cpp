@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -88,6 +89,26 @@ TEST_CASE("axes have their labels, ticks their numbers, curves a legend, levels 
     }
     CHECK_FALSE(contains(words, "far off"));
     CHECK(document.select_nodes("//circle").size() == 2);
+}
+
+TEST_CASE(
+    "a legend of many curves goes on in further lines, none of which leaves the picture or meets the axes") {
+    Plot plot;
+    for (int i = 0; i < 9; ++i)
+        plot.curves.push_back({.name = "a curve with a long name", .points = {{0, 0}, {1, 1}}});
+    const auto document = parsed(svg_plot(plot));
+    const double top = document.child("svg").child("svg").attribute("y").as_double();
+    std::set<double> lines;
+    int names = 0;
+    for (const auto& node : document.select_nodes("//text[text()='a curve with a long name']")) {
+        ++names;
+        const double x = node.node().attribute("x").as_double(), y = node.node().attribute("y").as_double();
+        CHECK(x + 24 * 6 < plot.width);
+        CHECK(y < top);
+        lines.insert(y);
+    }
+    CHECK(names == 9);
+    CHECK(lines.size() == 5);
 }
 
 TEST_CASE("an axis of powers of ten writes all the large ones alike") {
