@@ -6,7 +6,6 @@ layout(location = 2) in float dot_critical;  // the scale from which it exists
 layout(location = 3) in vec4 dot_colour;     // sRGB-encoded, or its pen; white for all if the ink is left to the page
 layout(location = 4) in float dot_radius;    // page units, one for all or one each
 
-uniform float grow;        // of all radii
 uniform vec2 page_scale;   // page units to samples
 uniform vec2 page_offset;  // samples
 uniform vec2 canvas;       // samples, with the guard band
@@ -33,7 +32,7 @@ void main() {
     pen = by_pen ? int(dot_colour.r * 255.0 + 0.5) : -1;
     ink = vec4((coloured ? to_light(dot_colour.rgb) : vec3(1.0)) * presence, presence);
 
-    float true_radius = dot_radius * grow * page_scale.x;
+    float true_radius = dot_radius * page_scale.x;
     // Blending unites two dots' edges in a sample as if they lay there by chance, but dots keep their distance
     // and cover more: the harder the edge, the less of that. A disc without a soft edge is right on average
     // however small it is.

@@ -218,6 +218,10 @@ double usual_black(double dots) {
     return std::round(100 * std::lerp(kOpen, 1.0, std::clamp(way, 0.0, 1.0))) / 100;
 }
 
+float covered(const InkedDots& dots, double load) {
+    return coverage_of(dots, 1, static_cast<float>(load));
+}
+
 InkCurve::InkCurve(const InkedDots& dots) : InkCurve(dots, load_of_black(dots)) {}
 
 InkCurve::InkCurve(const InkedDots& dots, double full_load)

@@ -57,6 +57,10 @@ double level_of(double scale, std::size_t tile_size);
 /// Whether the coverage of dots relaxed so often depends on InkedDots::level.
 bool depends_on_level(int relaxing_steps);
 
+/// The share of paper that dots of one size cover at that load, `level` being that of their number there;
+/// neither smallest_area, joined nor black have a say.
+float covered(const InkedDots& dots, double load);
+
 /// Coverage as measured at loads 0, load_step, 2 load_step, ..., of whatever dots.
 struct MeasuredCoverage {
     double load_step = 0.05;

@@ -30,7 +30,7 @@ struct DotsRequest {
     DensityChoice density = {};
     DotColourChoice colours = {};
     bool settled_only = false;  // nothing is shown on the way
-    bool in_part = true;        // an EvenPart of the dots may be shown for a while
+    bool in_part = true;        // preview_dots() may be shown for a while
     StrokeChoice strokes = {};  // how dots come onto the screen
 
     bool operator==(const DotsRequest&) const = default;

@@ -12,6 +12,7 @@
 #include "core/drawing/page_setup.h"
 #include "core/image/framing.h"
 #include "core/image/histogram.h"
+#include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"
 
@@ -25,6 +26,7 @@ struct PlacedDrawing : Stippling {
     int all_steps = 0;                           // of relaxation, to be done
     int usual_steps = 0;                         // that so many dots are relaxed where none are asked for
     double dot_radius = 0;                       // page units: of all, or of the largest ones
+    InkedDots ink;                               // how they cover the paper
     double dots_for_tone = 0;                    // that would give the picture's, of a fixed size; 0: they do
     double radius_for_tone_mm = 0;               // of these dots, that would do so
     std::vector<PlacedTile> outlines;

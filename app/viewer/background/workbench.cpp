@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/files/tile_library.h"
-#include "app/viewer/background/even_part.h"
 #include "app/viewer/background/mipmaps.h"
 
 namespace dapple {
@@ -109,6 +108,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         if (request.outlines)
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
+        placed.ink = {.relaxing_steps = placed.steps, .level = level_of(placed.scale, tile.size())};
         placed.dot_radius = made.largest_share() * made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);

@@ -29,6 +29,7 @@ bool have_same_desk(const SplitLook& a, const SplitLook& b) {
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
     renderer.set_dots(drawing.dots, drawing.blocks, drawing.window);
+    renderer.set_ink(drawing.ink, kDotsPerScale * drawing.scale);
     renderer.set_pens(drawing.pens);
     renderer.set_dot_colours(drawing.colours);
     renderer.set_strokes(drawing.strokes);

@@ -24,8 +24,6 @@ static void add_block(RasterInk& raster, const InkToDraw& ink, const DotBlock& b
         raster.dots.push_back({.piece = &ink.dots->pieces[block.piece],
                                .first = block.first,
                                .count = block.count,
-                               .limit = ink.limit,
-                               .every = ink.every,
                                .low = block.low.y,
                                .high = block.high.y});
         return;

@@ -11,7 +11,6 @@
 
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,8 +38,7 @@ struct InkToDraw {
     const ShownStrokes* strokes = nullptr;
     std::span<const DotBlock> blocks;  // of either
     RasterLook look;
-    std::size_t every = 1;            // one in so many is drawn
-    std::optional<float> limit = {};  // of dots those with a critical scale up to this instead
+    std::size_t every = 1;  // one in so many lines is drawn
 };
 
 class ProcessorDots {

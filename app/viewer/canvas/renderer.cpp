@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <initializer_list>
+#include <numbers>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,10 +88,6 @@ void colour_column(GLuint location, const GlStreamBuffer& buffer, GLuint divisor
     glVertexAttribDivisor(location, divisor);
 }
 
-void take(FloatBuffer& to, const FloatBuffer& from, std::span<const std::size_t> places) {
-    for (const std::size_t i : places) to.push_back(from[i]);
-}
-
 void take(FloatBuffer& to, const FloatBuffer& from, const DotBlock& block) {
     const auto begin = from.begin() + static_cast<std::ptrdiff_t>(block.first);
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(block.count));
@@ -165,12 +163,9 @@ Renderer::Renderer(DotsBy dots_by)
 
 void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window) {
     job_.reset();
-    dots_shown_ = &dots;
-    part_.reset();
-    blocks_ = blocks;
+    all_ = {.dots = &dots, .blocks = blocks};
+    ink_ = {};
     pens_.clear();
-    colours_ = {};
-    has_colours_ = false;
     strokes_ = nullptr;
     const auto all_have = [&](FloatBuffer Dots::*column) {
         return std::ranges::all_of(dots.pieces,
@@ -178,13 +173,22 @@ void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks,
     };
     dot_count_ = dots.size();
     has_critical_ = all_have(&Dots::critical);
-    has_radii_ = dot_count_ > 0 && all_have(&Dots::radius);
-    mean_radius_ = largest_radius_ = 0;
-    for (const DotBlock& block : blocks) {
-        mean_radius_ += block.radii / static_cast<double>(dot_count_);
-        largest_radius_ = std::max<double>(largest_radius_, block.largest_radius);
-    }
+    all_.has_radii = dot_count_ > 0 && all_have(&Dots::radius);
+    measure_radii(all_);
     dot_origin_ = {window.x, window.y};
+}
+
+void Renderer::measure_radii(Shown& shown) {
+    const auto count = static_cast<double>(shown.dots->size());
+    for (const DotBlock& block : shown.blocks) {
+        shown.mean_radius += block.radii / count;
+        shown.largest_radius = std::max<double>(shown.largest_radius, block.largest_radius);
+    }
+}
+
+void Renderer::set_ink(const InkedDots& ink, double at_full_density) {
+    ink_ = ink;
+    at_full_density_ = at_full_density;
 }
 
 void Renderer::set_pens(std::span<const Pen> pens) {
@@ -196,18 +200,16 @@ void Renderer::set_pens(std::span<const Pen> pens) {
 
 void Renderer::set_dot_colours(std::span<const glm::u8vec4> colours) {
     job_.reset();
-    has_colours_ = !colours.empty() && colours.size() == dot_count_;
-    colours_ = has_colours_ ? colours : std::span<const glm::u8vec4>();
+    all_.colours = colours.size() == dot_count_ ? colours : std::span<const glm::u8vec4>();
 }
 
 void Renderer::set_strokes(const ShownStrokes& strokes) {
     job_.reset();
     if (strokes.lines.empty()) return;
     strokes_ = &strokes;
-    blocks_ = strokes.blocks;
-    has_radii_ = false;
-    has_colours_ = false;
-    colours_ = {};
+    all_.blocks = strokes.blocks;
+    all_.has_radii = false;
+    all_.colours = {};
 }
 
 void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
@@ -286,6 +288,7 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     Job job{.camera = camera,
             .look = look,
             .columns = {std::max(columns.first, 0), std::min(columns.end, width)},
+            .shown = &all_,
             .fineness = fineness};
     if (job.columns.first >= job.columns.end) {
         job.next_row = static_cast<int>(camera.canvas.y);  // nothing to draw
@@ -299,15 +302,18 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     // known where they do.
     if (job.raster && !by_pen()) job.grid.samples = 1;
     const glm::dvec2 origin = to_canvas(camera, dot_origin_);
-    const double radius = strokes_ ? strokes_->width / 2 : has_radii_ ? largest_radius_ : look.dot_radius;
+    const double radius = strokes_         ? strokes_->width / 2
+                          : all_.has_radii ? all_.largest_radius
+                                           : look.dot_radius;
     const double rim = radius * camera.pixels_per_unit + 2;
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        const glm::dvec2 low = origin + glm::dvec2(blocks_[i].low) * camera.pixels_per_unit - rim,
-                         high = origin + glm::dvec2(blocks_[i].high) * camera.pixels_per_unit + rim;
+    for (std::size_t i = 0; i < all_.blocks.size(); ++i) {
+        const DotBlock& block = all_.blocks[i];
+        const glm::dvec2 low = origin + glm::dvec2(block.low) * camera.pixels_per_unit - rim,
+                         high = origin + glm::dvec2(block.high) * camera.pixels_per_unit + rim;
         if (low.x > job.columns.end || low.y > camera.canvas.y || high.x < job.columns.first || high.y < 0)
             continue;
         job.blocks.push_back(i);
-        job.in_view += blocks_[i].count;
+        job.in_view += block.count;
     }
     return job;
 }
@@ -353,6 +359,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
     const std::size_t from = job.next_block;
     const auto dots_begin = Clock::now();
     double share_of_dots = 1;  // of the time
+    if (job.every > 1 && !strokes_) show_preview(job);
     if (job.raster && !in_steps) {
         share_of_dots =
             processor_dots_.draw(raster_view(job), *job.raster, ink_to_draw(job), job.blocks, by_pen());
@@ -366,7 +373,7 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
         if (!in_steps) continue;
         glFinish();
         std::size_t drawn = 0;
-        for (std::size_t i = before; i < job.next_block; ++i) drawn += blocks_[job.blocks[i]].count;
+        for (std::size_t i = before; i < job.next_block; ++i) drawn += all_.blocks[job.blocks[i]].count;
         measured(seconds_per_dot_, std::max(passed(slice) / static_cast<double>(drawn), 1e-9));
         spent();
     }
@@ -414,9 +421,9 @@ bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
 }
 
 double Renderer::mean_radius(const Camera& camera, const CanvasLook& look) const {
-    return camera.pixels_per_unit * (strokes_     ? strokes_->width / 2
-                                     : has_radii_ ? mean_radius_
-                                                  : look.dot_radius);
+    return camera.pixels_per_unit * (strokes_         ? strokes_->width / 2
+                                     : all_.has_radii ? all_.mean_radius
+                                                      : look.dot_radius);
 }
 
 Renderer::DotGrid Renderer::dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness,
@@ -459,7 +466,7 @@ RasterView Renderer::raster_view(const Job& job) const {
 }
 
 std::optional<RasterGrain> Renderer::raster_of(const Job& job) const {
-    if (dots_by_ != DotsBy::processor || has_colours_) return std::nullopt;
+    if (dots_by_ != DotsBy::processor || has_colours()) return std::nullopt;
     const double radius = mean_radius(job.camera, job.look) / job.camera.pixels_per_unit;
     // Of several pens each sample of the grid is drawn as quickly.
     return raster_grain(raster_view(job), by_pen() ? Fineness::quick : job.fineness, radius);
@@ -473,23 +480,21 @@ double Renderer::in_samples(const Job& job, double radius) const {
 InkToDraw Renderer::ink_to_draw(const Job& job) {
     // Those left away are made up for.
     const auto every = static_cast<double>(job.every);
-    InkToDraw ink{.dots = dots_shown_,
-                  .strokes = strokes_,
-                  .blocks = blocks_,
-                  .look = {.radius = job.look.dot_radius,
-                           .largest_radius = largest_radius_,
-                           .grow = strokes_ ? every : std::sqrt(every),
-                           .fade_scale = has_critical_ ? job.look.fade_scale : 0,
-                           .hidden = job.look.hidden_pens},
-                  .every = job.every};
-    if (job.every > 1 && !strokes_ && part().is_known()) ink.limit = part().limit(every);
-    return ink;
+    return {.dots = job.shown->dots,
+            .strokes = strokes_,
+            .blocks = job.shown->blocks,
+            .look = {.radius = job.look.dot_radius,
+                     .largest_radius = job.shown->largest_radius,
+                     .grow = strokes_ ? every : 1,
+                     .fade_scale = has_critical_ ? job.look.fade_scale : 0,
+                     .hidden = job.look.hidden_pens},
+            .every = job.every};
 }
 
 void Renderer::prepare_dots(const Job& job) {
     const glm::ivec2 size = (job.grid.high - job.grid.low) * job.grid.samples;
     GlFramebuffer& dots = dots_of(job);
-    const Texels texels = by_pen() ? Texels::as_given : has_colours_ ? Texels::light : Texels::cover;
+    const Texels texels = by_pen() ? Texels::as_given : has_colours() ? Texels::light : Texels::cover;
     dots.resize(size, texels, pictures_of_dots());
     if (job.raster) return;
     dots.bind();
@@ -497,14 +502,14 @@ void Renderer::prepare_dots(const Job& job) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void Renderer::attach_columns() {
+void Renderer::attach_columns(const Shown& shown) {
     for (const auto& [array, divisor] : {std::pair(&dot_array_, 0u), {&dot_quad_array_, 1u}}) {
         array->bind();
-        if (has_radii_)
+        if (shown.has_radii)
             column(kDotRadius, dot_radius_, 1, divisor);
         else
             glDisableVertexAttribArray(kDotRadius);
-        if (!has_colours_ && !by_pen()) {
+        if (!has_colours() && !by_pen()) {
             glDisableVertexAttribArray(kDotColour);
             continue;
         }
@@ -512,23 +517,24 @@ void Renderer::attach_columns() {
     }
 }
 
-const EvenPart& Renderer::part() {
-    if (!part_) part_.emplace(*dots_shown_);
-    return *part_;
-}
-
-// Which dots of a block stand for all of them.
-void Renderer::choose(const Job& job, const DotBlock& block) {
-    taken_.clear();
-    const std::size_t end = block.first + block.count;
-    if (!part().is_known()) {
-        for (std::size_t i = block.first; i < end; i += job.every) taken_.push_back(i);
-        return;
-    }
-    const float limit = part().limit(static_cast<double>(job.every));
-    const FloatBuffer& critical = dots_shown_->pieces[block.piece].critical;
-    for (std::size_t i = block.first; i < end; ++i)
-        if (critical[i] <= limit) taken_.push_back(i);
+// In place of the job's dots.
+void Renderer::show_preview(Job& job) {
+    const double radius = job.look.dot_radius, unit = job.camera.pixels_per_unit;
+    const glm::dvec2 corner = -to_canvas(job.camera, dot_origin_) / unit;
+    preview_ = preview_dots({.dots = *all_.dots,
+                             .blocks = all_.blocks,
+                             .in_view = job.blocks,
+                             .colours = all_.colours,
+                             .view = {corner, corner + job.camera.canvas / unit},
+                             .radius = radius,
+                             .ink = ink_,
+                             .full_load = std::numbers::pi * radius * radius * at_full_density_},
+                            static_cast<double>(job.every));
+    previewed_ = {
+        .dots = &preview_.dots, .blocks = preview_.blocks, .colours = preview_.colours, .has_radii = true};
+    measure_radii(previewed_);
+    job.shown = &previewed_;
+    std::iota(job.blocks.begin(), job.blocks.end(), std::size_t{0});
 }
 
 // The next blocks with so many dots or a few more. What they cover is added to what the blocks before them
@@ -543,44 +549,32 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
     const DotGrid& grid = job.grid;
+    const Shown& shown = *job.shown;
     Dots& dots = handed_over_;
     for (FloatBuffer* numbers : {&dots.x, &dots.y, &dots.critical, &dots.radius}) numbers->clear();
     colours_handed_over_.clear();
     for (; job.next_block < job.blocks.size() && dots.size() < most; ++job.next_block) {
-        const DotBlock& block = blocks_[job.blocks[job.next_block]];
-        const Dots& from = dots_shown_->pieces[block.piece];
+        const DotBlock& block = shown.blocks[job.blocks[job.next_block]];
+        const Dots& from = shown.dots->pieces[block.piece];
         if (look.hidden_pens >> from.pen & 1) continue;
-        const auto take_of = [&](FloatBuffer& to, const FloatBuffer& column) {
-            if (job.every == 1)
-                take(to, column, block);
-            else
-                take(to, column, taken_);
-        };
-        if (job.every > 1) choose(job, block);
-        take_of(dots.x, from.x);
-        take_of(dots.y, from.y);
+        take(dots.x, from.x, block);
+        take(dots.y, from.y, block);
         // Not looked at if it isn't there, but the column must be as long as the others.
-        take_of(dots.critical, has_critical_ ? from.critical : from.x);
-        if (has_radii_) take_of(dots.radius, from.radius);
+        take(dots.critical, has_critical_ ? from.critical : from.x, block);
+        if (shown.has_radii) take(dots.radius, from.radius, block);
         if (by_pen()) colours_handed_over_.resize(dots.size(), pen_as_colour(from.pen));
-        if (!has_colours_) continue;
-        const auto colours = colours_.subspan(block.index, block.count);
-        if (job.every == 1)
-            colours_handed_over_.insert(colours_handed_over_.end(), colours.begin(), colours.end());
-        else
-            for (const std::size_t i : taken_) colours_handed_over_.push_back(colours[i - block.first]);
+        if (!has_colours()) continue;
+        const auto colours = shown.colours.subspan(block.index, block.count);
+        colours_handed_over_.insert(colours_handed_over_.end(), colours.begin(), colours.end());
     }
     dot_x_.write(std::as_bytes(std::span(dots.x)));
     dot_y_.write(std::as_bytes(std::span(dots.y)));
     dot_critical_.write(std::as_bytes(std::span(dots.critical)));
-    if (has_radii_) dot_radius_.write(std::as_bytes(std::span(dots.radius)));
-    if (has_colours_ || by_pen()) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
-    attach_columns();
-    // Those left away are made up for.
-    const double grow = std::sqrt(static_cast<double>(job.every));
-
+    if (shown.has_radii) dot_radius_.write(std::as_bytes(std::span(dots.radius)));
+    if (has_colours() || by_pen()) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
+    attach_columns(shown);
     const double scale = camera.pixels_per_unit * grid.samples;
-    const double largest = (has_radii_ ? largest_radius_ : look.dot_radius) * scale * grow;
+    const double largest = (shown.has_radii ? shown.largest_radius : look.dot_radius) * scale;
     const double guard = std::ceil(largest) + 1;
     const bool sprites = 2 * guard <= largest_point_;
     const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
@@ -594,11 +588,10 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
                          .scale = scale,
                          .canvas = glm::dvec2(size),
                          .guard = sprites ? guard : 0});
-    glUniform1f(dot_.uniform("grow"), static_cast<float>(grow));
     glUniform1f(dot_.uniform("guard"), sprites ? static_cast<float>(guard) : 0);
     glUniform1i(dot_.uniform("sprite"), sprites);
     glUniform1f(dot_.uniform("point_step"), static_cast<float>(point_step_));
-    glUniform1i(dot_.uniform("coloured"), has_colours_);
+    glUniform1i(dot_.uniform("coloured"), has_colours());
     glUniform1i(dot_.uniform("by_pen"), by_pen());
     glUniform1f(dot_.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
     // What the shader reads where no column is attached.
@@ -622,7 +615,7 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
     colours_handed_over_.clear();
     line_widths_handed_over_.clear();
     for (; job.next_block < job.blocks.size() && lines_handed_over_.size() < most; ++job.next_block) {
-        const DotBlock& block = blocks_[job.blocks[job.next_block]];
+        const DotBlock& block = all_.blocks[job.blocks[job.next_block]];
         for (std::size_t i = block.first; i < block.first + block.count; i += job.every) {
             if (!strokes_->pens.empty() && job.look.hidden_pens >> strokes_->pens[i] & 1) continue;
             lines_handed_over_.push_back(strokes_->lines[i]);
@@ -729,7 +722,7 @@ void Renderer::draw_page(const Job& job, const Rectangle<int>& box, const GlProg
     set_colour(program, "desk", look.desk);
     set_colour(program, "paper", look.paper);
     set_colour(program, "paper_light", linear_of(look.paper));
-    set_colour(program, "ink", has_colours_ ? glm::vec3(1) : linear_of(look.ink));
+    set_colour(program, "ink", has_colours() ? glm::vec3(1) : linear_of(look.ink));
     glActiveTexture(GL_TEXTURE0);
     picture_.bind();
     empty_.bind();

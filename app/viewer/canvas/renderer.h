@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
-#include "app/viewer/background/even_part.h"
+#include "app/viewer/background/preview_dots.h"
 #include "app/viewer/background/shown_strokes.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/processor_dots.h"
@@ -89,6 +89,9 @@ class Renderer {
     /// Positions are relative to the window's corner. Dots::critical is for fading in and for a part of the
     /// dots. All pieces have it or none, and so it is with Dots::radius. The blocks are dot_blocks() of them.
     void set_dots(const DotPieces& dots, std::span<const DotBlock> blocks, const PageWindow& window = {});
+    /// How the dots cover paper, and how many there are in a page unit by one where the density is 1; until
+    /// the next set_dots(). Without it they are as placed.
+    void set_ink(const InkedDots& ink, double at_full_density);
     /// Several, for Dots::pen and ShownStrokes::pens, each over those before it; none: all is in ink. Until
     /// the next set_dots().
     void set_pens(std::span<const Pen> pens);
@@ -108,9 +111,8 @@ class Renderer {
     Fineness draw(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                   Fineness fineness = Fineness::full, Columns columns = {});
 
-    /// The same quickly: of more dots than can be drawn in about that time (seconds), one in n, so much
-    /// larger that the page is as dark as with all of them: an EvenPart, or every n-th where the dots do not
-    /// say when they appear. All, where that is about as quick.
+    /// The same quickly: of more dots than can be drawn in about that time (seconds), preview_dots(). All,
+    /// where that is about as quick.
     Fineness draw_quickly(const GlFramebuffer& picture, const Camera& camera, const CanvasLook& look,
                           Columns columns, double seconds, Desk desk = Desk::drawn);
 
@@ -130,15 +132,25 @@ class Renderer {
         int samples;           // of a pixel's side; 0: there are no dots to be seen
     };
 
+    /// Dots, or lines in place of them.
+    struct Shown {
+        const DotPieces* dots = nullptr;
+        std::span<const DotBlock> blocks;
+        std::span<const glm::u8vec4> colours = {};  // none: all in ink, or their pens'
+        bool has_radii = false;
+        double mean_radius = 0, largest_radius = 0;  // page units, if they have one each
+    };
+
     /// A drawing under way: dots, then the page with them, then tiles.
     struct Job {
         Camera camera;
         CanvasLook look;
         Columns columns;
         DotGrid grid{};
+        const Shown* shown = nullptr;       // all of them, or a preview
         std::vector<std::size_t> blocks{};  // in view
         std::size_t in_view = 0;            // dots in them
-        std::size_t every = 1;              // one dot in so many is drawn
+        std::size_t every = 1;              // one line in so many is drawn; of dots, a preview so small
         std::size_t tiles = 0;              // still to be drawn: the first ones
         std::size_t next_block = 0;
         int next_row = 0;
@@ -150,6 +162,7 @@ class Renderer {
     };
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
+    static void measure_radii(Shown& shown);
     /// The mean radius of the dots that are looked at, in pixels.
     double mean_radius(const Camera& camera, const CanvasLook& look) const;
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
@@ -163,9 +176,9 @@ class Renderer {
     InkToDraw ink_to_draw(const Job& job);
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
-    const EvenPart& part();
-    void choose(const Job& job, const DotBlock& block);
-    bool by_pen() const { return !pens_.empty() && !has_colours_; }
+    void show_preview(Job& job);
+    bool has_colours() const { return !all_.colours.empty(); }
+    bool by_pen() const { return !pens_.empty() && !has_colours(); }
     /// Pictures that have so many pens' dots.
     std::size_t pictures_of_dots() const { return by_pen() ? (pens_.size() + 3) / 4 : 1; }
     // Pixels of the canvas from the low to before the high ones.
@@ -174,7 +187,7 @@ class Renderer {
     void draw_around(const Job& job, const Rectangle<int>& box, const Rectangle<int>& hole,
                      const GlProgram& program);
     void draw_tiles(Job& job, std::size_t most);
-    void attach_columns();
+    void attach_columns(const Shown& shown);
 
     // The first four: see page.frag.
     GlProgram page_, sheet_, sheet_with_picture_, desk_, dot_, line_, tile_;
@@ -187,18 +200,17 @@ class Renderer {
     PagePoint dot_origin_{0, 0};
     PageWindow tile_window_;
     std::size_t dot_count_ = 0;
-    const DotPieces* dots_shown_ = nullptr;
-    std::span<const DotBlock> blocks_;
+    Shown all_, previewed_;
+    PreviewDots preview_;
+    InkedDots ink_;
+    double at_full_density_ = 0;
     std::vector<glm::vec4> pens_;  // linear light; what of that below is seen: 1, multiplied, or 0
-    std::span<const glm::u8vec4> colours_;
     std::span<const PlacedTile> tiles_shown_;
     const ShownStrokes* strokes_ = nullptr;  // instead of the dots; none: these
     std::vector<glm::vec4> lines_handed_over_;
     std::vector<float> line_widths_handed_over_;
     Dots handed_over_;  // to OpenGL, when dots are drawn
     std::vector<glm::u8vec4> colours_handed_over_;
-    std::vector<std::size_t> taken_;  // of a block, to be handed over
-    std::optional<EvenPart> part_;    // of the dots; none: not asked for yet
     std::optional<Job> job_;
     DotsBy dots_by_;
     ProcessorDots processor_dots_;
@@ -207,9 +219,6 @@ class Renderer {
     DotCost quick_cost_;
     double dots_seconds_ = 0;  // of the last quick drawing
     bool has_critical_ = false;
-    bool has_colours_ = false;
-    bool has_radii_ = false;
-    double mean_radius_ = 0, largest_radius_ = 0;  // page units, if they have one each
     bool has_picture_ = false;
     PictureLevels uploading_;       // none: nothing is left to be
     std::size_t upload_level_ = 0;  // the next rows: of this copy,

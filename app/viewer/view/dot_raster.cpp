@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
+#include <optional>
 
 #include "app/viewer/view/sampled_pixels.h"
 #include "core/output/sample_band.h"
@@ -237,7 +238,7 @@ class SampledView {
     double scale() const { return view_.pixels_per_unit * kSide; }
 
     std::optional<Discs> usual_discs(const RasterLook& look) const {
-        const double radius = look.radius * look.grow * scale();
+        const double radius = look.radius * scale();
         return Discs::are_there_of(radius) ? std::optional<Discs>(radius) : std::nullopt;
     }
 
@@ -247,8 +248,8 @@ class SampledView {
         if (window.first_row >= window.end_row) return;
         const glm::dvec2 origin = origin_of(stretch);
         const double scale = this->scale();
-        const double reach = std::max(look.radius, look.largest_radius) * look.grow * scale;
-        const double usual = look.radius * look.grow * scale;
+        const double reach = std::max(look.radius, look.largest_radius) * scale;
+        const double usual = look.radius * scale;
         for (const RasterDots& some : dots) {
             const Dots& piece = *some.piece;
             if (look.hidden >> piece.pen & 1) continue;
@@ -260,10 +261,9 @@ class SampledView {
             const bool own_radii = !piece.radius.empty();
             const bool fades = look.fade_scale > 0 && !piece.critical.empty();
             const std::size_t end = some.first + some.count;
-            for (std::size_t i = some.first; i < end; i += some.limit ? 1 : some.every) {
-                if (some.limit && !(piece.critical[i] <= *some.limit)) continue;
+            for (std::size_t i = some.first; i < end; ++i) {
                 const double y = origin.y + double(piece.y[i]) * scale;
-                const double radius = own_radii ? double(piece.radius[i]) * look.grow * scale : usual;
+                const double radius = own_radii ? double(piece.radius[i]) * scale : usual;
                 if (!(y + radius >= window.first_row && y - radius <= window.end_row)) continue;
                 const double x = origin.x + double(piece.x[i]) * scale;
                 const double there = fades ? presence(look.fade_scale, piece.critical[i]) : 1;

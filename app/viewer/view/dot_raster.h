@@ -13,7 +13,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,18 +36,16 @@ struct RasterView {
 struct RasterLook {
     double radius = 0;          // page units; of dots that have none of their own
     double largest_radius = 0;  // of those that have
-    double grow = 1;            // of all radii, or of half of all widths
+    double grow = 1;            // of all lines' widths
     double fade_scale = 0;      // dots are all there a seventh above their critical scale; 0: all are
     std::uint32_t hidden = 0;   // pens: a bit for each
 };
 
-/// Dots that follow each other in a piece, and those of them that are drawn.
+/// Dots that follow each other in a piece.
 struct RasterDots {
     const Dots* piece = nullptr;
     std::size_t first = 0, count = 0;
-    std::optional<float> limit = {};  // those with a critical scale up to this
-    std::size_t every = 1;            // or else one in so many
-    float low = 0, high = 0;          // their least and greatest y, page units
+    float low = 0, high = 0;  // their least and greatest y, page units
 };
 
 struct RasterLines {

@@ -16,6 +16,7 @@
 #include "core/output/raster.h"
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
+#include "core/relaxing/relax.h"
 #include "tests/dots_by.h"
 #include "tests/mean_light.h"
 #include "tests/offscreen_gl.h"
@@ -43,11 +44,14 @@ const Colours kBlueOnSand{{0.1f, 0.2f, 0.7f}, {0.95f, 0.9f, 0.6f}};
 
 /// A drawing, and the file of it.
 struct Drawing {
-    Drawing(std::uint64_t count, const Colours& c, Palette several = {})
+    Drawing(std::uint64_t count, const Colours& c, Palette several = {}, int steps = 0)
         : colours(c), pens(std::move(several)) {
         const Density density(ramp());
         RankedTile tile = tile_named(kDefaultTile);
-        REQUIRE(stipple(tile, density, PlacerKind::exact, {.count = count, .threads = 0}, stippling));
+        REQUIRE(stipple(tile, density, PlacerKind::exact, {.count = count, .threads = 0, .thresholds = true},
+                        stippling));
+        if (steps > 0) relax(stippling.dots, density, steps, {.scale = stippling.scale, .threads = 0});
+        ink = {.relaxing_steps = steps, .level = level_of(stippling.scale, tile.tile().size())};
         const PageSize page = page_size(density, 1);
         size = {page.width_mm, page.height_mm};
         radius = radius_for_tone(stippling.scale, 1.6);
@@ -85,6 +89,7 @@ struct Drawing {
     Colours colours;
     Palette pens;
     Stippling stippling;
+    InkedDots ink;
     glm::dvec2 size;    // page units
     double radius = 0;  // page units
     Grid<glm::u8vec3> file;
@@ -95,6 +100,7 @@ class Screen {
     explicit Screen(const Drawing& drawing) : drawing_(drawing), blocks_(dot_blocks(drawing.stippling.dots)) {
         picture.resize(kCanvas);
         renderer.set_dots(drawing.stippling.dots, blocks_);
+        renderer.set_ink(drawing.ink, kDotsPerScale * drawing.stippling.scale);
         renderer.set_pens(drawing.pens);
         look.page_size = drawing.size;
         look.dot_radius = drawing.radius;
@@ -108,6 +114,24 @@ class Screen {
         Camera camera = fitted(glm::dvec2(kCanvas), drawing_.size);
         camera.pixels_per_unit = pixels_per_unit;
         renderer.draw(picture, camera, look, fineness);
+        return difference_from_file(camera);
+    }
+
+    /// Of as few dots as a preview may have.
+    double previews_difference_from_file() {
+        const Camera camera = fitted(glm::dvec2(kCanvas), drawing_.size);
+        renderer.draw_quickly(picture, camera, look, {}, 1e-9);
+        return difference_from_file(camera);
+    }
+
+    OffscreenContext context;
+    GlFramebuffer picture;
+    Renderer renderer{dots_by_in_environment()};
+    CanvasLook look;
+
+ private:
+    double difference_from_file(const Camera& camera) {
+        picture.bind();
         const Grid<glm::u8vec4> pixels = read_pixels(kCanvas);
         const glm::dvec2 corner = to_canvas(camera, PagePoint(0)),
                          end = to_canvas(camera, page_point(drawing_.size));
@@ -128,12 +152,6 @@ class Screen {
         return largest;
     }
 
-    OffscreenContext context;
-    GlFramebuffer picture;
-    Renderer renderer{dots_by_in_environment()};
-    CanvasLook look;
-
- private:
     const Drawing& drawing_;
     std::vector<DotBlock> blocks_;
 };
@@ -209,6 +227,18 @@ TEST_CASE("what is drawn quickly is as light as what is drawn fully") {
             CAPTURE(count);
             CAPTURE(zoom);
             CHECK(screen.difference_from_file(kFitted * zoom, Fineness::quick) < kMostApart);
+        }
+    }
+}
+
+TEST_CASE("a preview of some of the dots is about as light as all of them, as placed and relaxed") {
+    for (const int steps : {0, 10}) {
+        for (const std::uint64_t count : {6'000u, 12'000u, 30'000u, 80'000u}) {
+            CAPTURE(steps);
+            CAPTURE(count);
+            const Drawing drawing(count, kBlackOnWhite, {}, steps);
+            Screen screen(drawing);
+            CHECK(screen.previews_difference_from_file() < (steps == 0 ? 1 : 2) * kMostApart);
         }
     }
 }

@@ -3,11 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
+#include <numeric>
 #include <random>
 #include <vector>
 
-#include "app/viewer/background/even_part.h"
+#include "app/viewer/background/preview_dots.h"
 #include "app/viewer/background/workbench.h"
 #include "core/analysis/distances.h"
 
@@ -38,24 +39,33 @@ double evenness(std::vector<glm::dvec2> points) {
     return nearest_summary(points, {1, 1, Topology::window}).mean;
 }
 
+PreviewDots preview_of(const PlacedDrawing& drawing, double every) {
+    const std::vector<DotBlock> blocks = dot_blocks(drawing.dots);
+    std::vector<std::size_t> all(blocks.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const double radius = drawing.dot_radius;
+    return preview_dots({.dots = drawing.dots,
+                         .blocks = blocks,
+                         .in_view = all,
+                         .view = {{0, 0}, {1, 1}},
+                         .radius = radius,
+                         .ink = drawing.ink,
+                         .full_load = std::numbers::pi * radius * radius * kDotsPerScale * drawing.scale},
+                        every);
+}
+
 }  // namespace
 
-TEST_CASE("the part that is drawn of too many dots is far more even than one at random, relaxed or not") {
+TEST_CASE("the dots that are previewed of too many are far more even than some at random, relaxed or not") {
     for (const int steps : {0, 3}) {
         CAPTURE(steps);
         const PlacedDrawing drawing = placed(20'000, steps, true);
-        const DotPieces& dots = drawing.dots;
-        const EvenPart part(dots);
-        REQUIRE(part.is_known());
         for (const double every : {3.0, 8.0, 20.0}) {
             CAPTURE(every);
             std::vector<glm::dvec2> drawn, all;
-            for (const Dots& piece : dots.pieces) {
-                for (std::size_t i = 0; i < piece.size(); ++i) {
-                    all.emplace_back(piece.x[i], piece.y[i]);
-                    if (piece.critical[i] <= part.limit(every)) drawn.push_back(all.back());
-                }
-            }
+            for_each_position(drawing.dots, [&](float x, float y) { all.emplace_back(x, y); });
+            for_each_position(preview_of(drawing, every).dots,
+                              [&](float x, float y) { drawn.emplace_back(x, y); });
             CHECK(static_cast<double>(drawn.size()) * every == doctest::Approx(20'000).epsilon(0.02));
             std::shuffle(all.begin(), all.end(), std::mt19937(1));
             all.resize(drawn.size());
@@ -67,23 +77,18 @@ TEST_CASE("the part that is drawn of too many dots is far more even than one at 
 
 TEST_CASE(
     "dots on the screen say when they appear, however few and whoever places them, in a file they need not") {
-    const auto says = [](const PlacedDrawing& drawing) { return EvenPart(drawing.dots).is_known(); };
-    constexpr std::size_t kLarge = 100'000;
-    const PlacedDrawing large = placed(kLarge, 0, false);
-    CHECK(says(large));
-    const float limit = EvenPart(large.dots).limit(10);
-    std::size_t drawn = 0;
-    for (const Dots& piece : large.dots.pieces)
-        drawn += static_cast<std::size_t>(
-            std::ranges::count_if(piece.critical, [limit](float critical) { return critical <= limit; }));
-    CHECK(static_cast<double>(drawn) == doctest::Approx(kLarge / 10.0).epsilon(0.05));
+    const auto says = [](const PlacedDrawing& drawing) {
+        return std::ranges::all_of(drawing.dots.pieces,
+                                   [](const Dots& piece) { return piece.critical.size() == piece.size(); });
+    };
+    CHECK(says(placed(100'000, 0, false)));
     CHECK(says(placed(5'000, 3, false)));
     CHECK_FALSE(says(placed(5'000, 0, false, false)));
     CHECK(says(placed(5'000, 0, false, true, PlacerKind::figure8)));
 }
 
-TEST_CASE("of no dots there is no part") {
-    CHECK_FALSE(EvenPart(DotPieces{}).is_known());
+TEST_CASE("no dots have no preview") {
+    CHECK(preview_dots({.dots = DotPieces{}}, 3).blocks.empty());
 }
 
 }  // namespace dapple
