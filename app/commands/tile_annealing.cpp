@@ -47,7 +47,6 @@ void weigh(const TileSearchOptions& options, PairShape& shape, double& peaks) {
 // has the options as a person gives them, without the weights.
 void finish(const TileSearchOptions& options, std::string what, std::uint64_t moves, bool interrupted,
             Tile tile, const std::string& found, std::ostream& out) {
-    what.insert(0, "dapple tile search ");
     if (options.tone != 1) what += fmt::format(" --tone {}", options.tone);
     if (options.pairs != 1) what += fmt::format(" --pairs {}", options.pairs);
     if (options.peaks != 1) what += fmt::format(" --peaks {}", options.peaks);
@@ -77,8 +76,7 @@ std::vector<Rule> rules_to_try() {
 
 }  // namespace
 
-void search_kinds(const TileSearchOptions& options, std::ostream& out) {
-    check_can_save(*options.output);
+void search_kinds(const TileSearchOptions& options, std::ostream& out, const IslandSearch& side_by_side) {
     const auto points = static_cast<std::uint64_t>(options.points);
     const auto kinds = static_cast<std::uint64_t>(options.kinds);
     const std::uint64_t moves = options.moves.value_or(kMovesPerPoint * points * kinds);
@@ -101,7 +99,7 @@ void search_kinds(const TileSearchOptions& options, std::ostream& out) {
         RelinkSettings first;
         first.rule = Rule{};
         first.points = points;
-        first.seed = options.seed;
+        first.seed = options.seed + static_cast<std::uint64_t>(side_by_side.island);
         first.moves = std::max<std::uint64_t>(of_start, 1);
         first.clock = clock;
         first.seconds = kShareOfStart * seconds;
@@ -114,6 +112,12 @@ void search_kinds(const TileSearchOptions& options, std::ostream& out) {
         const RelinkResult one = relink_search(first);
 
         settings.start = one.tile;
+        settings.island = side_by_side.island;
+        settings.best = side_by_side.best;
+        if (settings.best) {
+            const Island best = settings.best(island_of(one.tile, one.energy));
+            settings.start = make_tile(Rule{}, NextKinds(1), best.letters, best.successors);
+        }
         settings.kinds = options.kinds;
         settings.seed = options.seed;
         settings.moves = moves - std::min(moves, of_start);
@@ -125,9 +129,14 @@ void search_kinds(const TileSearchOptions& options, std::ostream& out) {
         tried = one.moves + found.moves;
         interrupted = StopOnInterrupt::interrupted();
     }
-    finish(options, fmt::format("--kinds {} --points {} --seed {}", kinds, points, options.seed),
-           options.seconds ? tried : moves, interrupted, std::move(found.tile),
-           fmt::format("{} kinds of {} points, energy a point {:.5f}", kinds, points, found.energy), out);
+    if (side_by_side.island > 0) return;
+    const std::string program =
+        side_by_side.best ? fmt::format("mpirun -n {} dapple-mpi", side_by_side.islands) : "dapple";
+    finish(
+        options,
+        fmt::format("{} tile search --kinds {} --points {} --seed {}", program, kinds, points, options.seed),
+        options.seconds ? tried : moves, interrupted, std::move(found.tile),
+        fmt::format("{} kinds of {} points, energy a point {:.5f}", kinds, points, found.energy), out);
 }
 
 void search_turned(const TileSearchOptions& options, std::ostream& out) {
@@ -186,7 +195,7 @@ void search_turned(const TileSearchOptions& options, std::ostream& out) {
         interrupted = StopOnInterrupt::interrupted();
     }
     finish(options,
-           fmt::format("--points {} --rule {} --seed {} --runs {}", options.points,
+           fmt::format("dapple tile search --points {} --rule {} --seed {} --runs {}", options.points,
                        options.rule ? text_of(*options.rule) : "any", options.seed, runs),
            options.seconds ? tried / static_cast<std::uint64_t>(runs) : settings.moves, interrupted,
            best.tile,

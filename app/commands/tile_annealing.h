@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/commands/tile_search.h"
+#include "lab/search/kind_search.h"
 
 namespace dapple {
 
@@ -14,7 +15,13 @@ inline constexpr std::uint64_t kMovesPerPoint = 10'000;
 /// Tiles whose copies are turned, by TileSearchOptions::rule.
 void search_turned(const TileSearchOptions& options, std::ostream& out);
 
-/// A tile of several kinds.
-void search_kinds(const TileSearchOptions& options, std::ostream& out);
+/// One of several searches that go on side by side: see KindSearchSettings.
+struct IslandSearch {
+    int island = 0, islands = 1;
+    BestIsland best = {};
+};
+
+/// A tile of several kinds. Of islands the first one saves what all of them found, and tells it.
+void search_kinds(const TileSearchOptions& options, std::ostream& out, const IslandSearch& side_by_side = {});
 
 }  // namespace dapple

@@ -10,6 +10,7 @@
 #include "app/commands/options.h"
 #include "app/commands/tile_annealing.h"
 #include "app/commands/tile_enumeration.h"
+#include "app/files/atomic_file.h"
 #include "lab/search/criterion_search.h"
 #include "lab/search/cycle_search.h"
 #include "lab/search/identity_word.h"
@@ -188,6 +189,7 @@ void search_tiles(const TileSearchOptions& options, std::ostream& out) {
     if (options.estimate) {
         estimate_search(options.points, out);
     } else if (options.kinds > 1) {
+        check_can_save(*options.output);
         search_kinds(options, out);
     } else if (!options.cycles.empty()) {
         search_cycle_sets(options, out);

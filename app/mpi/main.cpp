@@ -1,6 +1,7 @@
 // dapple-mpi: what outgrows one machine, shared among the ranks of an MPI job.
 //
 //      mpirun dapple-mpi tile search --points 32        parts of an exhaustive search
+//      mpirun dapple-mpi tile search --kinds 16 ...     islands that anneal and exchange their best
 //      mpirun dapple-mpi render ... --sheets 40x40      sheets of a mural, or pictures of a batch
 
 #include <mpi.h>
@@ -17,6 +18,7 @@
 #include "app/commands/tile_enumeration.h"
 #include "app/commands/tile_search.h"
 #include "app/commands/wrapped_help.h"
+#include "app/mpi/islands.h"
 #include "app/mpi/messages.h"
 #include "app/mpi/shared_search.h"
 #include "core/text/shown_text.h"
@@ -55,6 +57,7 @@ int main(int argc, char** argv) {
         "Options are those of `dapple render` and `dapple tile search`.\n\n"
         "Examples:\n"
         "  mpirun -n 8 dapple-mpi tile search --points 32\n"
+        "  mpirun -n 8 dapple-mpi tile search --kinds 16 --points 1024 --seed 1 -o kinds.tile\n"
         "  mpirun dapple-mpi render cat.jpg -o mural.svg --width 20000 --sheets 20x20 --dots 1G\n"
         "  mpirun dapple-mpi render photos/*.jpg -o drawings/");
     bool parsed = false;
@@ -62,16 +65,19 @@ int main(int argc, char** argv) {
     const RenderCommand render(program);
     CLI::App* const tile = program.add_subcommand("tile", "Tiles: search");
     tile->require_subcommand(1);
-    CLI::App* const search = tile->add_subcommand("search", "Look for the best tiles of the paper's kind");
+    CLI::App* const search =
+        tile->add_subcommand("search", "Look for the best tiles of the paper's kind, or of several kinds");
     TileSearchOptions options;
     add_search_options(*search, options);
     bool searches = false;
     search->callback([&] {
         check_search_options(*search, options);
-        if (options.kinds > 1 || !options.cycles.empty() || options.kind != SearchKind::identity ||
+        if (options.kinds > 1) return search_kinds_on_ranks(options, std::cout);
+        if (!options.cycles.empty() || options.kind != SearchKind::identity ||
             options.by != TileCriterion::radius || options.estimate)
             throw CLI::ValidationError(
-                "tile search", "only a search for identity by radius is shared; use dapple tile search");
+                "tile search",
+                "only searches for identity by radius and with --kinds are shared; use dapple tile search");
         searches = true;
         if (rank_of_this() > 0) return search_for_rank_0();
         search_by_radius(options, std::cout, continue_on_ranks);

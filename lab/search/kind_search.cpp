@@ -59,6 +59,12 @@ NextKinds mixed_kinds(int kinds, std::uint64_t seed) {
     return best;
 }
 
+Island island_of(const Tile& tile, double energy) {
+    Island island{.energy = energy, .successors = tile.successor};
+    for (const BinaryPoint point : tile.points) island.letters += static_cast<char>('0' + quadrant_of(point));
+    return island;
+}
+
 KindSearchResult kind_search(const KindSearchSettings& settings) {
     const Tile& start = settings.start;
     if (start.kinds() > 1 || start.rule != Rule{})
@@ -75,14 +81,29 @@ KindSearchResult kind_search(const KindSearchSettings& settings) {
         }
     }
     KindLinks links(next, letters, successor, settings.shape);
-    Random random(settings.seed);
+    Random random(settings.seed + (static_cast<std::uint64_t>(settings.island) << 32));
     KindSearchProgress progress;
     const auto count = static_cast<double>(links.size());
     const std::uint64_t refresh_after = kMovesBetweenRefreshes * links.size();
     std::uint64_t taken = 0, since_refresh = 0;
-    bool apart = false;
+    bool apart = false, stops = false;
+    int exchanges = 0;
+    const auto exchange = [&] {
+        ++exchanges;
+        links.refresh();
+        const Island best = settings.best(
+            {links.energy() / count, letters, links.successors(), settings.stop.stop_requested()});
+        stops = best.stops;
+        if (best.successors == links.successors()) return;
+        links = KindLinks(next, best.letters, best.successors, settings.shape);
+        apart = apart && links.set_apart(settings.apart);
+    };
     double done = settings.clock || settings.moves > 0 ? 0 : 1;  // share of the search
-    while (done < 1 && !settings.stop.stop_requested()) {
+    while (done < 1 && !stops) {
+        if (settings.stop.stop_requested()) {
+            if (settings.best) exchange();
+            break;
+        }
         double temperature = settings.start_temperature *
                              std::pow(settings.end_temperature / settings.start_temperature, done);
         if (!apart) temperature = kMelting * settings.start_temperature;
@@ -98,6 +119,7 @@ KindSearchResult kind_search(const KindSearchSettings& settings) {
         } else {
             done = static_cast<double>(progress.moves) / static_cast<double>(settings.moves);
         }
+        while (settings.best && !stops && exchanges < static_cast<int>(done * kExchanges)) exchange();
         if (!apart && progress.moves >= kMeltingMoves * links.size()) apart = links.set_apart(settings.apart);
         if (since_refresh < refresh_after) continue;
         links.refresh();

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "core/tile/tile.h"
 #include "lab/search/pair_energy.h"
@@ -25,6 +27,20 @@ struct KindSearchProgress {
     double acceptance = 0;    // share of the moves taken since the last report
 };
 
+/// What one of several searches for the same tile has, which go on side by side.
+struct Island {
+    double energy = 0;         // per point
+    std::string letters = {};  // of all points, kind after kind: their quadrants, '0' to '3'
+    std::vector<std::uint32_t> successors = {};  // of the same points
+    bool stops = false;                          // the search is to end here
+};
+
+Island island_of(const Tile& tile, double energy);
+
+/// The one of lowest energy among all islands, the first of several; it stops if any does. Returns when all
+/// have called it.
+using BestIsland = std::function<Island(const Island&)>;
+
 struct KindSearchSettings {
     Tile start;                       // of one kind and the identity rule
     int kinds = 16;                   // 2..kMaxKinds
@@ -37,9 +53,15 @@ struct KindSearchSettings {
     double move_radius = 1.5;         // in spacings, how far a successor jumps, at most 4 tone_width
     double apart = 0.15;              // how much it counts that kinds differ; see KindLinks
     PairShape shape;
+    // An island among others tries moves of its own, and goes on from the best of them kExchanges times, at
+    // equal distances, of which the last is the end.
+    int island = 0;
+    BestIsland best = {};
     std::function<void(const KindSearchProgress&)> progress;  // every few moves a point
     std::stop_token stop;                                     // what there is is returned
 };
+
+inline constexpr int kExchanges = 16;
 
 struct KindSearchResult {
     Tile tile;

@@ -3,9 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <barrier>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
+#include <thread>
+#include <vector>
 
 #include "lab/search/criteria.h"
 #include "lab/search/kind_links.h"
@@ -63,11 +67,43 @@ double energy_of(const Tile& tile, const PairShape& shape, double apart) {
     return energy;
 }
 
-struct Strings {
-    std::string letters;
-    explicit Strings(const Tile& tile) {
-        for (const BinaryPoint p : tile.points) letters += static_cast<char>('0' + quadrant_of(p));
+/// Islands in threads, each of which waits for all others.
+class Archipelago {
+ public:
+    explicit Archipelago(int islands) : have_(std::size_t(islands)), all_are_there_(islands) {}
+
+    std::vector<KindSearchResult> search(const KindSearchSettings& settings,
+                                         std::stop_token first_stops = {}) {
+        std::vector<KindSearchResult> found(have_.size());
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < have_.size(); ++i) {
+            threads.emplace_back([this, &settings, &found, first_stops, i] {
+                KindSearchSettings own = settings;
+                own.island = static_cast<int>(i);
+                if (i == 0) own.stop = first_stops;
+                own.best = [this, i](const Island& island) { return best(i, island); };
+                found[i] = kind_search(own);
+            });
+        }
+        threads.clear();
+        return found;
     }
+    int exchanges() const { return exchanges_; }
+
+ private:
+    Island best(std::size_t i, const Island& island) {
+        have_[i] = island;
+        all_are_there_.arrive_and_wait();
+        Island best = *std::ranges::min_element(have_, {}, &Island::energy);
+        best.stops = std::ranges::any_of(have_, &Island::stops);
+        if (i == 0) ++exchanges_;
+        all_are_there_.arrive_and_wait();
+        return best;
+    }
+
+    std::vector<Island> have_;
+    std::barrier<> all_are_there_;
+    int exchanges_ = 0;
 };
 
 }  // namespace
@@ -75,10 +111,10 @@ struct Strings {
 TEST_CASE("the energy that the search lowers is that of all pairs, one by one, after any number of moves") {
     const KindSearchSettings settings = search(torus_tile(100), 3, 30'000);
     const Tile tile = kind_search(settings).tile;
-    KindLinks links(tile.next_kind, Strings(tile).letters, tile.successor, settings.shape);
+    KindLinks links(tile.next_kind, island_of(tile, 0).letters, tile.successor, settings.shape);
     REQUIRE(links.set_apart(0.3));
     const auto check = [&] {
-        const Tile now = make_tile(Rule{}, tile.next_kind, Strings(tile).letters, links.successors());
+        const Tile now = make_tile(Rule{}, tile.next_kind, island_of(tile, 0).letters, links.successors());
         CHECK(links.energy() == doctest::Approx(energy_of(now, settings.shape, 0.3)).epsilon(0.003));
     };
     check();
@@ -109,6 +145,28 @@ TEST_CASE("kinds that were annealed apart are evener than chance, differ, and ar
     CHECK(places.size() > 0.9 * 4 * 144);
     settings.seed = 2;
     CHECK(kind_search(settings).tile.points != found.tile.points);
+}
+
+TEST_CASE("islands end with the same tile, which is better than what one of them finds, and the same again") {
+    const KindSearchSettings settings = search(torus_tile(100), 3, 100'000);
+    Archipelago archipelago(4);
+    const std::vector<KindSearchResult> found = archipelago.search(settings);
+    CHECK(archipelago.exchanges() == kExchanges);
+    for (const KindSearchResult& each : found) {
+        CHECK(each.tile.points == found[0].tile.points);
+        CHECK(each.moves == 100'000);
+        CHECK(each.energy == doctest::Approx(found[0].energy));
+    }
+    CHECK(found[0].energy < kind_search(settings).energy);
+    CHECK(Archipelago(4).search(settings)[2].tile.points == found[0].tile.points);
+}
+
+TEST_CASE("where one island is stopped, all end") {
+    std::stop_source stop;
+    stop.request_stop();
+    for (const KindSearchResult& each :
+         Archipelago(3).search(search(torus_tile(100), 3, 100'000), stop.get_token()))
+        CHECK(each.moves < 100'000);
 }
 
 TEST_CASE("a substitution has each kind once in each quadrant and rarely two alike at one distance") {
