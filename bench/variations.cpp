@@ -1,7 +1,7 @@
 // Tiles in other bases and dimensions: the best relative radii, how even and how periodic their dots are
 // beside those of two-way subdivision, and a figure. Prints tables in Markdown; takes some minutes.
 //
-//      variations [FIGURE.svg]
+//      variations [FIGURE.svg RAMPS.svg]
 
 #include <fmt/format.h>
 
@@ -103,7 +103,24 @@ void draw(std::ostream& out, const std::string& word) {
     out << "</svg>\n";
 }
 
-constexpr const char* kBest18 = "735264788153624100";
+constexpr const char *kBest16 = "3022123303112100", *kBest18 = "735264788153624100";
+
+// So many dots of a ramp from light to dark, on a square `left` millimetres from the picture's edge.
+template <int Base>
+void draw_ramp(std::ostream& out, const std::string& word, std::size_t count, double left) {
+    constexpr double kSide = 95, kWidth = 0.84;
+    const auto tile = make_cyclic_tile<Base, 2>(letters_of(word));
+    auto dots = subdivided(
+        tile, 2.1 * double(count),
+        [](const SubdivisionCell<2>& cell) { return double(cell.place.x + 1) * std::pow(Base, -cell.level); },
+        [](const glm::dvec2& place) { return place.x; });
+    std::ranges::sort(dots, {}, &CriticalDot<2>::critical);
+    dots.resize(std::min(dots.size(), count));
+    out << fmt::format("<path stroke=\"#000\" stroke-width=\"{}\" stroke-linecap=\"round\" d=\"", kWidth);
+    for (const auto& dot : dots)
+        out << fmt::format("M{:.2f} {:.2f}h0", left + kSide * dot.place.x, kSide * dot.place.y);
+    out << "\"/>\n";
+}
 
 }  // namespace
 
@@ -111,6 +128,15 @@ int main(int argc, char** argv) {
     if (argc > 1) {
         std::ofstream out(argv[1]);
         draw<3>(out, kBest18);
+    }
+    if (argc > 2) {
+        std::ofstream out(argv[2]);
+        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"198mm\" height=\"96mm\" "
+               "viewBox=\"-.5 -.5 198 96\">\n<rect x=\"-.5\" y=\"-.5\" width=\"198\" height=\"96\" "
+               "fill=\"#fff\"/>\n";
+        draw_ramp<2>(out, kBest16, 4000, 0);
+        draw_ramp<3>(out, kBest18, 4000, 102);
+        out << "</svg>\n";
     }
     fmt::print("| base, dimension | points | best relative radii | the best word |\n|---|---|---|---|\n");
     print_radii<2, 2>(8, 4, 0);
@@ -136,7 +162,7 @@ int main(int argc, char** argv) {
         "| tile | peak / n, full level | peak / n, worst | power below half, worst | 1st percentile, full "
         "level | 1st "
         "percentile, worst | mean, worst |\n|---|---|---|---|---|---|---|\n");
-    print_dots<2>("two-way, 16 points, the best", "3022123303112100");
+    print_dots<2>("two-way, 16 points, the best", kBest16);
     print_dots<2>("two-way, 16 points, the paper's", "3022031123321100");
     print_dots<3>("three-way, 9 points, the best", "753826410");
     print_dots<3>("three-way, 18 points, the best", kBest18);

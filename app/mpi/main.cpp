@@ -63,6 +63,10 @@ int main(int argc, char** argv) {
     bool parsed = false;
     program.parse_complete_callback([&] { parsed = true; });
     const RenderCommand render(program);
+    if (ranks_in_all() > 1)
+        program.get_subcommand("render")->get_option("--stats")->check([](const std::string&) {
+            return "is for one machine; leave it out, or use dapple render with --share and a file for each";
+        });
     CLI::App* const tile = program.add_subcommand("tile", "Tiles: search");
     tile->require_subcommand(1);
     CLI::App* const search =

@@ -17,8 +17,8 @@
 
 namespace dapple {
 
-/// More dots than this lie closer than the float coordinates they are kept in can tell apart.
-inline constexpr std::uint64_t kMostDots = 1'000'000'000;
+/// More dots than this lie so close that the float coordinates they are kept in would move them visibly.
+inline constexpr std::uint64_t kMostDots = 10'000'000'000;
 
 enum class DotSizing {
     automatic,  // all alike, with the radius that gives the picture's tone

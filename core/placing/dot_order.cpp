@@ -8,6 +8,8 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "core/placing/tie_order.h"
@@ -95,6 +97,10 @@ void sort_dots(Dots& dots, DotOrder order) {
     if (order == DotOrder::recursion) return;
     assert(order != DotOrder::priority ||
            (dots.threshold.size() == dots.size() && dots.critical.size() == dots.size()));
+    if (dots.size() > std::numeric_limits<std::uint32_t>::max())
+        throw std::runtime_error(
+            "over 4,294,967,295 dots of one page cannot be put into an order; draw it in several sheets, or "
+            "with --order recursion");
     std::vector<std::uint64_t> keys(dots.size());  // key above, index below
     const HilbertGrid grid(dots);
     for_each_dot(dots.size(), [&](std::size_t i) {

@@ -32,6 +32,7 @@ Scaled scaled(std::string_view text) {
     Scaled result{without_separators(text)};
     if (result.digits.ends_with('k') || result.digits.ends_with('K')) result.unit = 1e3;
     if (result.digits.ends_with('M')) result.unit = 1e6;
+    if (result.digits.ends_with('G')) result.unit = 1e9;
     if (result.unit > 1) result.digits.pop_back();
     return result;
 }

@@ -31,7 +31,7 @@ class DAPPLE_API Settings {
     /// wrong.
     void set(std::string_view json);
 
-    /// Exactly so many dots, 1 .. 1,000,000,000: short for {"drawing": {"count": ...}}.
+    /// Exactly so many dots, 1 .. 10,000,000,000: short for {"drawing": {"count": ...}}.
     void set_dots(std::uint64_t count);
 
     /// All fields as JSON, on many lines.

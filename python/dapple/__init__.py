@@ -248,7 +248,7 @@ def stipple(
         and blue, 4 for these and alpha; any strides. sRGB-encoded: uint8, uint16, bool or, from 0 to 1, floats. With
         `linear` floats are linear light, 0 black and 1 as light as paper, or lighter. What is transparent shows white
         paper. PIL's images are taken as they are, of any mode that has colours or greys.
-    dots: exactly so many, 1 to 1,000,000,000; usually 40,000.
+    dots: exactly so many, 1 to 10,000,000,000; usually 40,000.
     threads: how many work; 0: one for each core.
     drawing: fields of a project's "drawing" by their names, and `saving`, that of its files:
         stipple(image, pens="cmyk", tone={"contrast": 0.2}, page={"paper": "A4"}, saving={"dpi": 150}).
@@ -263,7 +263,7 @@ def stipple(
 def sample(
     density: ArrayLike, n: int, *, relax: int = 60, tile: str = "kinds4096", threads: int = 0
 ) -> NDArray[np.float32]:
-    """Points, 1 to 1,000,000,000, whose density is that of an array (height, width) of numbers, 0 or more, in any unit.
+    """Points, 1 to 10,000,000,000, whose density is that of an array (height, width) of numbers, 0 or more, in any unit.
 
     relax: in so many steps, 0 to 100, they move to where sums over them come near to integrals over the density.
 

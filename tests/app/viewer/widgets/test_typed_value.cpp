@@ -16,10 +16,11 @@ std::optional<double> length(const char* text) {
 
 }  // namespace
 
-TEST_CASE("a typed number may have thousands, units of a thousand and a million, and be a sum") {
+TEST_CASE("a typed number may have thousands, units of a thousand, a million and a billion, and be a sum") {
     CHECK(number("0.25") == 0.25);
     CHECK(number("40k") == 40'000);
     CHECK(number("1.5M") == 1'500'000);
+    CHECK(number("10G") == 1e10);
     CHECK(number("40,000") == 40'000);
     CHECK(number("1e5") == 100'000);
     CHECK(number("1e-3") == 0.001);
