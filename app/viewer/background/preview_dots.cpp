@@ -56,8 +56,8 @@ class Growth {
                 const double middle = (low + high) / 2;
                 (covered(part, load * middle) < wanted ? low : high) = middle;
             }
-            // A part of relaxed dots lies about as placed ones do, which cover a little more.
-            const double lost = all.ink.relaxing_steps > 0 ? kLostByRelaxing * std::min(load, 1.0) : 0;
+            // A part of relaxed dots lies about as placed ones do, which cover a little more: measured.
+            const double lost = all.ink.relaxing_steps > 0 ? 0.18 / every * std::min(load, 1.0) : 0;
             by_load_[i] = static_cast<float>(high * (1 + lost));
         }
     }
@@ -68,7 +68,7 @@ class Growth {
     }
 
  private:
-    static constexpr double kStep = 0.02, kLeast = 0.7, kMost = 1.5, kLostByRelaxing = 0.04;
+    static constexpr double kStep = 0.02, kLeast = 0.7, kMost = 1.5;
     static constexpr std::size_t kLoads = 100;
     std::array<float, kLoads> by_load_{};  // kStep, 2 kStep, ...
 };

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -11,17 +12,18 @@
 #include "app/viewer/background/preview_dots.h"
 #include "app/viewer/background/workbench.h"
 #include "core/analysis/distances.h"
+#include "core/output/raster.h"
 
 namespace dapple {
 namespace {
 
 PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_part = true,
-                     PlacerKind placer = PlacerKind::exact) {
+                     PlacerKind placer = PlacerKind::exact, DensitySource density = DensitySource::grey) {
     Workbench bench;
     bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
     request.tile = kDefaultTile;
-    request.density.source = DensitySource::grey;
+    request.density.source = density;
     request.drawing.placing.count = count;
     request.drawing.placing.thresholds = thresholds;
     request.drawing.relax = steps;
@@ -71,6 +73,32 @@ TEST_CASE("the dots that are previewed of too many are far more even than some a
             all.resize(drawn.size());
             CHECK(evenness(drawn) > 0.65);
             CHECK(evenness(drawn) > 1.15 * evenness(all));
+        }
+    }
+}
+
+TEST_CASE("a preview is as light as all dots, in light, middle and dark tones, relaxed or not") {
+    for (const int steps : {0, 10}) {
+        const PlacedDrawing drawing =
+            placed(50'000, steps, true, true, PlacerKind::exact, DensitySource::ramp);
+        const PageSize page{drawing.page_size.x, drawing.page_size.y, 1};
+        const auto light = [&](const DotPieces& dots) {
+            return coverage_of(stream_of(dots), page,
+                               {.dot_radius_mm = drawing.dot_radius, .dpi = 25.4 * 1500, .threads = 0});
+        };
+        const Grid<float> all = light(drawing.dots);
+        for (const double every : {2.0, 3.0, 6.0, 15.0}) {
+            const Grid<float> some = light(preview_of(drawing, every).dots);
+            for (int third = 0; third < 3; ++third) {
+                CAPTURE(steps);
+                CAPTURE(every);
+                CAPTURE(third);
+                double apart = 0;
+                for (int y = 0; y < all.height; ++y)
+                    for (int x = third * all.width / 3; x < (third + 1) * all.width / 3; ++x)
+                        apart += some.at(x, y) - all.at(x, y);
+                CHECK(std::abs(apart * 3 / all.width / all.height) < (steps == 0 ? 0.008 : 0.015));
+            }
         }
     }
 }
