@@ -279,7 +279,7 @@ def sample(
     height, width = weights.shape
     edges = {"on": True, "top": 0, "right": 0, "bottom": 0, "left": 0}
     dots = stippler.draw(
-        whole_number("n", n, 1, 1_000_000_000),
+        whole_number("n", n, 1, 10_000_000_000),
         relax=relax,
         settle_for="samples",
         tile=tile,

@@ -76,7 +76,7 @@ def settings_of(
     elif settings is not None:
         whole.set(_json(settings))
     if dots is not None:
-        drawing = {**drawing, "count": whole_number("dots", dots, 1, 1_000_000_000)}
+        drawing = {**drawing, "count": whole_number("dots", dots, 1, 10_000_000_000)}
     saving = {"saving": drawing.pop("saving")} if "saving" in drawing else {}
     whole.set(_json({"drawing": drawing, **saving}))
     return whole

@@ -252,7 +252,7 @@ TEST_CASE("a density gives dots in proportion, and a white one none that would b
 
 TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"count": 0}})"),
-                      "settings: drawing.count is 0; give a whole number from 1 to 1000000000, or null");
+                      "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null");
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"dots": 5}})"),
                       "settings: drawing.dots is not known; the usual settings list all fields");
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"tone": {"contrst": 5}}})"),

@@ -79,7 +79,7 @@ try {
     engine.draw({drawing: {count: 0}});
     failed += console.log("NOT REFUSED: 0 dots") ?? 1;
 } catch (error) {
-    const sentence = "settings: drawing.count is 0; give a whole number from 1 to 1000000000, or null";
+    const sentence = "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null";
     failed += error.message !== sentence;
     console.log(`refused: ${error.message}`);
 }

@@ -456,7 +456,7 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tone": {"contrast": 7}}})") ==
           "p.dapple: drawing.tone.contrast is 7; give a number from -1 to 1");
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"count": 1.5}})") ==
-          "p.dapple: drawing.count is 1.5; give a whole number from 1 to 1000000000, or null");
+          "p.dapple: drawing.count is 1.5; give a whole number from 1 to 10000000000, or null");
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"ink": "blue"}})") ==
           "p.dapple: drawing.ink is \"blue\"; give a colour such as \"#1a2b3c\"");
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"placer": ["exact"]}})") ==
