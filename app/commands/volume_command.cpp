@@ -28,6 +28,11 @@ bool is_cloud(const std::filesystem::path& input) {
     return ending_of(input) == ".ply";
 }
 
+// And not a slice of one.
+bool is_whole(const std::filesystem::path& input) {
+    return is_cloud(input) || ending_of(input) == ".nrrd" || input == "ball" || input == "gyroid";
+}
+
 Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
     const std::filesystem::path& input = inputs.front();
     if (input == "ball") return ball_volume();
@@ -101,9 +106,7 @@ void VolumeCommand::run(const CLI::App& command) const {
     if (ending != ".ply" && ending != ".csv")
         throw CLI::ValidationError("--output", output_.string() + ": let the name end in .ply or .csv");
     const bool cloud = is_cloud(inputs_.front());
-    if (inputs_.size() > 1 && std::ranges::any_of(inputs_, [](const std::filesystem::path& input) {
-            return is_cloud(input) || ending_of(input) == ".nrrd";
-        }))
+    if (inputs_.size() > 1 && std::ranges::any_of(inputs_, is_whole))
         throw CLI::ValidationError("density",
                                    "several files are the slices of one volume; give pictures alone");
     if (cloud)

@@ -166,6 +166,7 @@ TEST_CASE("volumes and clouds that are broken are refused in a sentence, and not
     scene.must_fail("volume ball -n 0" + to, "-n: 0 is not possible");
     scene.must_fail("volume ball --relax 101" + to, "--relax");
     scene.must_fail("volume none.nrrd" + to, "none.nrrd: no such file");
+    scene.must_fail("volume ball gyroid" + to, "density: several files are the slices of one volume");
     scene.must_fail("volume none.ply --relax 3" + to, "--relax: applies to a density");
     scene.must_fail("volume a.ply b.png" + to, "give pictures alone");
     scene.must_fail("volume ball --film " + scene("turn.gif") + to, "turn.gif");
