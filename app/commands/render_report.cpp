@@ -16,6 +16,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
 #include "app/files/separations.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
 
@@ -92,7 +93,7 @@ std::string strokes_in_words(const StrokeFigures& strokes, DrawingStyle style) {
 
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::optional<std::uint64_t> bytes = bytes_written(options, drawn);
-    const std::string size = !bytes ? "" : fmt::format(", {:.1f} MB", static_cast<double>(*bytes) * 1e-6);
+    const std::string size = !bytes ? "" : ", " + bytes_in_words(static_cast<double>(*bytes));
     // The ways from one pen's dots to the next one's are in one of the two only.
     const bool shortened =
         drawn.curve_way_m && drawn.preflight && *drawn.curve_way_m > 1.01 * drawn.preflight->pen_up_m;

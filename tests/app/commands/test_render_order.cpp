@@ -95,7 +95,7 @@ TEST_CASE("on a terminal a bar shows how much is written, and then what a plotte
     REQUIRE(outcome.status == 0);
     // Before it, on a slow machine, how long it will take.
     CHECK(outcome.out.find("writing 3,000 dots") != std::string::npos);
-    CHECK(outcome.out.find("\r\033[K3,000 dots, 0.1 MB, ") != std::string::npos);
+    CHECK(outcome.out.find("\r\033[K3,000 dots, 1") != std::string::npos);
     CHECK(outcome.out.find(" mm wide; the pen moves ") != std::string::npos);
     const nlohmann::json preflight = read_json(scene("cat.json"))["preflight"];
     CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
