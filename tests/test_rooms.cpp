@@ -117,7 +117,7 @@ TEST_CASE("each room of the program knows only the rooms below it") {
         {"app/commands",
          {"app", "app/files", "app/film", "app/settings", "lab/analysis", "lab/compare", "lab/related",
           "lab/reports", "lab/reproduce", "lab/search"}},
-        {"app/mpi", {"app/commands", "lab/search"}},
+        {"app/mpi", {"app/commands", "app/files", "lab/search"}},
         {"app/film", {"app", "app/files"}},
         {"app/settings", {"app", "app/files"}},
         {"app/files", {"app", "app/decoding"}},
