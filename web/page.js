@@ -171,8 +171,8 @@ async function main() {
     const place = latest(async (wanted) => {
         try {
             const {result, right} = await drawnBy(placing, merged(wanted, {drawing: {relax: 0}}));
+            if (wanted === settled || newest === settled) return;  // it comes late
             say("");
-            if (wanted === settled) return;
             if (right) canvas.showBeside(right);
             showDrawn({...result, steps: drawn?.steps ?? result.steps}, false);
         } catch (failed) {

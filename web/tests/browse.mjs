@@ -18,9 +18,10 @@ function check(right, sentence) {
     failed += !right;
 }
 const requests = [];
-async function opened({hash = "", by = browser, ...look} = {}) {
+async function opened({hash = "", by = browser, before, ...look} = {}) {
     const page = await by.newPage({viewport: {width: 1280, height: 800}, ...look});
     page.setDefaultTimeout(PATIENCE);
+    if (before) await page.addInitScript(before);
     page.on("pageerror", (error) => check(false, `no error: ${error.message}`));
     page.on("request", (request) => requests.push(request.url()));
     await page.goto(url + hash);
@@ -142,6 +143,30 @@ async function onScreen(page) {
     await other.waitForFunction(() => document.getElementById("message").textContent.startsWith("mine.txt"));
     check(true, "what is no picture is refused by name");
     await other.close();
+}
+{
+    // The worker that places dots, which is the first one, comes late with an older drawing: it does not show any more.
+    const page = await opened({before: () => {
+        window.Worker = class extends Worker {
+            constructor(script) {
+                super(script);
+                window.placing ??= this;
+            }
+            postMessage(message) {
+                const send = () => super.postMessage(message);
+                this === window.placing && window.held && message.ask === "draw" ? window.held.push(send) : send();
+            }
+        };
+    }});
+    await page.evaluate(() => { window.held = []; });
+    await page.getByLabel("Dots", {exact: true}).focus();
+    for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
+    await settled(page);
+    const count = await text(page, "count");
+    await page.evaluate(() => window.held.pop()());
+    await page.waitForFunction(() => window.held.length === 1);
+    check(await text(page, "count") === count && await text(page, "work") === "", "the newest drawing stays when an older one comes late");
+    await page.close();
 }
 for (const [name, look] of Object.entries({
     narrow: {viewport: {width: 400, height: 800}},
