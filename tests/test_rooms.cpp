@@ -157,11 +157,12 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
         {"app/viewer", {}},
         // Dots, tiles and lights as they are drawn on the screen.
         {"app/viewer/canvas",
-         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing"}},
+         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing",
+          "core/text", "core/volume"}},
         // Drawings as they are asked for and placed.
         {"app/viewer/background",
          {"core/drawing", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
-          "core/text", "core/tile"}},
+          "core/text", "core/tile", "core/volume"}},
         // How many dots fit into memory.
         {"app/viewer/desktop", {"core/drawing"}},
         // What of a drawing is seen, and what is measured of that.

@@ -35,6 +35,7 @@ bool is_whole(const std::filesystem::path& input) {
 
 Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
     const std::filesystem::path& input = inputs.front();
+    if (input == "cube") return cube_volume();
     if (input == "ball") return ball_volume();
     if (input == "gyroid") return gyroid_volume();
     return ending_of(input) == ".nrrd" ? read_nrrd(input) : read_slices(inputs);
@@ -72,8 +73,8 @@ VolumeCommand::VolumeCommand(CLI::App& program) {
     command
         ->add_option(
             "density", inputs_,
-            "A block of voxels (.nrrd, raw), or pictures of its slices, where light is dense; ball or "
-            "gyroid, which are built in; or a point cloud (.ply)")
+            "A block of voxels (.nrrd, raw), or pictures of its slices, where light is dense; cube, ball "
+            "or gyroid, which are built in; or a point cloud (.ply)")
         ->type_name("DENSITY")
         ->required();
     command->add_option("-o,--output", output_, "The points: a name that ends in .ply or .csv")

@@ -17,6 +17,8 @@ namespace dapple {
 
 struct Box {
     glm::dvec3 low{0}, high{0};
+
+    bool operator==(const Box&) const = default;
 };
 
 /// The smallest box around all places; of none, empty at 0.

@@ -91,6 +91,10 @@ void check_volume(const Volume& volume) {
     if (!any) throw std::runtime_error("all voxels are 0, so there is nowhere to place a dot");
 }
 
+Volume cube_volume(int side) {
+    return volume_of(side, [](const glm::dvec3&) { return 1; });
+}
+
 Volume ball_volume(int side) {
     return volume_of(side, [](const glm::dvec3& place) {
         const double radius = 2 * glm::length(place - 0.5);

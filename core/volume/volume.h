@@ -29,7 +29,9 @@ struct Volume {
 /// none is above 0.
 void check_volume(const Volume& volume);
 
-/// So many by as many by as many voxels: a ball that is denser towards its middle, and a gyroid's sheet.
+/// So many by as many by as many voxels: an even cube, a ball that is denser towards its middle, and a
+/// gyroid's sheet.
+Volume cube_volume(int side = 64);
 Volume ball_volume(int side = 64);
 Volume gyroid_volume(int side = 64);
 

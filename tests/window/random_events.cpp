@@ -152,8 +152,7 @@ class Person {
         whole(hands);
         const Place place{number(20, 600), number(20, 500)};
         hands("mousemove " + std::to_string(number(700, 900)) + " " + std::to_string(number(20, 700)));
-        hands("key Escape");
-        hands("key Escape");
+        for (int i = 0; i < 5; ++i) hands("key Escape");  // from a row, a film, a column, ...
         hands("mousemove " + std::to_string(place.x) + " " + std::to_string(place.y));
         return place;
     }
@@ -188,10 +187,10 @@ class Person {
     std::string key() {
         // Not F11 nor Ctrl+Q: without a window manager nothing is full screen, and the end comes at the end.
         constexpr std::array kKeys{
-            "ctrl+z", "ctrl+y",    "ctrl+shift+z", "ctrl+0", "ctrl+b", "ctrl+s",   "ctrl+t", "f",
-            "t",      "c",         "shift+c",      "l",      "p",      "e",        "E",      "plus",
-            "minus",  "Tab",       "F1",           "Escape", "Escape", "Return",   "Up",     "Down",
-            "Left",   "BackSpace", "Delete",       "Home",   "space",  "question", "a"};
+            "ctrl+z", "ctrl+y", "ctrl+shift+z", "ctrl+0", "ctrl+b", "ctrl+s", "ctrl+t",   "f",
+            "t",      "c",      "shift+c",      "l",      "m",      "p",      "e",        "E",
+            "plus",   "minus",  "Tab",          "F1",     "Escape", "Escape", "Return",   "Up",
+            "Down",   "Left",   "BackSpace",    "Delete", "Home",   "space",  "question", "a"};
         return kKeys[static_cast<std::size_t>(number(0, static_cast<int>(kKeys.size()) - 1))];
     }
     std::string typed_number() {

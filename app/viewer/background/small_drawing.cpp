@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/viewer/background/with_alpha.h"
 #include "app/viewer/background/workbench.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/page_pixels.h"
@@ -38,11 +39,7 @@ SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings
         drawing.dots = stream_of(
             std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)), placed->scale);
     drawing.saving.dpi = dpi_for(drawing.page, longer_side);
-    const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
-    SmallPicture shown(pixels.width, pixels.height);
-    std::ranges::transform(pixels.values, shown.values.begin(),
-                           [](glm::u8vec3 pixel) { return glm::u8vec4(pixel, 255); });
-    return shown;
+    return with_alpha(page_pixels(settings, drawing));
 }
 
 }  // namespace dapple

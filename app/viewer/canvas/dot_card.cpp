@@ -38,9 +38,7 @@ void draw_card_words(ImDrawList* list, const std::vector<std::string>& lines, co
     const ImVec2 card{width + 2.4f * air, line * static_cast<float>(lines.size()) + 1.6f * air};
     const ImVec2 at = corner_beside(ImGui::GetIO().MousePos, card, place, 18 * unit);
     const ImVec2 end{at.x + card.x, at.y + card.y};
-    for (const float spread : {4.0f, 2.0f})
-        list->AddRectFilled({at.x - spread * unit, at.y - spread * unit},
-                            {end.x + spread * unit, end.y + spread * unit}, IM_COL32(0, 0, 0, 24), 7 * unit);
+    draw_shadow(list, at, end);
     list->AddRectFilled(at, end, colour_of(ThemeColour::panel), 5 * unit);
     float y = at.y + 0.8f * air;
     for (std::size_t i = 0; i < lines.size(); ++i, y += line) {

@@ -11,6 +11,7 @@
 #include "app/viewer/view/view_analysis.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
+#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 namespace {
@@ -85,10 +86,7 @@ void draw_card(const Box& square, const Words& words, ImTextureID picture, const
     const ImVec2 card{side + 2 * air, side + 2 * line + sentence.y + 3.5f * air};
     const ImVec2 at = card_corner(square, card, place, air);
     ImDrawList* list = ImGui::GetForegroundDrawList();
-    for (const float spread : {6.0f, 3.0f, 1.0f})
-        list->AddRectFilled({at.x - spread * unit, at.y - spread * unit},
-                            {at.x + card.x + spread * unit, at.y + card.y + spread * unit},
-                            IM_COL32(0, 0, 0, 22), 8 * unit);
+    draw_shadow(list, at, {at.x + card.x, at.y + card.y});
     list->AddRectFilled(at, {at.x + card.x, at.y + card.y}, colour_of(ThemeColour::panel), 6 * unit);
     const float x = at.x + air;
     float y = at.y + 0.8f * air;

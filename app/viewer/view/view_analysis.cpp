@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/viewer/background/with_alpha.h"
 #include "core/analysis/spectrum_picture.h"
 
 namespace dapple {
@@ -76,13 +77,6 @@ std::optional<double> tile_side(const Domain& domain, std::size_t points, std::s
     const double side = tile_period(tiles);
     if (2 * side > std::min(domain.width, domain.height) * (1 + 1e-9)) return std::nullopt;
     return side;
-}
-
-Grid<glm::u8vec4> with_alpha(const Grid<glm::u8vec3>& picture) {
-    Grid<glm::u8vec4> result(picture.width, picture.height);
-    std::ranges::transform(picture.values, result.values.begin(),
-                           [](glm::u8vec3 c) { return glm::u8vec4(c, 255); });
-    return result;
 }
 
 ViewAnalysis analysed(const ViewAnalysisRequest& request, const std::stop_token& stop) {

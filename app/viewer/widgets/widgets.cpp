@@ -265,6 +265,13 @@ void hint(const char* text) {
     ImGui::PopStyleColor();
 }
 
+void draw_shadow(ImDrawList* list, ImVec2 low, ImVec2 high) {
+    const float unit = ImGui::GetFontSize() / 15;
+    for (const float spread : {6 * unit, 3 * unit, unit})
+        list->AddRectFilled({low.x - spread, low.y - spread}, {high.x + spread, high.y + spread},
+                            IM_COL32(0, 0, 0, 22), 8 * unit);
+}
+
 std::string in_lines(std::string text, float width) {
     std::size_t line = 0, space = text.npos;
     for (std::size_t i = 0; i <= text.size(); ++i) {

@@ -262,6 +262,9 @@ void keep_tips_above(float y);
 /// Small grey text under a control.
 void hint(const char* text);
 
+/// Around a card that lies over others, so that it stands out from them.
+void draw_shadow(ImDrawList* list, ImVec2 low, ImVec2 high);
+
 /// The text with line ends in place of spaces where it would be wider than `width`, in pixels. ImGui alone
 /// also ends lines within numbers, behind "0.".
 std::string in_lines(std::string text, float width);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -205,6 +206,40 @@ TEST_CASE("from each side all dots are in the picture, and the nearest is darkes
         CHECK(*greys.begin() < 140);
         CHECK(greys.size() > 4);
     }
+}
+
+TEST_CASE("a ball covers as much of the picture as its disc, and the nearer of two hides the other") {
+    constexpr int kSide = 420;
+    const Box box{glm::dvec3(-1), glm::dvec3(1)};
+    const double pixels = kSide / 2.1 / std::sqrt(3.0);  // half the diagonal, from the middle to the margin
+    for (const double radius : {0.04, 0.08, 1.0}) {
+        const Ball ball{.place = {0.3, -0.4, 0.2}, .radius = radius};
+        const auto picture = turned_view(std::array{ball}, {.box = box, .side = kSide});
+        double covered = 0;
+        for (int y = 0; y < kSide; ++y) {
+            int first = kSide, last = -1;  // it is glossy between them
+            for (int x = 0; x < kSide; ++x) {
+                if (picture.at(x, y).r > 200) continue;
+                first = std::min(first, x);
+                last = x;
+            }
+            covered += std::max(last - first + 1, 0);
+        }
+        const double r = std::min(radius * pixels, kSide / 30.0);
+        CHECK(covered == doctest::Approx(std::numbers::pi * r * r).epsilon(0.05));
+    }
+    const std::array two{Ball{.place = {0, -0.9, 0}, .radius = 0.03, .ink = {1, 0, 0}},
+                         Ball{.place = {0, 0.9, 0}, .radius = 0.03, .ink = {0, 0, 1}}};
+    const auto middle = [&](double turn) {
+        const auto picture = turned_view(two, {.box = box, .turn = turn, .down = 0, .side = kSide});
+        return picture.at(kSide / 2, kSide / 2);
+    };
+    CHECK(middle(0).r > middle(0).b + 100);
+    CHECK(middle(0.5).b > middle(0.5).r + 100);
+    CHECK(middle(0.25) == glm::u8vec3(255));  // they are beside each other
+    const auto above = turned_view(two, {.box = box, .down = 1, .side = kSide});
+    const int down = static_cast<int>(kSide / 2 + 0.9 * std::sin(1.0) * pixels);
+    CHECK(above.at(kSide / 2, down).r > above.at(kSide / 2, down).b + 100);  // what is in front is lower
 }
 
 }  // namespace dapple

@@ -25,6 +25,7 @@
 #include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/pen_panel.h"
 #include "app/viewer/panels/preset_row.h"
+#include "app/viewer/panels/space_panel.h"
 #include "app/viewer/panels/tile_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/widgets/row_keys.h"
@@ -49,6 +50,7 @@ const std::set<std::string> kFolds{"Crop",
                                    "View",
                                    "Samples",
                                    "Compare",
+                                   "In space",
                                    "The tile"};
 
 /// All that the panels edit.
@@ -59,6 +61,7 @@ struct Everything {
     CropTool cropping = {};
     bool dialog = true, desktop = false;
     Appearance appearance = {};
+    SpaceSettings space = {};
     TilePanelState tile = {};
     ShownPens shown_pens = {};
     Palette drawn_pens = palette_of({.set = PenSet::cmyk});
@@ -133,6 +136,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
              draw_film_buttons(kFilms, nothing);
              draw_method_rows(all, {kTiles});
              draw_compare_panel(all, {kTiles});
+             draw_space_panel(one.space);
              draw_tile_panel(view, one.tile);
          }},
         {"lights", [&] { draw_lights_panel(one.lights, LightsInfo{}, {kTiles}); }},
@@ -152,7 +156,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
 void make_high(HeadlessUi& ui, float width = 400) {
     ImGui::GetIO().DisplaySize = {width, 4000};
     for (int i = 0; i < 3; ++i) ui.frame();
-    for (const char* folded : {"More tone settings", "More page settings", "More pen settings"})
+    for (const char* folded : {"More tone settings", "More page settings", "More pen settings", "In space"})
         if (ui.has(folded)) ui.click(folded);
 }
 
