@@ -29,11 +29,8 @@ constexpr double kSteepest = 1.4;                     // radians
 void SpaceView::hide() {
     placing_.stop();
     asked_.reset();
-    seen_ = turning_ = false;
-}
-
-std::optional<double> SpaceView::seconds_to_next_frame() const {
-    return turning_ ? std::optional(kFrame) : std::nullopt;
+    seen_ = false;
+    next_frame_.reset();
 }
 
 void SpaceView::update(const SpaceChoice& choice) {
@@ -88,14 +85,16 @@ std::string SpaceView::words() const {
     return count + fmt::format("settled in {} steps", dots_.steps);
 }
 
-void SpaceView::draw(SpaceSettings& settings, bool boundaries, const CanvasPlace& place) {
+void SpaceView::draw(SpaceSettings& settings, bool boundaries, const CanvasPlace& place,
+                     double last_seconds) {
     const float unit = ImGui::GetFontSize() / 15, air = 12 * unit, line = ImGui::GetTextLineHeight();
     const float side =
         std::floor(std::min({kLargestSide * unit, place.size.x - 4 * air, place.size.y - 4.5f * air - line}));
     if (side < kLeastSide * unit) return hide();
     update(settings.choice);
     seen_ = true;
-    turning_ = settings.turning;
+    next_frame_.reset();  // on a slow machine the dots, too, are to get on
+    if (settings.turning) next_frame_ = std::max(kFrame, last_seconds);
     const ImVec2 card{side + 2 * air, side + line + 2.5f * air};
     const ImVec2 at{std::floor(place.corner.x + place.size.x - air - card.x),
                     std::floor(place.corner.y + place.size.y - air - card.y)};

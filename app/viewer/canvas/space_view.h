@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/viewer/background/background.h"
@@ -19,13 +20,14 @@ class SpaceView {
     explicit SpaceView(std::function<void()> wake) : placing_(std::move(wake)) {}
 
     /// Draws it into the canvas's lower right corner, if there is room, with the dots that came last, and has
-    /// those placed that are asked for. Time and a mouse that drags turn them.
-    void draw(SpaceSettings& settings, bool boundaries, const CanvasPlace& place);
+    /// those placed that are asked for. Time and a mouse that drags turn them. `last_seconds`: what the
+    /// window's frame before took.
+    void draw(SpaceSettings& settings, bool boundaries, const CanvasPlace& place, double last_seconds);
     /// Nobody looks any more: gives up what is under way.
     void hide();
 
     /// Seconds after which it is to be drawn again; none: nothing turns.
-    std::optional<double> seconds_to_next_frame() const;
+    std::optional<double> seconds_to_next_frame() const { return next_frame_; }
 
     /// What is seen; null: nothing, or nothing yet.
     const SpaceDots* dots() const { return seen_ && !dots_.places.empty() ? &dots_ : nullptr; }
@@ -42,7 +44,8 @@ class SpaceView {
     std::optional<SpaceChoice> asked_;
     SpaceDots dots_;
     std::string trouble_;
-    bool seen_ = false, turning_ = false;
+    bool seen_ = false;
+    std::optional<double> next_frame_;
 
     std::optional<bool> boundaries_;  // that the balls have; none: other dots have come
     std::vector<Ball> balls_;

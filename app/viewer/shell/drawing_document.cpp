@@ -387,7 +387,7 @@ void DrawingDocument::draw(const Frame& frame) {
     else if (panels && !session_.film)
         draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
     if (open_.space && !variations_)
-        space_.draw(side_panel_.space(), session_.settings.drawing.show_tiles, place);
+        space_.draw(side_panel_.space(), session_.settings.drawing.show_tiles, place, frame.last_seconds);
     else
         space_.hide();
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later

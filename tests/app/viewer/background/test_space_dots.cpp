@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <tuple>
@@ -11,19 +12,26 @@
 #include "app/files/volume_file.h"
 #include "app/viewer/background/space_dots.h"
 #include "core/volume/volume.h"
-#include "tests/render_scene.h"
+#include "tests/run_in_shell.h"
+#include "tests/temporary_folder.h"
 
 namespace dapple {
 
 TEST_CASE("the window's dots in space are those that the command writes") {
-    const Scene scene;
+    const TemporaryFolder folder;
     const auto written = [&](const std::string& options) {
-        REQUIRE(run_dapple("volume " + options + " -o " + scene("dots.ply")).status == 0);
-        return read_ply(scene("dots.ply"));
+        const std::filesystem::path file = folder / "dots.ply";
+        REQUIRE(run_dapple("volume " + options + " -o " + file.string()).status == 0);
+        return read_ply(file);
     };
-    CHECK(dots_in_space({SpaceVolume::cube, 100, true}).places == written("cube -n 100"));
-    CHECK(dots_in_space({SpaceVolume::ball, 321, false}).places == written("ball -n 321 --relax 0"));
-    CHECK(dots_in_space({SpaceVolume::gyroid, 700, true}).places == written("gyroid -n 700 --relax 20"));
+    const auto shown = [](const SpaceChoice& choice) {
+        std::vector<glm::dvec3> places = dots_in_space(choice).places;
+        for (glm::dvec3& place : places) place = glm::vec3(place);  // files have floats
+        return places;
+    };
+    CHECK(shown({SpaceVolume::cube, 100, true}) == written("cube -n 100"));
+    CHECK(shown({SpaceVolume::ball, 321, false}) == written("ball -n 321 --relax 0"));
+    CHECK(shown({SpaceVolume::gyroid, 700, true}) == written("gyroid -n 700 --relax 20"));
 }
 
 TEST_CASE("they are told of as placed and after each step, until that is enough") {
