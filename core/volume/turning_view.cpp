@@ -158,7 +158,8 @@ Grid<glm::u8vec3> turned_view(std::span<const Ball> balls, const TurnedView& vie
     static const std::vector<std::uint8_t> encoded = encoded_sums();
     const double pixels = view.side / 2.1 / std::max(glm::length(view.box.high - view.box.low) / 2, 1e-300);
     const std::vector<Seen> seen = seen_from(balls, view, pixels);
-    const auto [near, far] = std::ranges::minmax_element(seen, {}, &Seen::depth);
+    const auto [near, far] = std::minmax_element(
+        seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
     const float nearest = seen.empty() ? 0 : near->depth,
                 range = seen.empty() ? 1 : std::max(far->depth - nearest, 1e-6f);
     Grid<Layers> layers(view.side, view.side, Layers{});
