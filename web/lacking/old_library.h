@@ -1,6 +1,6 @@
 // What core uses of C++20's library and Debian's emscripten has not: read before each file. Debian 12's has
 // libc++ 13, with neither algorithms of ranges nor std::bit_cast, and no writing of doubles either; Debian
-// 13's lacks the reading of doubles alone.
+// 13's, 18, lacks the reading of doubles, and what it writes them by is too large.
 #pragma once
 #include <version>
 
@@ -36,10 +36,9 @@ from_chars_result from_chars(const char* first, const char* last, Number& value)
     return {rest, {}};
 }
 
-#if _LIBCPP_VERSION < 15000
 /// The shortest digits that mean the number, the plain way unless the other is shorter: 0.001, 1e+05.
 template <floating_point Number>
-to_chars_result to_chars(char* first, char*, Number value) {
+to_chars_result shortest_to_chars(char* first, Number value) {
     string plain = fmt::format("{}", value);
     const bool negative = plain[0] == '-';
     const size_t point = min(plain.find('.'), plain.size());
@@ -58,6 +57,12 @@ to_chars_result to_chars(char* first, char*, Number value) {
             plain = fmt::format("{:.0f}", value);  // all digits of a whole number
     }
     return {std::copy(plain.begin(), plain.end(), first), {}};
+}
+
+#if _LIBCPP_VERSION < 15000
+template <floating_point Number>
+to_chars_result to_chars(char* first, char*, Number value) {
+    return shortest_to_chars(first, value);
 }
 
 template <class To, class From>
@@ -138,3 +143,15 @@ auto max(Range&& range) {
 #endif
 
 }  // namespace std
+
+#if _LIBCPP_VERSION >= 15000
+// In place of the library's own, whose tables have 100 KB: the linker takes these, and leaves those out.
+_LIBCPP_BEGIN_NAMESPACE_STD
+inline to_chars_result to_chars(char* first, char*, float value) {
+    return shortest_to_chars(first, value);
+}
+inline to_chars_result to_chars(char* first, char*, double value) {
+    return shortest_to_chars(first, value);
+}
+_LIBCPP_END_NAMESPACE_STD
+#endif
