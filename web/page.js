@@ -2,7 +2,7 @@
 // places the dots at once, and, when the hand rests, to another one where they settle.
 
 const byId = (id) => document.getElementById(id);
-const SETTLE_AFTER = 150;  // milliseconds of rest
+const SETTLE_AFTER = 150;  // milliseconds of rest, after which the link is written too: browsers refuse more than a few a second
 
 // An engine in a worker of its own.
 function engineThread(script, module) {
@@ -172,10 +172,10 @@ async function main() {
         try {
             const {result, right} = await drawnBy(placing, merged(wanted, {drawing: {relax: 0}}));
             if (wanted === settled || newest === settled) return;  // it comes late
-            say("");
             if (right) canvas.showBeside(right);
             showDrawn({...result, steps: drawn?.steps ?? result.steps}, false);
         } catch (failed) {
+            if (wanted !== newest) return;
             say(`${failed.message}.`);
             byId("work").textContent = "";
         }
@@ -183,6 +183,7 @@ async function main() {
     // Draws what is wanted now.
     function draw() {
         if (!picture) return;
+        say("");
         newest = clone(settings);
         byId("work").textContent = "settling";
         place(newest);
@@ -200,9 +201,14 @@ async function main() {
     }
 
     // Rows. A row changes the settings by change(), which draws and writes the link.
-    const link = () => {
+    const writeLink = () => {
         const changed = changedFrom(usual, settings);
         history.replaceState(null, "", changed ? `#${encodeURIComponent(JSON.stringify(changed))}` : location.pathname + location.search);
+    };
+    let linkTimer;
+    const link = () => {
+        clearTimeout(linkTimer);
+        linkTimer = setTimeout(writeLink, SETTLE_AFTER);
     };
     function change(work) {
         work(drawing());
@@ -478,6 +484,7 @@ async function main() {
         save(new Blob([JSON.stringify(project, null, 2) + "\n"], {type: "application/json"}), ".dapple");
     });
     byId("link").onclick = async () => {
+        writeLink();
         await navigator.clipboard.writeText(location.href);
         byId("said").textContent = byId("work").textContent = "link copied";
     };
@@ -491,7 +498,9 @@ async function main() {
     }
     refresh();
     await takeLink();
+    const wrong = byId("message").textContent;
     await take(still);
+    if (wrong) say(wrong);
 }
 
 main().catch((failed) => { byId("message").textContent = `Dapple cannot work in this browser: ${failed.message}.`; });

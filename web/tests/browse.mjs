@@ -85,6 +85,9 @@ async function onScreen(page) {
             seen.next = requestAnimationFrame(note);
         };
         note(performance.now());
+        seen.links = [];
+        const replace = history.replaceState.bind(history);
+        history.replaceState = (...args) => { seen.links.push(performance.now()); replace(...args); };
     });
     await page.mouse.move(box.x + box.width * 0.6, box.y + box.height / 2);
     await page.mouse.down();
@@ -105,6 +108,8 @@ async function onScreen(page) {
     const part = (share) => gaps[Math.floor(share * (gaps.length - 1))].toFixed(0);
     console.log(`dragging: ${frames.length} frames, half of them within ${part(0.5)} ms, 95 % within ${part(0.95)} ms; ${counts} drawings seen`);
     await settled(page);
+    const links = await page.evaluate(() => seen.links);
+    check(links.length > 0 && links.every((at, i) => !i || at - links[i - 1] > 100), "the link is written when the hand rests");
 
     // Keys and a typed value.
     await slider.focus();
@@ -134,6 +139,15 @@ async function onScreen(page) {
 
     const link = new URL(page.url()).hash;
     await page.close();
+    const wrong = await opened({hash: "#" + encodeURIComponent('{"drawing": {"count": 0}}')});
+    check((await text(wrong, "message")).startsWith("The link's settings are not right: settings: drawing.count is 0"), "a wrong link is refused");
+    await wrong.waitForFunction(() => document.getElementById("count").textContent === "40,000 dots");
+    check((await text(wrong, "message")) !== "", "the message stays while the still life is drawn");
+    await wrong.getByLabel("Dots, typed").fill("12k");
+    await wrong.keyboard.press("Enter");
+    await wrong.waitForFunction(() => document.getElementById("count").textContent === "12,000 dots");
+    check((await text(wrong, "message")) === "", "a change takes the message away");
+    await wrong.close();
     const other = await opened({hash: link});
     check((await text(other, "count")) === "12,000 dots", "a link carries the settings");
     await other.setInputFiles("#file", {name: "mine.dapple", mimeType: "", buffer: Buffer.from('{"dapple": 1, "drawing": {"count": 0}}')});
