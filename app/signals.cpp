@@ -28,8 +28,8 @@ struct Slot {
 };
 std::array<Slot, kMostFilesUnderWay> slots;  // the files to be removed
 std::atomic<bool> work_stops{false}, tells{false};
-std::atomic<bool> ending{false};                     // a signal ends the program: no file is made from now on
-std::atomic<int> making{0};                          // files that are made at this moment
+std::atomic<bool> ending{false};  // a signal ends the program: other threads make and remove no file any more
+std::atomic<int> at_files{0};     // threads that do so at this moment
 std::atomic<bool> signalled{false}, hung_up{false};  // since the last StopOnInterrupt began
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
               "the handler may not wait");
@@ -69,17 +69,25 @@ void remove_file(Slot& slot) {
     if (slot.owner.compare_exchange_strong(mine, 0)) ::unlink(slot.path.data());
 }
 
-// While one lives, signals come to other threads.
-class SignalsPass {
+// While one lives, its thread makes or removes a file, and signals come to other threads: a handler would
+// wait here for what it interrupts. While a signal ends the program, it is never made.
+class AtFile {
  public:
-    SignalsPass() {
+    AtFile() {
         sigset_t all;
         sigfillset(&all);
         ::pthread_sigmask(SIG_BLOCK, &all, &former_);
+        ++at_files;
+        if (!ending) return;
+        --at_files;
+        for (;;) ::pause();
     }
-    SignalsPass(const SignalsPass&) = delete;
-    SignalsPass& operator=(const SignalsPass&) = delete;
-    ~SignalsPass() { ::pthread_sigmask(SIG_SETMASK, &former_, nullptr); }
+    AtFile(const AtFile&) = delete;
+    AtFile& operator=(const AtFile&) = delete;
+    ~AtFile() {
+        --at_files;
+        ::pthread_sigmask(SIG_SETMASK, &former_, nullptr);
+    }
 
  private:
     sigset_t former_;
@@ -87,9 +95,9 @@ class SignalsPass {
 
 void remove_all_and_end(int signal) {
     ending = true;
-    // A file that another thread makes now is removed too. Not for ever: the folder may be one that does not
-    // answer, and a forked child inherits the number without the thread.
-    for (int ms = 0; making > 0 && ms < 1000; ++ms) ::poll(nullptr, 0, 1);
+    // A file that another thread makes or removes now is removed, too. Not for ever: the folder may be one
+    // that does not answer, and a forked child inherits the number without the thread.
+    for (int ms = 0; at_files > 0 && ms < 1000; ++ms) ::poll(nullptr, 0, 1);
     for (Slot& slot : slots) remove_file(slot);
     if (signal == SIGINT && tells) {
         // Over the line that shows progress, if there is one.
@@ -145,7 +153,10 @@ RemovedOnSignal::RemovedOnSignal(const std::filesystem::path& path) : slot_(0) {
 }
 
 RemovedOnSignal::~RemovedOnSignal() {
-    remove_file(slots[slot_]);
+    {
+        const AtFile now;
+        remove_file(slots[slot_]);
+    }
     unwatch_endings();
     slots[slot_].taken = false;
 }
@@ -155,17 +166,8 @@ const char* RemovedOnSignal::path() const {
 }
 
 int RemovedOnSignal::make() const {
-    const SignalsPass pass;  // or a signal's handler would wait here for what it interrupts
-    ++making;
-    if (ending) {
-        --making;
-        for (;;) ::pause();
-    }
-    const int made = ::open(path(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    const int error = errno;
-    --making;
-    errno = error;
-    return made;
+    const AtFile now;
+    return ::open(path(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
 void RemovedOnSignal::keep() {

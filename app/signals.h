@@ -28,7 +28,7 @@ class RemovedOnSignal {
 
     const char* path() const;
     /// Makes the file and opens it to be read and written; -1 and errno if it cannot be, or if there is one.
-    /// While a signal ends the program, nothing is made any more, and this does not return.
+    /// While a signal ends the program, nothing is made any more: neither this nor the destructor returns.
     int make() const;
     /// What has this name from now on stays.
     void keep();
