@@ -5,6 +5,8 @@ import {gzipSync} from "node:zlib";
 
 const [engine, picture, icon, page] = process.argv.slice(2);
 const text = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
+// Without indents, and lines of comments.
+const script = (...names) => names.map(text).join("").replace(/^ *(\/\/.*\n)?/gm, "");
 const inBase64 = (bytes) => bytes.toString("base64");
 // For lzma.js. xz leaves the size open, which it reads from a pipe.
 function packedEngine() {
@@ -17,8 +19,8 @@ const parts = {
     ICON: inBase64(readFileSync(icon)),
     ENGINE: inBase64(packedEngine()),
     PICTURE: inBase64(readFileSync(picture)),
-    THREAD: text("engine.mjs").replaceAll("export ", "") + text("worker.js"),
-    SCRIPT: text("lzma.js") + text("canvas.js") + text("rows.js") + text("page.js"),
+    THREAD: script("engine.mjs", "worker.js").replaceAll("export ", ""),
+    SCRIPT: script("lzma.js", "canvas.js", "rows.js", "page.js"),
 };
 const packed = text("page.html").replace(/\b(ICON|ENGINE|PICTURE|THREAD|SCRIPT)\b/g, (part) => parts[part]);
 writeFileSync(page, packed);
