@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,19 @@ dapple::PagePixels pixels;
 // See CMakeLists.txt.
 bool is_left_out(const std::string& tile) {
     return tile == "aperiodic1024" || tile == "aperiodic4096";
+}
+
+// Throws std::runtime_error if the drawing needs a tile that is left out.
+void check_tile(const dapple::Settings& settings) {
+    const Json drawing = Json::parse(settings.text()).at("drawing");
+    std::string tile = drawing.at("tile");
+    // The usual tile's points have one ranking; for others, this one takes its place.
+    const bool is_ranked = drawing["ranking"].is_string() && drawing["ranking"] != "energy";
+    if (tile == "kinds4096" && drawing["placer"] == "exact" && is_ranked) tile = "aperiodic4096";
+    if (is_left_out(tile))
+        throw std::runtime_error(
+            "this page leaves out the tile " + tile +
+            ", which these settings need; take another tile, or draw them with the program");
 }
 
 template <class Work>
@@ -142,6 +156,7 @@ int engine_set_picture(const std::uint8_t* rgba, int width, int height) {
 const char* engine_draw(const char* json) {
     return guarded([&] {
         const dapple::Settings settings{std::string_view(json)};
+        check_tile(settings);
         const dapple::Plan plan = stippler.plan(settings);
         drawing = stippler.draw(settings);
         collect_dots();

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kLeaf = 8;
 
-// Dots in the order of the tree's leaves: a node is a range of them, split in its middle.
+// Dots in the order of the tree's leaves: a node is a range of them, split in its middle. Ties go by the
+// dots' numbers, or which of the dots as far away is found would be another with another C++ library.
 class DotTree {
  public:
     DotTree(std::span<const float> x, std::span<const float> y) : x_(x), y_(y), sorted_(x.size()) {
@@ -28,7 +29,8 @@ class DotTree {
     friend class NearSearch;
 
     void split(std::size_t first, std::size_t last) {
-        if (last - first <= kLeaf) return;
+        const auto begin = sorted_.begin();
+        if (last - first <= kLeaf) return std::sort(begin + long(first), begin + long(last));
         float left = x_[sorted_[first]], right = left, top = y_[sorted_[first]], bottom = top;
         for (std::size_t i = first + 1; i < last; ++i) {
             left = std::min(left, x_[sorted_[i]]);
@@ -39,9 +41,10 @@ class DotTree {
         const std::size_t middle = (first + last) / 2;
         across_[middle] = right - left > bottom - top;
         const std::span<const float> key = across_[middle] ? x_ : y_;
-        const auto begin = sorted_.begin();
-        std::nth_element(begin + long(first), begin + long(middle), begin + long(last),
-                         [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+        const auto before = [&](std::uint32_t a, std::uint32_t b) {
+            return key[a] < key[b] || (key[a] == key[b] && a < b);
+        };
+        std::nth_element(begin + long(first), begin + long(middle), begin + long(last), before);
         border_[middle] = key[sorted_[middle]];
         split(first, middle);
         split(middle, last);

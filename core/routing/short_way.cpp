@@ -317,14 +317,18 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
     for (int round = 0; round < rounds && !watch.stop.stop_requested(); ++round) {
         // Windows are equally long; in every other round the first and the last are half as long.
         const std::size_t count = (order.size() + kWindow - 1) / kWindow, shifted = round % 2;
+        // In whole numbers that do not overflow where addresses have 32 bits.
+        const auto share = [&](std::uint64_t part, std::uint64_t of) {
+            return static_cast<std::size_t>(part * order.size() / of);
+        };
         const auto border = [&](std::size_t window) {
             if (window == 0) return std::size_t{0};
-            return std::min(order.size(), (2 * window - shifted) * order.size() / (2 * count));
+            return std::min(order.size(), share(2 * window - shifted, 2 * count));
         };
         tbb::parallel_for(std::size_t{0}, count + shifted, [&](std::size_t index) {
             if (watch.stop.stop_requested()) return;
             const std::size_t first = border(index), last = border(index + 1),
-                              seam = index * order.size() / count - first;
+                              seam = share(index, count) - first;
             if (last - first < 3) return;
             const std::vector<std::uint32_t> dots(order.begin() + static_cast<long>(first),
                                                   order.begin() + static_cast<long>(last));

@@ -1,9 +1,10 @@
-// compare.mjs ENGINE.wasm DAPPLE FOLDER: whether the engine's tables and drawings are the program's, byte for byte.
+// compare.mjs ENGINE.wasm DAPPLE FOLDER [SEED]: whether the engine's tables and drawings are the program's, byte for byte; and,
+// with settings at random, others for each seed, whether its dots are, to what other powers and exponentials round.
 import {execFileSync} from "node:child_process";
 import {readFileSync, writeFileSync} from "node:fs";
 import {startEngine} from "../engine.mjs";
 
-const [wasm, dapple, folder] = process.argv.slice(2);
+const [wasm, dapple, folder, seed = "1"] = process.argv.slice(2);
 const engine = await startEngine(new WebAssembly.Module(readFileSync(wasm)));
 
 // A picture's bytes as a file that needs no decoder worth the name.
@@ -28,6 +29,8 @@ const pictures = {
     ramp: painted(256, 100, (x) => [x, x, x]),
     ball: painted(300, 220, ball),
     grain: painted(97, 181, (x, y) => Array(3).fill(((x * 7919 + y * 104729) % 251 + x) / 1.4)),
+    board: painted(160, 120, (x, y) => ((x >> 4) + (y >> 4)) % 2 ? [40, 60, 220] : [250, 240, 200]),
+    rings: painted(200, 200, (x, y) => [0, 2, 4].map((turn) => 128 + 120 * Math.sin(Math.hypot(x - 60, y - 90) / 9 + turn))),
 };
 const cases = [
     ["ramp", {}, []],
@@ -48,6 +51,7 @@ for (const [number, [name, settings, options]] of cases.entries()) {
     const drawn = engine.draw(settings);
     const file = written(name, pictures[name]);
     // Several pens' tables differ in the last digits of some dots.
+    // Several pens' tables differ in the last digits of some dots.
     for (const format of settings.drawing?.pens ? ["svg"] : ["csv", "svg"]) {
         const theirs = `${folder}/${number}.${format}`;
         execFileSync(dapple, ["render", file, "-o", theirs, ...options], {stdio: "ignore"});
@@ -56,6 +60,52 @@ for (const [number, [name, settings, options]] of cases.entries()) {
         failed += !same;
         console.log(`${same ? "same" : "NOT THE SAME"}: ${drawn.dots} dots of ${name}.${format} ${options.join(" ")}`);
     }
+}
+
+// Settings at random, of all rows that have a range or a choice; small drawings, as there are many. What one refuses, the
+// other does, too, but for a tile that the page leaves out.
+let state = Number(seed);
+const random = (most = 1) => ((state = (Math.imul(state, 1103515245) + 12345) >>> 0) >>> 8) / 2 ** 24 * most;
+const one_of = (list) => list[Math.floor(random(list.length))];
+const atRandom = {
+    "drawing.count": () => Math.round(10 ** (2 + random(2))), "drawing.relax": () => Math.max(0, Math.round(random(24) - 12)),
+    "drawing.pens": () => one_of(["one", "greys", "cmyk", "auto:3"]), "drawing.tile": () => one_of(engine.tiles()),
+    "drawing.page.margins_mm": () => Object.fromEntries(["top", "right", "bottom", "left"].map((side) => [side, random(30)])),
+    "drawing.page.quarter_turns": () => Math.floor(random(4)),
+    ...Object.fromEntries(["automatic_tone", "background", "show_tiles", "tone.invert"].map((each) => [`drawing.${each}`, () => random() < 0.5])),
+};
+for (let round = 0; round < 30; ++round) {
+    const settings = {drawing: {}}, name = one_of(Object.keys(pictures));
+    for (const [field, {choices, from, to, logarithmic}] of Object.entries(engine.rows())) {
+        if (!field.startsWith("drawing.") || field === "drawing.sheet_overlap_mm" || random() < 0.7) continue;
+        const value = atRandom[field] ?? (choices && (() => one_of(choices))) ??
+            (from !== undefined && (() => logarithmic ? from * (Math.min(to, 400) / from) ** random() : from + random(to - from)));
+        const path = field.split("."), last = path.pop();
+        if (value) path.reduce((at, part) => at[part] ??= {}, settings)[last] = value();
+    }
+    const file = written(name, pictures[name]), project = `${folder}/random.dapple`, table = `${folder}/random.csv`;
+    writeFileSync(project, JSON.stringify({dapple: 1, picture: {file}, ...settings}));
+    engine.setPicture(pictures[name]);
+    let refusal, theirs = "";
+    try {
+        engine.draw(settings);
+    } catch (error) {
+        refusal = error.message;
+    }
+    try {
+        execFileSync(dapple, ["render", project, "-o", table], {stdio: "ignore"});
+        theirs = readFileSync(table, "utf8");
+    } catch {
+    }
+    const here = refusal ? "" : engine.file("csv");
+    const dots = (text) => text.split("\n").slice(1, -1).map((line) => line.split(",", 2).map((mm) => Math.round(mm * 50)).join());
+    const known = new Set(dots(theirs)), counts = [here, theirs].map((text) => dots(text).length);
+    // Settling makes more of what is rounded.
+    const alike = dots(here).filter((dot) => known.has(dot)).length >= (settings.drawing.relax === 0 ? 0.95 : 0.3) * counts[0];
+    const right = refusal?.includes("leaves out the tile") || (Math.abs(counts[0] - counts[1]) <= 1 && alike);
+    failed += !right;
+    console.log(`${!right ? "NOT THE SAME" : refusal ? "refused" : here === theirs ? "same" : "alike"}: ` +
+                `${refusal ?? `${counts[0]} dots of ${name}`} ${JSON.stringify(settings.drawing)}`);
 }
 // The spectrum is the one that the program measures of the same dots, to what another Fourier transform rounds; and of one
 // tile that repeats it says so.
