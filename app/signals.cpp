@@ -55,7 +55,8 @@ struct Replaced {
 };
 std::mutex users_mutex;
 constexpr std::size_t kHangup = 2;
-Replaced<3> endings{{SIGINT, SIGTERM, SIGHUP}};
+// All that end a program unless it says otherwise, but for those of a fault in it.
+Replaced<9> endings{{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU}};
 Replaced<2> write_signals{{SIGPIPE, SIGXFSZ}};
 
 struct sigaction ignoring() {

@@ -51,7 +51,8 @@ std::vector<FileInUse> files_read(const CLI::App& command,
         const std::vector<std::string> words = option->results();
         for (std::string_view word : words) {
             while (!is_a_file(word) && word.find(':') != word.npos) word.remove_prefix(word.find(':') + 1);
-            if (is_a_file(word)) files.push_back({fs::path(word), called(*option, word)});
+            if (is_a_file(word) || is_standard_stream(word))
+                files.push_back({fs::path(word), called(*option, word)});
         }
     }
     return files;

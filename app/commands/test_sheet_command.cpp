@@ -98,7 +98,8 @@ void TestSheetCommand::save() const {
     drawing.dots.count = sheet.dots;
     save_ordered(output_, drawing_, drawing);  // each pen's dots as they were laid out
     const Machine machine = usual_machine(format, saving_.tool);
-    const PlottingTime time = figures_of(strokes, speeds_for(machine, format, saving_)).time;
+    const PlottingTime time =
+        figures_of(strokes, program_for(machine, format, drawing_, drawing).program).time;
     fmt::print(stderr, "{}: {} {}, {} dots", printable(output_.string()), pens.size(),
                pens.size() == 1 ? "pen" : "pens", grouped(sheet.dots));
     if (is_plotted(format))

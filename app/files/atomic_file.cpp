@@ -153,7 +153,13 @@ void write_beside(const fs::path& target, const std::function<void(std::ostream&
 
     remove_abandoned_parts(folder_of(target));
     PartFile part = part_beside(target);
-    if (replaces) static_cast<void>(::fchmod(part.descriptor(), old.st_mode & 07777));
+    if (replaces) {
+        // It stays its owner's where that may be. What runs with its owner's rights would run with the
+        // writer's.
+        if (::fchown(part.descriptor(), old.st_uid, old.st_gid) != 0)
+            static_cast<void>(::fchown(part.descriptor(), static_cast<uid_t>(-1), old.st_gid));
+        static_cast<void>(::fchmod(part.descriptor(), old.st_mode & 0777));
+    }
 
     write_through(part.descriptor(), target, GoingBack::possible, write);
     if (::fsync(part.descriptor()) != 0) fail_to_write(target, errno);
@@ -184,10 +190,10 @@ fs::path destination_of(const fs::path& target) {
 }
 
 // A file's place on the disk, which all its names and links share; its one name if it is not there yet.
-// Nothing for a pipe or a device.
-std::optional<std::string> identity_of(const fs::path& file) {
+// Nothing for a pipe or a device. "-" is the standard input of what is read, or output of what is written.
+std::optional<std::string> identity_of(const fs::path& file, int standard) {
     struct stat status;
-    if (::stat(file.c_str(), &status) == 0) {
+    if ((file == "-" ? ::fstat(standard, &status) : ::stat(file.c_str(), &status)) == 0) {
         if (!S_ISREG(status.st_mode)) return std::nullopt;
         return fmt::format("{}:{}", status.st_dev, status.st_ino);
     }
@@ -202,9 +208,9 @@ std::optional<std::string> identity_of(const fs::path& file) {
 void check_apart(const std::vector<FileInUse>& written, const std::vector<FileInUse>& read) {
     std::map<std::string, std::string> in_use;
     for (const FileInUse& file : read)
-        if (const auto identity = identity_of(file.path)) in_use.emplace(*identity, file.what);
+        if (const auto identity = identity_of(file.path, STDIN_FILENO)) in_use.emplace(*identity, file.what);
     for (const FileInUse& file : written) {
-        const auto identity = identity_of(file.path);
+        const auto identity = identity_of(file.path, STDOUT_FILENO);
         if (!identity) continue;
         const auto [there, is_new] = in_use.emplace(*identity, file.what);
         if (!is_new)

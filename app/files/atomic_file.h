@@ -12,9 +12,10 @@ namespace dapple {
 /// Calls `write` with a stream into a temporary file beside `target`, then brings it to disk and renames it.
 /// If anything goes wrong, or Ctrl+C or SIGTERM ends the program meanwhile, the temporary file is removed and
 /// an existing `target` stays as it was. If it is killed, an existing `target` stays too, and the next save
-/// into that folder removes the temporary file. Links are followed, to files that are not there yet too; what
-/// exists and is no regular file (a pipe, /dev/null) is written to directly. In a regular file the stream can
-/// go back to what was written.
+/// into that folder removes the temporary file. It has the mode of the old one, without the bits by which
+/// it would run as somebody else, and its owner where the system lets us. Links are followed, to files that
+/// are not there yet too; what exists and is no regular file (a pipe, /dev/null) is written to directly. In a
+/// regular file the stream can go back to what was written.
 ///
 /// Throws std::runtime_error naming the target and what is wrong: its folder is missing or read-only, it is a
 /// folder, read-only itself or a link to itself, the disk is full, nobody reads the pipe. What `write` throws
@@ -41,7 +42,8 @@ struct FileInUse {
 
 /// Throws std::runtime_error if one of the files that are written is one of those read, or one written
 /// before it, however its name is written ("./a.svg" is "a.svg", and a link is what it leads to): saving it
-/// would destroy the other. No file need exist yet. Pipes and devices are never in each other's way.
+/// would destroy the other. "-" is the standard input or output. No file need exist yet. Pipes and devices
+/// are never in each other's way.
 void check_apart(const std::vector<FileInUse>& written, const std::vector<FileInUse>& read);
 
 }  // namespace dapple

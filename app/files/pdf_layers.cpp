@@ -1,7 +1,8 @@
 #include "app/files/pdf_layers.h"
 
 #include <cassert>
-#include <qpdf/Pl_OStream.hh>
+#include <exception>
+#include <qpdf/Pipeline.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
@@ -12,6 +13,29 @@ namespace dapple {
 namespace {
 
 using Object = QPDFObjectHandle;
+
+// Into a stream. What the stream throws is kept: the library writes once more while it is destroyed.
+class IntoStream : public Pipeline {
+ public:
+    explicit IntoStream(std::ostream& out) : Pipeline("drawing", nullptr), out_(out) {}
+
+    void write(const unsigned char* bytes, std::size_t size) override {
+        if (thrown_) return;
+        try {
+            out_.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+        } catch (...) {
+            thrown_ = std::current_exception();
+        }
+    }
+    void finish() override {}
+    void check() const {
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
+ private:
+    std::ostream& out_;
+    std::exception_ptr thrown_;
+};
 
 // The page's content, to be drawn wherever it is asked for while the group is shown.
 Object form_of(QPDFPageObjectHelper& page, const Object& group, bool as_one) {
@@ -64,7 +88,7 @@ void write_as_layers(std::ostream& out, std::string_view pages, const std::vecto
     properties.replaceKey("/D", shown);
     pdf.getRoot().replaceKey("/OCProperties", properties);
 
-    Pl_OStream pipeline("drawing", out);
+    IntoStream pipeline(out);
     QPDFWriter writer(pdf);
     writer.setOutputPipeline(&pipeline);
     writer.setObjectStreamMode(qpdf_o_disable);
@@ -73,6 +97,7 @@ void write_as_layers(std::ostream& out, std::string_view pages, const std::vecto
     writer.setDeterministicID(true);
     writer.setMinimumPDFVersion("1.5");
     writer.write();
+    pipeline.check();
 }
 
 }  // namespace dapple

@@ -139,12 +139,12 @@ FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice
     if (watch.stop.stop_requested()) return {};
     DrawingToSave drawing = stage.drawing(stream_of(sorted), stage.plan.radius(stage.scale));
     drawing.pens = stage.plan.pens;
-    const MachineSpeeds speeds = speeds_of(choice.machine);
+    const MachineProgram program = program_of(choice.machine);
     PlotFilm film;
     if (const auto strokes = strokes_of(stage.settings, drawing, DrawingFormat::png))
-        film = plot_film(collected(*strokes), speeds);
+        film = plot_film(collected(*strokes), program);
     else
-        film = plot_film(sorted, stage.page.size.mm_per_page_unit, speeds);
+        film = plot_film(sorted, stage.page.size.mm_per_page_unit, program);
     const auto plot = std::make_shared<const PlotFilm>(std::move(film));
     return [plot, stage = std::move(stage)](double share) {
         const std::size_t drawn = plot->drawn_after(plotted_seconds(share, plot->total_seconds));

@@ -4,8 +4,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/output/stroke_figures.h"
-
 namespace dapple {
 
 std::size_t PlotFilm::drawn_after(double passed) const {
@@ -24,47 +22,50 @@ std::optional<glm::dvec2> PlotFilm::pen_at(std::size_t drawn) const {
     return std::nullopt;
 }
 
-PlotFilm plot_film(DotPieces dots, double mm_per_page_unit, const MachineSpeeds& speeds) {
+namespace {
+
+// When the pen comes to the paper and when it leaves, if it takes as long for both.
+std::pair<double, double> touched(const PlottingTime& before, const PlottingTime& after) {
+    const double lift_s = (after.lifting_s - before.lifting_s) / 2;
+    return {before.total_s() + after.moving_s - before.moving_s + lift_s, after.total_s() - lift_s};
+}
+
+}  // namespace
+
+PlotFilm plot_film(DotPieces dots, double mm_per_page_unit, const MachineProgram& program) {
     PlotFilm film;
     film.seconds.reserve(dots.size());
-    double now = 0;
-    std::optional<glm::dvec2> last;
+    MachineClock clock(program);
     for_each_position(dots, [&](double x, double y) {
-        const glm::dvec2 here(x, y);
-        if (last) now += speeds.raise_s + move_time(glm::distance(*last, here) * mm_per_page_unit, speeds);
-        now += speeds.lower_s + speeds.dot_s;
-        film.seconds.push_back(now);
-        last = here;
+        const PlottingTime before = clock.time();
+        clock.dot(glm::dvec2(x, y) * mm_per_page_unit);
+        film.seconds.push_back(touched(before, clock.time()).second);
     });
-    film.total_seconds = last ? now + speeds.raise_s : 0;
+    film.total_seconds = clock.finish().total_s();
     film.dots = std::move(dots);
     return film;
 }
 
-PlotFilm plot_film(Strokes strokes, const MachineSpeeds& speeds) {
+PlotFilm plot_film(Strokes strokes, const MachineProgram& program) {
     PlotFilm film;
     film.seconds.reserve(strokes.points.size());
-    double now = 0;
-    std::optional<glm::dvec2> last;
+    MachineClock clock(program);
     std::size_t first = 0;
     for (const std::size_t end : strokes.ends) {
         const std::span points(strokes.points.data() + first, end - first);
-        if (last) now += speeds.raise_s + move_time(glm::distance(*last, points.front()), speeds);
-        now += speeds.lower_s;
-        if (points.size() == 1) now += speeds.dot_s;
+        const PlottingTime before = clock.time();
+        clock.stroke(points);
+        const auto [begun, ended] = touched(before, clock.time());
         double way = 0;
         for (std::size_t i = 1; i < points.size(); ++i) way += glm::distance(points[i - 1], points[i]);
-        const double takes = points.size() > 1 ? drawing_time(points, speeds) : 0;
         double gone = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (i > 0) gone += glm::distance(points[i - 1], points[i]);
-            film.seconds.push_back(now + (way > 0 ? takes * gone / way : 0));
+            film.seconds.push_back(way > 0 ? begun + (ended - begun) * gone / way : ended);
         }
-        now += takes;
-        last = points.back();
         first = end;
     }
-    film.total_seconds = last ? now + speeds.raise_s : 0;
+    film.total_seconds = clock.finish().total_s();
     film.strokes = std::move(strokes);
     return film;
 }

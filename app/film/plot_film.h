@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/output/plotting_time.h"
+#include "core/output/machine_clock.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
@@ -26,10 +26,10 @@ struct PlotFilm {
 };
 
 /// The dots come in the order given, a touch each; its total is plotting_time()'s.
-PlotFilm plot_film(DotPieces dots, double mm_per_page_unit, const MachineSpeeds& speeds);
+PlotFilm plot_film(DotPieces dots, double mm_per_page_unit, const MachineProgram& program);
 
 /// Its total is figures_of()'s; along a stroke the pen goes at one speed.
-PlotFilm plot_film(Strokes strokes, const MachineSpeeds& speeds);
+PlotFilm plot_film(Strokes strokes, const MachineProgram& program);
 
 /// The first so many, their pens and radii too.
 DotPieces first_dots(const DotPieces& dots, std::size_t count);

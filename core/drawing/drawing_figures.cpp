@@ -15,35 +15,31 @@ std::optional<DrawingFacts::Tone> tone_reached(const DrawingPlan& plan, double s
 }
 
 // How long a machine takes for dots, or for what is drawn of them.
-PlottingTime time_of(const Dots& dots, const InkedDot& ink, const PageSize& page,
-                     const MachineSpeeds& speeds) {
+PlottingTime time_of(const DotStream& dots, const InkedDot& ink, const PageSize& page,
+                     const MachineProgram& program) {
     if (ink.as == DotsAs::rings)
-        return plotting_time_of_rings(dots, page.mm_per_page_unit, ink.radius_mm, speeds);
-    return plotting_time(dots, page.mm_per_page_unit, speeds);
-}
-
-Dots one_after_the_other(const DotPieces& by_pen) {
-    Dots all;
-    for (const Dots& own : by_pen.pieces) append(all, own);
-    return all;
+        return plotting_time_of_rings(dots, page.mm_per_page_unit, ink.radius_mm, program);
+    return plotting_time(dots, page.mm_per_page_unit, program);
 }
 
 // The time that the machine takes, and the strokes if dots are drawn with some.
 void add_plotting(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing& laid_out) {
     const DrawingFile& file = laid_out.file;
     const PageSize& page = laid_out.page.part.size;
-    const MachineSpeeds speeds = speeds_for(figures.machine, file.format, file.saving);
+    const GcodeProgram gcode = program_for(figures.machine, file.format, file.settings, laid_out.drawing);
     if (!laid_out.by_pen) {
         facts.plotting = expected_plotting_time(static_cast<double>(laid_out.drawing.dots.count),
-                                                page.width_mm * page.height_mm, speeds);
+                                                page.width_mm * page.height_mm, gcode.program);
     } else if (const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format)) {
-        figures.strokes = figures_of(*strokes, speeds);
+        figures.strokes = figures_of(*strokes, gcode.program);
         facts.plotting = figures.strokes->time;
         if (file.settings.style == DrawingStyle::line) facts.longest_link_mm = figures.strokes->longest_mm;
     } else {
-        facts.plotting = time_of(one_after_the_other(*laid_out.by_pen), facts.ink, page, speeds);
+        facts.plotting = time_of(stream_of(*laid_out.by_pen), facts.ink, page, gcode.program);
     }
     figures.plotting = facts.plotting;
+    facts.gcode = gcode_facts(gcode, figures.strokes ? static_cast<double>(figures.strokes->segments) : 0,
+                              facts.plotting.drawing_s);
 }
 
 // The same for each of several pens, and how even their dots are.
@@ -51,13 +47,14 @@ void add_pens(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing
     const DrawingFile& file = laid_out.file;
     const PageSize& page = laid_out.page.part.size;
     const Palette& pens = laid_out.plan.pens;
-    const MachineSpeeds speeds = speeds_for(figures.machine, file.format, file.saving);
-    figures.by_pen = pen_figures(*laid_out.by_pen, page, pens, speeds);
+    const MachineProgram program =
+        program_for(figures.machine, file.format, file.settings, laid_out.drawing).program;
+    figures.by_pen = pen_figures(*laid_out.by_pen, page, pens);
     const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format);
     for (std::size_t i = 0; i < figures.by_pen.size(); ++i) {
         PenFigures& own = figures.by_pen[i];
-        own.time = strokes ? figures_of(only(*strokes, own.pen), speeds).time
-                           : time_of(laid_out.by_pen->pieces[i], facts.ink, page, speeds);
+        own.time = strokes ? figures_of(only(*strokes, own.pen), program).time
+                           : time_of(stream_of(laid_out.by_pen->pieces[i]), facts.ink, page, program);
         const Pen& pen = pens[static_cast<std::size_t>(own.pen)];
         facts.pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }

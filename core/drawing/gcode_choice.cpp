@@ -2,30 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/drawing/write_drawing.h"
+
 namespace dapple {
-
-namespace {
-
-// How long {dwell} rests in these lines, in seconds: rounded as Grbl does after G4 P, as it is after other
-// words.
-double rests_s(std::span<const GcodePiece> lines, double dwell_s) {
-    double seconds = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].kind != GcodePiece::Kind::dwell) continue;
-        const bool rounded = i > 0 && lines[i - 1].text.ends_with("G4 P");
-        seconds += rounded ? grbl_rest_s(dwell_s) : dwell_s;
-    }
-    return seconds;
-}
-
-}  // namespace
 
 GcodeStyle gcode_style_of(const SavingChoice& saving) {
     const std::string_view text = saving.gcode_template.text.empty()
@@ -52,34 +35,31 @@ void check_heights(const SavingChoice& saving) {
         style.heights.up));
 }
 
-MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving) {
-    MachineSpeeds speeds = speeds_of(machine);
-    if (format != DrawingFormat::gcode) return speeds;
-    const GcodeStyle style = gcode_style_of(saving);
-    speeds.top_speed = speeds.drawing_speed = saving.feed_mm_per_min / 60;
-    speeds.acceleration = speeds.drawing_acceleration = saving.acceleration_mm_per_s2;
-    speeds.dot_s = rests_s(style.lines.each_dot, saving.dwell_s);
-    if (!saving.gcode_template.text.empty()) return speeds;
-    switch (saving.tool) {
-        case GcodeTool::pen:
-            speeds.lower_s = speeds.raise_s =
-                move_time(std::abs(style.heights.up - style.heights.down), speeds);
-            break;
-        case GcodeTool::servo:  // it rests for each of them
-            speeds.lower_s = rests_s(style.lines.down, saving.dwell_s);
-            speeds.raise_s = rests_s(style.lines.up, saving.dwell_s);
-            speeds.dot_s = 0;
-            break;
-        case GcodeTool::laser:
-            speeds.lower_s = speeds.raise_s = 0;
-            if (bursts_move(saving.tool, saving.dwell_s)) {
-                MachineSpeeds burning = speeds;
-                burning.top_speed = burst_feed(saving.dwell_s) / 60;
-                speeds.dot_s = move_time(kBurstMm, burning);
-            }
-            break;
+GcodeProgram program_for(Machine machine, DrawingFormat format, const DrawingSettings& settings,
+                         const DrawingToSave& drawing) {
+    const std::vector<CutMark> marks = registration_of(settings, drawing);
+    if (format != DrawingFormat::gcode) {
+        GcodeProgram result{.program = program_of(machine)};
+        result.program.registration = marks;
+        return result;
     }
-    return speeds;
+    const SavingChoice& saving = drawing.saving;
+    GcodeStyle style = gcode_style_of(saving);
+    style.dot_radius_mm = drawing.dot_radius_mm;
+    style.pens = drawing.pens;
+    style.registration = marks;
+    return program_of(style, saving.tool, saving.acceleration_mm_per_s2, drawing.page);
+}
+
+DrawingFacts::Gcode gcode_facts(const GcodeProgram& gcode, double segments, double drawing_s) {
+    DrawingFacts::Gcode facts{.uncounted = gcode.uncounted,
+                              .no_time = gcode.no_time,
+                              .milliseconds = gcode.is_marlin && gcode.p_of_dwell};
+    if (segments > 0 && drawing_s > 0 && gcode.line_bytes > 0) {
+        facts.lines_per_s = segments / drawing_s;
+        facts.most_lines_per_s = kSerialBaud / 10.0 / gcode.line_bytes;  // ten bits a byte
+    }
+    return facts;
 }
 
 }  // namespace dapple

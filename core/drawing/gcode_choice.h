@@ -1,10 +1,12 @@
 #pragma once
 // How the chosen G-code is written, and how a machine then moves.
 
+#include "core/drawing/drawing.h"
 #include "core/drawing/settings.h"
 #include "core/output/drawing_format.h"
+#include "core/output/findings.h"
 #include "core/output/gcode.h"
-#include "core/output/plotting_time.h"
+#include "core/output/gcode_program.h"
 
 namespace dapple {
 
@@ -14,10 +16,13 @@ void check_heights(const SavingChoice& saving);
 /// Throws what parse_gcode_template() throws.
 GcodeStyle gcode_style_of(const SavingChoice& saving);
 
-/// How a machine moves that draws such a file. One that reads G-code goes at the feed and rests as long as
-/// Grbl does where that says so (grbl_rest_s()): at each dot, or after the servo's turns; a Z axis goes from
-/// one of the pen's heights to the other. What a template of one's own does between dots is taken as
-/// `machine` has it. Others move as their programs do. Throws what parse_gcode_template() throws.
-MachineSpeeds speeds_for(Machine machine, DrawingFormat format, const SavingChoice& saving);
+/// What a machine does that draws such a file. One that reads G-code does what the template's lines say;
+/// others move as their programs do. Throws what parse_gcode_template() throws.
+GcodeProgram program_for(Machine machine, DrawingFormat format, const DrawingSettings& settings,
+                         const DrawingToSave& drawing);
+
+/// What someone should know of the program, of a drawing of so many straight pieces of lines that take so
+/// long.
+DrawingFacts::Gcode gcode_facts(const GcodeProgram& gcode, double segments, double drawing_s);
 
 }  // namespace dapple

@@ -12,7 +12,7 @@ namespace dapple {
 
 /// Its dots and its page, where the origin is, and how long the machine takes for the strokes, or for the
 /// dots, in the order in which they come.
-std::vector<std::string> machine_comments(const DrawingToSave& drawing,
+std::vector<std::string> machine_comments(const DrawingSettings& settings, const DrawingToSave& drawing,
                                           const std::optional<StrokeStream>& strokes, DrawingFormat format);
 
 }  // namespace dapple

@@ -64,7 +64,7 @@ void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSe
             GcodeStyle style = gcode_style_of(drawing.saving);
             std::vector<std::string> comments;  // of a template of one's own they may begin otherwise
             if (drawing.saving.gcode_template.text.empty())
-                comments = machine_comments(drawing, strokes, format);
+                comments = machine_comments(settings, drawing, strokes, format);
             style.comments = comments;
             style.dot_radius_mm = radius;
             style.pens = drawing.pens;
@@ -73,8 +73,9 @@ void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSe
         }
         case DrawingFormat::hpgl:
             return with_ink([&](const auto& ink) {
-                write_hpgl(out, ink, page, progress, marks,
-                           fmt::format("{}", fmt::join(machine_comments(drawing, strokes, format), ", ")));
+                write_hpgl(
+                    out, ink, page, progress, marks,
+                    fmt::format("{}", fmt::join(machine_comments(settings, drawing, strokes, format), ", ")));
             });
         case DrawingFormat::dxf:
             if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);

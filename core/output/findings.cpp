@@ -214,6 +214,33 @@ void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
              "Grbl needs its laser mode for that, which $32=1 turns on"});
 }
 
+void add_gcode(std::vector<Finding>& found, const DrawingFacts& facts) {
+    const DrawingFacts::Gcode& gcode = facts.gcode;
+    if (gcode.no_time)
+        found.push_back(
+            {FindingKind::no_time,
+             "at each dot the tool is turned there and back at once: a servo has no time to lower "
+             "the pen, and a laser none to burn",
+             "a rest between the two, such as G4 P{dwell} with a dwell above 0, gives it some"});
+    if (gcode.milliseconds)
+        found.push_back(
+            {FindingKind::milliseconds,
+             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is "
+             "in seconds",
+             "G4 S{dwell} rests as long as it says"});
+    if (gcode.lines_per_s > gcode.most_lines_per_s)
+        found.push_back(
+            {FindingKind::serial,
+             fmt::format(
+                 "the machine wants {} lines of G-code a second, and a serial line of {} baud carries {}",
+                 about(gcode.lines_per_s), grouped(kSerialBaud), about(gcode.most_lines_per_s)),
+             "a lower --feed or a file on the machine's own card keeps it from waiting at each"});
+    for (const std::string& word : gcode.uncounted)
+        found.push_back({FindingKind::uncounted,
+                         fmt::format("the time does not count what {} of the template takes", word),
+                         "G0, G1 and G4 are counted"});
+}
+
 }  // namespace
 
 std::string sentence_of(const Finding& finding) {
@@ -261,6 +288,7 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
              "skips and other programs plot",
              "hide that layer, or leave the background out"});
     add_dwell(found, facts);
+    add_gcode(found, facts);
     return found;
 }
 

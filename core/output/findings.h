@@ -44,32 +44,44 @@ struct DrawingFacts {
     std::optional<Tone> for_tone = {};  // of round dots with a fixed radius
     double dwell_s = 0;                 // that G-code asks for where it rests; 0: it does not
     double burst_s = 0;                 // of a laser that moves for it; 0: it does not
-    double longest_link_mm = 0;         // from dot to dot of one line through all; 0: there is none
+    struct Gcode {
+        std::vector<std::string> uncounted = {};  // see GcodeProgram
+        bool no_time = false;                     // at a dot the tool is turned there and back at once
+        bool milliseconds = false;                // {dwell} is read as that, and in seconds it is written
+        double lines_per_s = 0,
+               most_lines_per_s = 0;  // of lines; that a serial line carries. 0: there are none
+    };
+    Gcode gcode = {};
+    double longest_link_mm = 0;  // from dot to dot of one line through all; 0: there is none
 };
 
 enum class FindingKind {
-    hours,        // plotting takes long
-    tone,         // paler or darker than the picture
-    rings,        // a plotter follows outlines
-    overlap,      // dots run into others
-    gap,          // a pen's dots are nearer than its smallest gap
-    few,          // a pen has hardly any dots
-    joined,       // programs draw a line between near dots
-    long_link,    // the line crosses bare paper
-    over_edge,    // dots reach over the page's edge
-    in_margins,   // or into the margins
-    too_large,    // a page that the machine or the file's numbers do not reach
-    too_many,     // for programs that read the file
-    not_looked,   // too many to look at each
-    fine_pixels,  // dots finer than a pixel
-    tile_layer,   // its lines might be plotted
-    background,   // its outline might be
-    dwell,        // Grbl rests longer, or needs its laser mode
+    hours,         // plotting takes long
+    tone,          // paler or darker than the picture
+    rings,         // a plotter follows outlines
+    overlap,       // dots run into others
+    gap,           // a pen's dots are nearer than its smallest gap
+    few,           // a pen has hardly any dots
+    joined,        // programs draw a line between near dots
+    long_link,     // the line crosses bare paper
+    over_edge,     // dots reach over the page's edge
+    in_margins,    // or into the margins
+    too_large,     // a page that the machine or the file's numbers do not reach
+    too_many,      // for programs that read the file
+    not_looked,    // too many to look at each
+    fine_pixels,   // dots finer than a pixel
+    tile_layer,    // its lines might be plotted
+    background,    // its outline might be
+    dwell,         // Grbl rests longer, or needs its laser mode
+    no_time,       // a tool is turned and turned back at once
+    milliseconds,  // a rest is read in other units
+    serial,        // more lines a second than a serial line carries
+    uncounted,     // of a template's words some take a time that is not known
 };
 constexpr auto names_of(FindingKind) {
     return names("hours", "tone", "rings", "overlap", "gap", "few", "joined", "long_link", "over_edge",
                  "in_margins", "too_large", "too_many", "not_looked", "fine_pixels", "tile_layer",
-                 "background", "dwell");
+                 "background", "dwell", "no_time", "milliseconds", "serial", "uncounted");
 }
 
 struct Finding {
@@ -89,6 +101,9 @@ inline constexpr double kLongPlottingS = 2 * 3600;
 /// From this share of the page's shorter side on a line from dot to dot is told: it is seen as a line where
 /// the others are seen as a tone.
 inline constexpr double kLongLink = 0.1;
+
+/// Of the serial line over which Grbl 1.1 is sent its lines, as it comes (BAUD_RATE in its config.h).
+inline constexpr int kSerialBaud = 115'200;
 
 /// So many elements, and no more, are read by librsvg, which rsvg-convert and many desktops show an SVG by
 /// ("cannot load more than 1000000 XML elements"); and by libxml2 no attribute longer than ten million

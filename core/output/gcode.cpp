@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -128,8 +129,18 @@ void add_gcode_text(std::vector<GcodePiece>& pieces, std::string_view text) {
     pieces.back().text += text;
 }
 
+// Whether it has that word, and not one that begins so.
+bool has_word(std::string_view line, std::string_view word) {
+    line = line.substr(0, line.find_first_of(";("));
+    for (std::size_t at = line.find(word); at != line.npos; at = line.find(word, at + 1))
+        if (line.substr(at + word.size()).find_first_of("0123456789.") != 0) return true;
+    return false;
+}
+
 // A line of G-code, its placeholders told from the rest.
 void add_gcode_line(std::vector<GcodePiece>& pieces, std::string_view line, const TextLines& at) {
+    if (has_word(line, "G20") || has_word(line, "g20"))
+        at.fail("G20 says that numbers are inches, but {x} and {y} are millimetres; write G21");
     while (!line.empty()) {
         const std::size_t open = line.find('{');
         add_gcode_text(pieces, line.substr(0, open));
@@ -239,6 +250,15 @@ void write_gcode_start(TextBuffer& text, const GcodeStyle& style) {
 }
 
 }  // namespace
+
+std::string gcode_text(const GcodePiece& piece, const GcodeStyle& style) {
+    std::ostringstream out;
+    TextBuffer text(out);
+    const PlottedDot no_dot{.radius_mm = style.dot_radius_mm};
+    if (!is_of_a_pen(piece.kind)) write_gcode_pieces(text, std::span(&piece, 1), style, no_dot);
+    text.flush();
+    return out.str();
+}
 
 GcodeHeights usual_heights(GcodeTool tool) {
     return tool == GcodeTool::servo ? GcodeHeights{20, 90} : GcodeHeights{};

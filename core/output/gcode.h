@@ -110,6 +110,9 @@ struct GcodeStyle {
     std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
 };
 
+/// What stands in a file for a piece that is of no dot and no pen: a text, or a number of the style.
+std::string gcode_text(const GcodePiece& piece, const GcodeStyle& style);
+
 /// Throws std::runtime_error if several pens draw and the template has no lines for them. Lengths have three
 /// decimals at most. Needs the memory of a piece and a buffer.
 void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,

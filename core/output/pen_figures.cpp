@@ -10,16 +10,15 @@
 
 namespace dapple {
 
-std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page, std::span<const Pen> pens,
-                                    const MachineSpeeds& speeds) {
+std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page,
+                                    std::span<const Pen> pens) {
     std::vector<PenFigures> figures;
     for (const Dots& own : by_pen.pieces) {
         const double unit = page.mm_per_page_unit;
         PenFigures of_pen{.pen = own.pen,
                           .dots = own.size(),
                           .pen_up_m = way_length(own.x, own.y) * unit / 1000,
-                          .nearest_mm = std::numeric_limits<double>::infinity(),
-                          .time = plotting_time(own, unit, speeds)};
+                          .nearest_mm = std::numeric_limits<double>::infinity()};
         std::vector<glm::dvec2> places(own.size());
         const glm::dvec2 size(page.width_mm, page.height_mm);
         for (std::size_t i = 0; i < own.size(); ++i)

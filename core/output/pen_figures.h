@@ -20,12 +20,11 @@ struct PenFigures {
     double pen_up_m = 0;                // from dot to dot, in metres
     double nearest_mm = 0;              // smallest distance of two of its dots; infinite if there are not two
     std::uint64_t nearer_than_gap = 0;  // of its dots: with another one of them nearer than Pen::gap_mm
-    PlottingTime time;
+    PlottingTime time = {};
 };
 
-/// The figures of each piece, which is a pen's dots in the order of plotting.
-std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page, std::span<const Pen> pens,
-                                    const MachineSpeeds& speeds);
+/// The figures of each piece, which is a pen's dots in the order of plotting; their time is left out.
+std::vector<PenFigures> pen_figures(const DotPieces& by_pen, const PageSize& page, std::span<const Pen> pens);
 
 /// How even the dots of several pens are, and how near each pen comes to what it is to draw.
 struct PenEvenness {

@@ -5,12 +5,8 @@
 
 namespace dapple {
 
-/// Memory that a program can still get without others having to give way, in bytes: what the system says is
-/// available now, and what a control group that the program runs in leaves of it.
-std::uint64_t available_memory();
-
-/// As many dots as half of that memory holds, both sides of a split view and saving included; at least a
-/// million, at most kMostDots.
+/// As many dots as half of so many bytes of memory hold, both sides of a split view and saving included; at
+/// least a million, at most kMostDots.
 std::uint64_t most_dots_in(std::uint64_t bytes);
 
 }  // namespace dapple

@@ -102,7 +102,7 @@ std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder 
 std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {
     std::vector<DrawingFacts::OfPen> pens;
     const DotPieces by_pen = sorted_by_pen(stream_of(drawing.dots), DotOrder::recursion);
-    for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens, speeds_of({}))) {
+    for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens)) {
         const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
         pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
@@ -147,10 +147,17 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi) {
 }
 
 PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                    DrawingFormat format, DotOrder order, const MachineSpeeds& speeds) {
+                                    DrawingFormat format, DotOrder order, const MachineProgram& program) {
     PlottingEstimate estimate;
     const InkedDot ink = inked_dot(settings, format, drawing);
+    // What comes once, whatever is drawn, and the rest.
+    MachineClock once(program);
+    MachineProgram of_dots = program;
+    of_dots.end = of_dots.pen = {};
+    of_dots.registration.clear();
+    of_dots.from_origin = false;
     for (const PenCount& own : counts_of(drawing.dots)) {
+        once.take(own.pen);
         std::vector<Dots> parts = parts_of(drawing.dots, own, order);
         std::size_t taken = 0;
         for (const Dots& part : parts) taken += part.size();
@@ -168,15 +175,18 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
             DrawingToSave some = drawing;
             some.dots = stream_of(part, drawing.dots.scale);
             PlottingTime time;
-            if (const auto strokes = strokes_of(settings, some, format))
-                time = figures_of(*strokes, speeds).time;
-            else if (ink.as == DotsAs::rings)
-                time = plotting_time_of_rings(part, unit, ink.radius_mm, speeds);
+            if (const auto strokes = strokes_of(settings, some, format)) {
+                const StrokeFigures figures = figures_of(*strokes, of_dots);
+                time = figures.time;
+                estimate.segments += share * static_cast<double>(figures.segments);
+            } else if (ink.as == DotsAs::rings)
+                time = plotting_time_of_rings(some.dots, unit, ink.radius_mm, of_dots);
             else
-                time = plotting_time(part, unit, speeds);
+                time = plotting_time(some.dots, unit, of_dots);
             add_time(estimate.time, time, share, lifts);
         }
     }
+    add_time(estimate.time, once.finish(), 1, 1);
     return estimate;
 }
 
@@ -208,9 +218,11 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         drawn.page.height_mm = page.height_mm / sheets.rows + sheets.overlap_mm;
     }
     if (drawn.machine) {
-        const PlottingEstimate plotting = estimated_plotting(
-            settings.drawing, estimated, format, order, speeds_for(*drawn.machine, format, settings.saving));
+        const GcodeProgram gcode = program_for(*drawn.machine, format, settings.drawing, estimated);
+        const PlottingEstimate plotting =
+            estimated_plotting(settings.drawing, estimated, format, order, gcode.program);
         drawn.plotting = info_.plotting = plotting.time;
+        drawn.gcode = gcode_facts(gcode, plotting.segments, plotting.time.drawing_s);
         info_.way_m = plotting.way_m;
         if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;
     }
@@ -259,7 +271,7 @@ std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSe
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, drawing.dots.size(), settings.drawing.style));
     const Machine machine = settings.saving.machine.value_or(usual_machine(format, settings.saving.tool));
-    time_ = estimated_plotting(settings.drawing, estimated, format, order, speeds_of(machine)).time;
+    time_ = estimated_plotting(settings.drawing, estimated, format, order, program_of(machine)).time;
     key_ = std::move(key);
     return time_;
 }

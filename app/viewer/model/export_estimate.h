@@ -12,11 +12,13 @@
 #include "app/files/save_drawing.h"
 #include "app/viewer/model/pane.h"
 #include "core/output/findings.h"
+#include "core/output/machine_clock.h"
 
 namespace dapple {
 
 struct PlottingEstimate {
     PlottingTime time;
+    double segments = 0;      // straight pieces of lines
     double way_m = 0;         // from dot to dot, in metres,
     double way_before_m = 0;  // and along the Hilbert curve, before it is shortened
 };
@@ -28,7 +30,7 @@ DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
 /// rest is taken to be like them: dots that are near each other, as they follow in the stream; by priority,
 /// dots that lie anywhere.
 PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                    DrawingFormat format, DotOrder order, const MachineSpeeds& speeds);
+                                    DrawingFormat format, DotOrder order, const MachineProgram& program);
 
 /// What saving would write.
 struct ExportInfo {

@@ -23,6 +23,7 @@
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
+#include "app/available_memory.h"
 #include "app/viewer/desktop/dot_limit.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/action_buttons.h"

@@ -35,7 +35,7 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
         const DotPieces sorted = sorted_by_pen(stream_of(dots), order, {.stop = task.stop(), .progress = {}});
         if (task.stop().stop_requested()) return std::nullopt;
         const double unit = sheet.mm_per_page_unit;
-        const MachineSpeeds speeds = speeds_of(what.machine);
+        const MachineProgram program = program_of(what.machine);
         Found found{.plot = {},
                     .pens = pens,
                     .mm_per_page_unit = unit,
@@ -45,9 +45,9 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
         const DrawingToSave drawing{
             .dots = stream_of(sorted), .page = sheet, .pens = pens, .dot_radius_mm = radius * unit};
         if (const auto strokes = strokes_of(what.settings, drawing, DrawingFormat::svg))
-            found.plot = plot_film(collected(*strokes), speeds);
+            found.plot = plot_film(collected(*strokes), program);
         else
-            found.plot = plot_film(sorted, unit, speeds);
+            found.plot = plot_film(sorted, unit, program);
         return found;
     });
 }

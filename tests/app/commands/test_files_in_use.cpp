@@ -40,6 +40,8 @@ TEST_CASE("no command writes over what it reads, whatever it reads it for, nor t
                                    "out/dog.svg", "numbers.json", "index.html"})
         std::filesystem::copy_file(scene("cat.png"), scene(copy));
     const std::vector<std::pair<std::string, std::string>> refused{
+        {"render - -o @cat.png <@cat.png", "over the picture"},
+        {"render - -o @m-B1.svg --stats @cat.png <@cat.png", "over the picture"},
         {"render @cat.png -o @t.gcode --gcode @t.gcode", "over what --gcode reads"},
         {"render @cat.png -o @k.svg --pens @k.svg", "over what --pens reads"},
         {"render @cat.png -o @k.svg --pens auto:2:@k.svg", "over what --pens reads"},

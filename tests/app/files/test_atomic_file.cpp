@@ -100,7 +100,8 @@ TEST_CASE("a full disk is said in words, the old file stays, and there is no lit
 }
 
 TEST_CASE("a signal that ends the program leaves the old file and no litter") {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal :
+         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU}) {
         CAPTURE(signal);
         const TemporaryFolder folder;
         put_text(folder / "a.txt", "old");
@@ -148,6 +149,20 @@ TEST_CASE("a link is followed, and permissions stay") {
     CHECK(fs::is_symlink(folder / "link.txt"));
     CHECK(text_of(folder / "real.txt") == "new");
     CHECK((fs::status(folder / "real.txt").permissions() & fs::perms::mask) == static_cast<fs::perms>(0640));
+}
+
+TEST_CASE("a file stays its owner's, and what is written never runs with somebody's rights") {
+    const TemporaryFolder folder;
+    put_text(folder / "tool", "old");
+    const bool root = geteuid() == 0;  // who alone gives files away
+    if (root) REQUIRE(chown((folder / "tool").c_str(), 1234, 4321) == 0);
+    chmod((folder / "tool").c_str(), 06755);
+    save_atomically(folder / "tool", write_new);
+    struct stat status {};
+    REQUIRE(stat((folder / "tool").c_str(), &status) == 0);
+    CHECK((status.st_mode & 07777) == 0755);
+    if (root) CHECK(status.st_uid == 1234);
+    if (root) CHECK(status.st_gid == 4321);
 }
 
 TEST_CASE("a link to a file that is not there yet is followed, and stays a link") {

@@ -1,17 +1,19 @@
 // Saving a drawing while someone watches it.
 
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
 #include <random>
+#include <stdexcept>
+#include <streambuf>
 #include <string>
 #include <vector>
 
 #include "app/files/save_drawing.h"
-#include "core/drawing/gcode_choice.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 
@@ -84,47 +86,100 @@ TEST_CASE("no number leaves for a machine that is none, or lies far from the pag
     }
 }
 
-TEST_CASE("the time of G-code is that of its feed, its rests and the machine's acceleration, as by hand") {
-    Dots dots;  // two moves of 100 mm
-    for (const float x : {0.0f, 0.5f, 1.0f}) {
-        dots.x.push_back(x);
-        dots.y.push_back(0);
-    }
-    SavingChoice saving{.feed_mm_per_min = 6000, .dwell_s = 2, .acceleration_mm_per_s2 = 1000};
-    const auto time = [&](DrawingFormat format = DrawingFormat::gcode) {
-        return plotting_time(dots, 200, speeds_for(usual_machine(format, saving.tool), format, saving));
+TEST_CASE("whatever becomes of a file while it is written, every format says so in a sentence") {
+    // A writer's stream fails at once, in the middle, at the end and as it is closed.
+    class Failing : public std::streambuf {
+     public:
+        explicit Failing(std::size_t room) : room_(room) {}
+        std::size_t written = 0;
+
+     private:
+        std::streamsize xsputn(const char*, std::streamsize size) override {
+            if ((written += static_cast<std::size_t>(size)) > room_) throw std::runtime_error("no room");
+            return size;
+        }
+        int_type overflow(int_type c) override {
+            xsputn(nullptr, 1);
+            return traits_type::not_eof(c);
+        }
+        std::size_t room_;
     };
-    // 100 mm/s after a tenth of a second and before another: 10 mm are lost.
-    const double moves_s = 2 * (100 / 100.0 + 0.1), lift_s = 2 * std::sqrt(2 / 1000.0);
-    saving.tool = GcodeTool::laser;
-    CHECK(time().moving_s == doctest::Approx(moves_s));
-    CHECK(time().dots_s == 3 * 2);
-    CHECK(time().lifting_s == 0);
-    saving.tool = GcodeTool::servo;  // which turns twice
-    CHECK(time().total_s() == doctest::Approx(moves_s + 3 * 2 * 2));
-    saving.tool = GcodeTool::pen;  // up and down by 2 mm
-    CHECK(time().total_s() == doctest::Approx(moves_s + 3 * (2 + 2 * lift_s)));
-    saving.pen_up = 7;
-    saving.pen_down = -1;
-    CHECK(time().lifting_s == doctest::Approx(3 * 2 * 2 * std::sqrt(8 / 1000.0)));
-    saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\ndot G4 P{dwell}\ndot G4 P{dwell}\n";
-    CHECK(time().dots_s == 3 * 3 * 2);
-    // Grbl rounds each G4 up to 0.05 s, and knows no other word of a template's.
-    saving.dwell_s = 0.01;
-    CHECK(time().dots_s == doctest::Approx(3 * 3 * 0.05));
-    saving.gcode_template.text = "move G1 X{x} Y{y}\ndot M10 P{dwell}\n";
-    CHECK(time().dots_s == doctest::Approx(3 * 0.01));
-    saving.gcode_template.text.clear();
-    CHECK(time().dots_s == doctest::Approx(3 * 0.05));
-    saving.tool = GcodeTool::servo;
-    CHECK(time().lifting_s == doctest::Approx(3 * 2 * 0.05));
-    // A laser moves by 0.05 mm: at 5 mm/s, for which 1000 mm/s2 take 0.005 s, and as long to stop.
-    saving.tool = GcodeTool::laser;
-    CHECK(time().dots_s == doctest::Approx(3 * (0.05 / 5 + 0.005)));
-    saving.dwell_s = 0.12;
-    CHECK(time().dots_s == doctest::Approx(3 * 0.15));
-    // What is no G-code goes as the machine's own program has it.
-    CHECK(time(DrawingFormat::svg) == plotting_time(dots, 200, speeds_of(Machine::axidraw_v3)));
+    Dots dots;
+    for (int i = 0; i < 400; ++i) {
+        dots.x.push_back(static_cast<float>(i % 20) / 200);
+        dots.y.push_back(static_cast<float>(i) / 400);
+        dots.threshold.push_back(0.5f);
+        dots.critical.push_back(1);
+    }
+    DotPieces two;
+    two.pieces = {dots, dots};
+    two.pieces[1].pen = 1;
+    const Strokes lines{.points = {{1, 1}, {9, 50}, {2, 90}}, .ends = {3}};
+    for (const DrawingFormatName& format : kDrawingFormats) {
+        for (const bool several_pens : {false, true}) {
+            for (const bool as_strokes : {false, true}) {
+                if (as_strokes && is_table(format.format)) continue;
+                CAPTURE(std::string(format.word));
+                CAPTURE(several_pens);
+                CAPTURE(as_strokes);
+                DrawingToSave drawing = many_to_save(dots);
+                drawing.dots = stream_of(two, 100);
+                drawing.format = format.format;
+                drawing.dot_radius_mm = 0.3;
+                drawing.saving.dpi = 100;
+                if (several_pens) drawing.pens = parse_pens("A:#000:0.3,B:#f00:0.5").own;
+                if (!several_pens) drawing.dots = stream_of(dots, 100);
+                if (as_strokes) drawing.strokes = stream_of(lines, 0.3);
+                DrawingSettings settings;
+                settings.pen_width_mm = 0.3;
+                const auto bytes_with = [&](std::size_t room) {
+                    Failing buffer(room);
+                    std::ostream out(&buffer);
+                    out.exceptions(std::ios::badbit | std::ios::failbit);
+                    write_drawing(out, format.format, settings, drawing, "A drawing");
+                    return buffer.written;
+                };
+                const TemporaryFolder folder;
+                const auto sentence = [&](const fs::path& file) -> std::string {
+                    try {
+                        save_ordered(file, settings, drawing);
+                    } catch (const std::runtime_error& error) {
+                        return error.what();
+                    }
+                    return "";
+                };
+                REQUIRE(sentence(folder / "old") == "");
+                const std::size_t whole = fs::file_size(folder / "old");
+                REQUIRE(whole > 100);
+                const bool goes_back = format.format == DrawingFormat::tiff;
+                const std::size_t streamed =
+                    goes_back ? 0 : bytes_with(std::numeric_limits<std::size_t>::max());
+                for (const double share : {0.0, 0.25, 0.5, 0.99, 1.0}) {
+                    const auto short_of = [&](std::size_t all) {
+                        return share < 1 ? static_cast<std::size_t>(share * static_cast<double>(all))
+                                         : all - 1;
+                    };
+                    if (!goes_back)
+                        CHECK_THROWS_WITH_AS(bytes_with(short_of(streamed)), "no room", std::runtime_error);
+                    put_text(folder / "old", "the old drawing");
+                    rlimit before{};
+                    getrlimit(RLIMIT_FSIZE, &before);
+                    rlimit small = before;
+                    small.rlim_cur = short_of(whole);
+                    setrlimit(RLIMIT_FSIZE, &small);
+                    const std::string limited = sentence(folder / "old");
+                    setrlimit(RLIMIT_FSIZE, &before);
+                    CHECK(limited.find("old: cannot be written: the file grew beyond") != limited.npos);
+                    CHECK(text_of(folder / "old") == "the old drawing");
+                }
+                fs::create_symlink("/dev/full", folder / "full");
+                const std::string full = sentence(folder / "full");
+                if (!goes_back) CHECK(full.find("cannot be written: the disk is full") != full.npos);
+                CHECK(full != "");
+                CHECK(folder.entries() == 2);
+            }
+        }
+    }
 }
 
 TEST_CASE("progress rises from nothing to all, in every format") {

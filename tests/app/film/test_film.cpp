@@ -91,9 +91,9 @@ TEST_CASE("each level is shown for as long, and the zoom grows by the same facto
 TEST_CASE("a plot of dots takes what plotting them takes, and one of strokes what drawing them takes") {
     const Dots dots = scattered(500, 3);
     for (const Machine machine : {Machine::axidraw_v3, Machine::grbl_laser}) {
-        const MachineSpeeds speeds = speeds_of(machine);
-        const PlotFilm film = plot_film(in_one_piece(dots), 200, speeds);
-        CHECK(film.total_seconds == doctest::Approx(plotting_time(dots, 200, speeds).total_s()));
+        const MachineProgram program = program_of(machine);
+        const PlotFilm film = plot_film(in_one_piece(dots), 200, program);
+        CHECK(film.total_seconds == doctest::Approx(plotting_time(stream_of(dots), 200, program).total_s()));
         REQUIRE(film.seconds.size() == 500);
         CHECK(std::ranges::is_sorted(film.seconds));
         CHECK(film.drawn_after(0) == 0);
@@ -107,9 +107,9 @@ TEST_CASE("a plot of dots takes what plotting them takes, and one of strokes wha
             if (i % 7 == 6 || i % 31 == 0) end_stroke(strokes);
         }
         end_stroke(strokes);
-        const PlotFilm lines = plot_film(strokes, speeds);
+        const PlotFilm lines = plot_film(strokes, program);
         CHECK(lines.total_seconds ==
-              doctest::Approx(figures_of(stream_of(strokes, 0.3), speeds).time.total_s()));
+              doctest::Approx(figures_of(stream_of(strokes, 0.3), program).time.total_s()));
         CHECK(std::ranges::is_sorted(lines.seconds));
         CHECK(lines.drawn_after(lines.total_seconds) == strokes.points.size());
     }

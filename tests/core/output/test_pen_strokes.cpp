@@ -187,8 +187,7 @@ TEST_CASE("each pen's pixels are those of its strokes alone") {
 
 TEST_CASE("figures of each pen are those of its dots, looked at one by one") {
     const DotPieces dots = dots_of_two_pens();
-    const MachineSpeeds speeds = speeds_of(Machine::idraw);
-    const std::vector<PenFigures> figures = pen_figures(dots, kPensPage, kTwoPens, speeds);
+    const std::vector<PenFigures> figures = pen_figures(dots, kPensPage, kTwoPens);
     REQUIRE(figures.size() == 2);
     for (std::size_t pen = 0; pen < 2; ++pen) {
         const Dots& own = dots.pieces[pen];
@@ -210,7 +209,6 @@ TEST_CASE("figures of each pen are those of its dots, looked at one by one") {
         CHECK(figures[pen].nearest_mm == doctest::Approx(least));
         CHECK(figures[pen].nearer_than_gap == near);
         CHECK(figures[pen].pen_up_m == doctest::Approx(way));
-        CHECK(figures[pen].time.total_s() == doctest::Approx(plotting_time(own, 60, speeds).total_s()));
     }
     CHECK(figures[0].nearer_than_gap > 0);
     CHECK(figures[1].nearer_than_gap == 0);

@@ -307,24 +307,13 @@ TEST_CASE("parts of a page have all of its lines, and nothing beyond their edges
     CHECK(touches == 2);
 }
 
-TEST_CASE("a line is drawn from rest to rest; it stops at a right angle and hardly slows in a wide bend") {
-    const MachineSpeeds speeds{
-        .top_speed = 50, .acceleration = 400, .drawing_speed = 50, .drawing_acceleration = 400};
-    const std::array straight{glm::dvec2(0, 0), glm::dvec2(3, 0), glm::dvec2(30, 0)};
-    CHECK(drawing_time(straight, speeds) == doctest::Approx(move_time(30, speeds)));
-    const std::array corner{glm::dvec2(0, 0), glm::dvec2(20, 0), glm::dvec2(20, 2)};
-    CHECK(drawing_time(corner, speeds) == doctest::Approx(move_time(20, speeds) + move_time(2, speeds)));
-    std::vector<glm::dvec2> circle;
-    for (int i = 0; i <= 400; ++i)
-        circle.push_back(
-            50.0 * glm::dvec2(std::cos(i * std::numbers::pi / 200), std::sin(i * std::numbers::pi / 200)));
-    CHECK(drawing_time(circle, speeds) ==
-          doctest::Approx(move_time(100 * std::numbers::pi, speeds)).epsilon(0.01));
+TEST_CASE("figures of strokes are those of their lines and of the moves between them") {
     Strokes two = line_through(random_dots(2, 1), kStrokePage);
     two.points.emplace_back(3, 4);
     end_stroke(two);
-    const StrokeFigures figures = figures_of(stream_of(two, 0.3), speeds_of(Machine::axidraw_v3));
+    const StrokeFigures figures = figures_of(stream_of(two, 0.3), program_of(Machine::axidraw_v3));
     CHECK(figures.strokes == 2);
+    CHECK(figures.segments == 1);
     CHECK(figures.drawn_m == doctest::Approx(glm::distance(two.points[0], two.points[1]) / 1000));
     CHECK(figures.longest_mm == doctest::Approx(glm::distance(two.points[0], two.points[1])));
     CHECK(figures.pen_up_m == doctest::Approx(glm::distance(two.points[1], two.points[2]) / 1000));

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "app/available_memory.h"
 #include "app/viewer/desktop/dot_limit.h"
 #include "core/drawing/settings.h"
 

@@ -36,24 +36,24 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
     const PageSize page = plan.layout(stream.scale).page;
     const double radius = plan.radius(stream.scale) * page.mm_per_page_unit;
     for (const Machine machine : {Machine::axidraw_v3, Machine::grbl_laser}) {
-        const MachineSpeeds speeds = speeds_of(machine);
+        const MachineProgram program = program_of(machine);
         const DrawingToSave drawing{
             .dots = stream_of(dots, stream.scale), .page = page, .dot_radius_mm = radius};
         const auto told = [&] {
-            return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds)
+            return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, program)
                 .time.total_s();
         };
         settings.style = DrawingStyle::dots;
         settings.mark.shape = DotShape::circle;
-        CHECK(told() ==
-              doctest::Approx(
-                  plotting_time_of_rings(dots.pieces[0], page.mm_per_page_unit, radius, speeds).total_s())
-                  .epsilon(0.1));
+        CHECK(told() == doctest::Approx(plotting_time_of_rings(stream_of(dots.pieces[0]),
+                                                               page.mm_per_page_unit, radius, program)
+                                            .total_s())
+                            .epsilon(0.1));
         const auto taken = [&] {
             const auto strokes =
                 strokes_of(settings, {.dots = stream_of(dots), .page = page, .dot_radius_mm = radius},
                            DrawingFormat::svg);
-            return figures_of(*strokes, speeds).time.total_s();
+            return figures_of(*strokes, program).time.total_s();
         };
         settings.mark.shape = DotShape::spiral;
         CHECK(told() == doctest::Approx(taken()).epsilon(0.1));
@@ -79,26 +79,27 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
     const DrawingToSave drawing{.dots = stream_of(placed, stream.scale),
                                 .page = page,
                                 .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
-    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    const MachineProgram program = program_of(Machine::axidraw_v3);
     for (const DotOrder order :
          {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority}) {
         CAPTURE(name_of(order));
         const Dots dots = sorted_dots(stream, order);
         const PlottingEstimate told =
-            estimated_plotting(settings, drawing, DrawingFormat::hpgl, order, speeds);
+            estimated_plotting(settings, drawing, DrawingFormat::hpgl, order, program);
         CHECK(told.time.moving_s ==
-              doctest::Approx(plotting_time(dots, page.mm_per_page_unit, speeds).moving_s).epsilon(0.08));
+              doctest::Approx(plotting_time(stream_of(dots), page.mm_per_page_unit, program).moving_s)
+                  .epsilon(0.08));
         CHECK(told.way_m ==
               doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.08));
         CHECK(told.time.drawing_s == 0);
         // Circles are followed round in an SVG.
         const PlottingTime rings =
-            estimated_plotting(settings, drawing, DrawingFormat::svg, order, speeds).time;
-        CHECK(
-            rings.drawing_s ==
-            doctest::Approx(
-                plotting_time_of_rings(dots, page.mm_per_page_unit, drawing.dot_radius_mm, speeds).drawing_s)
-                .epsilon(0.02));
+            estimated_plotting(settings, drawing, DrawingFormat::svg, order, program).time;
+        CHECK(rings.drawing_s ==
+              doctest::Approx(plotting_time_of_rings(stream_of(dots), page.mm_per_page_unit,
+                                                     drawing.dot_radius_mm, program)
+                                  .drawing_s)
+                  .epsilon(0.02));
         CHECK(rings.drawing_s > 100);
     }
 }
@@ -117,22 +118,22 @@ TEST_CASE("the time told for several pens is that of each one's own way") {
     const DotPieces dots = sorted_by_pen(stream, DotOrder::shortest);
     REQUIRE(dots.pieces.size() == 4);
     const PageSize page = plan.layout(stream.scale).page;
-    const MachineSpeeds speeds = speeds_of(Machine::axidraw_v3);
+    const MachineProgram program = program_of(Machine::axidraw_v3);
     const DrawingToSave drawing{.dots = stream_of(dots, stream.scale),
                                 .page = page,
                                 .pens = plan.pens,
                                 .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
     const auto estimate = [&] {
-        return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, speeds).time;
+        return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, program).time;
     };
     const PlottingTime told = estimate();
     PlottingTime taken;
     for (const Dots& own : dots.pieces)
-        taken.moving_s += plotting_time(own, page.mm_per_page_unit, speeds).moving_s;
+        taken.moving_s += plotting_time(stream_of(own), page.mm_per_page_unit, program).moving_s;
     CHECK(told.moving_s == doctest::Approx(taken.moving_s).epsilon(0.1));
     settings.mark.shape = DotShape::hatch;
     const auto strokes = strokes_of(settings, drawing, DrawingFormat::svg);
-    CHECK(estimate().total_s() == doctest::Approx(figures_of(*strokes, speeds).time.total_s()).epsilon(0.1));
+    CHECK(estimate().total_s() == doctest::Approx(figures_of(*strokes, program).time.total_s()).epsilon(0.1));
 }
 
 TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as if it looked at all") {
