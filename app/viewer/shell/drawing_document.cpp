@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/available_memory.h"
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
 #include "app/files/tile_library.h"
@@ -23,7 +24,6 @@
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
-#include "app/available_memory.h"
 #include "app/viewer/desktop/dot_limit.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/action_buttons.h"

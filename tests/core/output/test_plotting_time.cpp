@@ -163,11 +163,11 @@ TEST_CASE("the time told for G-code is what a machine takes that goes through th
     for (auto& [name, settings] : drawings) settings.pen_width_mm = 0.4;
     for (const Tried& machine : tried_machines()) {
         CAPTURE(machine.name);
-        for (const auto& [name, settings] : drawings) {
-            CAPTURE(name);
+        for (const auto& drawn : drawings) {
+            CAPTURE(drawn.first);
             const DrawingToSave drawing{
                 .dots = stream_of(dots), .page = page, .dot_radius_mm = 1.5, .saving = machine.saving};
-            const Times times = times_of(settings, drawing);
+            const Times times = times_of(drawn.second, drawing);
             CHECK(times.told == doctest::Approx(times.taken).epsilon(0.01));
         }
     }
