@@ -66,7 +66,16 @@ int run(CLI::App& program, int argc, char** argv, const int& status, const bool&
     } catch (const std::bad_alloc&) {
         return report("there is not enough memory for this; try fewer dots or a smaller picture", kFailed);
     } catch (const std::exception& error) {
-        return report(error.what(), parsed ? kFailed : kUsage);
+        // TBB's words, and those of the standard library.
+        const std::string_view what = error.what();
+        const auto* const system = dynamic_cast<const std::system_error*>(&error);
+        if (what.starts_with("pthread_create") ||
+            (system && system->code() == std::errc::resource_unavailable_try_again))
+            return report(
+                "the system starts no more threads for this; allow it more memory or threads (ulimit -v, "
+                "ulimit -u)",
+                kFailed);
+        return report(what, parsed ? kFailed : kUsage);
     }
 }
 

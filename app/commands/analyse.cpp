@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/available_memory.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
@@ -14,6 +15,7 @@
 #include "app/files/file_ending.h"
 #include "core/analysis/report.h"
 #include "core/analysis/spectrum_picture.h"
+#include "core/text/number_words.h"
 #include "lab/analysis/report_json.h"
 #include "lab/analysis/report_page.h"
 #include "lab/analysis/subject.h"
@@ -23,6 +25,8 @@ namespace dapple {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kMemoryOfDot = 300;  // bytes, measured
 
 bool is_table(const fs::path& path) {
     const std::string ending = ending_of(path);
@@ -96,6 +100,10 @@ Subject subject_of(const AnalyseOptions& options) {
     }
     if (is_drawing(*options.input)) return points_of_drawing(*options.input, cut_out);
     check_has_dots(*options.input);
+    if (options.width && (*options.width < kShortestSideMm || *options.width > kLongestSideMm))
+        throw std::runtime_error(
+            fmt::format("--width: {:g} is not possible of a picture; give millimetres from {:g} to {:g}",
+                        *options.width, kShortestSideMm, kLongestSideMm));
     DrawingSettings drawing = options.drawing;
     if (options.width) drawing.page.width_mm = *options.width;
     return dots_of_picture(options.input, drawing, cut_out, options.limit);
@@ -154,6 +162,10 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
 void analyse(const AnalyseOptions& options) {
     const ReportFormat format = report_format(options.output);
     check_can_save(options.output);
+    if (!options.input || !has_points(*options.input)) {
+        const auto dots = static_cast<double>(dots_asked_for(options));
+        check_memory(dots * kMemoryOfDot, fmt::format("analysing {} dots", about(dots)), options.memory);
+    }
     const Subject subject = subject_of(options);
     if (subject.points.empty()) {
         throw std::runtime_error(subject.name + ": no dots come out; give a higher --scale");
@@ -203,6 +215,7 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
                "Look whether the points repeat at multiples of this length");
     command->add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+    add_memory(*command, options_.memory);
     add_dot_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
     command->footer(

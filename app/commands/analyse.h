@@ -28,6 +28,7 @@ struct AnalyseOptions {
     std::optional<double> width, height;  // of a table's domain; the width in mm of a picture's page
     std::optional<double> period;         // of a table, in its unit
     PictureLimit limit = PictureLimit::usual;
+    std::optional<double> memory;  // bytes that it may take; none: what is available
 };
 
 /// Reads, analyses and saves. Throws std::runtime_error with one sentence; what was at the output's place

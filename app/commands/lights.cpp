@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "app/available_memory.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/files/atomic_file.h"
@@ -61,7 +62,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
     if (options.compare) {
         refuse(command,
                {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
-                "--order", "--placer", "--seed", "--threads", "--exposure", "--pdf"},
+                "--order", "--placer", "--seed", "--threads", "--exposure", "--pdf", "--memory"},
                "is not for --compare, which tries samples of several kinds and numbers");
         return;
     }
@@ -95,6 +96,8 @@ void lights(const LightsOptions& options) {
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
     const std::uint64_t count = options.request.count;
+    check_memory(kMemoryOfOne * static_cast<double>(count), fmt::format("{} samples", grouped(count)),
+                 options.memory);
     if (const double bytes = expected_bytes(*light_file_of(options.output), count); bytes >= kLargeFile)
         fmt::print(stderr,
                    "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
@@ -177,6 +180,7 @@ LightsCommand::LightsCommand(CLI::App& program) {
                      "Also write the density by which samples are placed, per steradian at each pixel of the "
                      "map, as it lies in its file: for multiple importance sampling; ends in .exr")
         ->type_name("FILE");
+    add_memory(*command, options_.memory);
     command->add_flag("--clamp", options_.clamp,
                       "Take light below 0, which some programs leave in maps, as none");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");

@@ -27,6 +27,7 @@ struct LightsOptions {
     std::string tile = "paper16";
     RankingMethod ranking = RankingMethod::energy;
     std::optional<std::filesystem::path> pdf;  // also: the density by which samples are placed, an .exr
+    std::optional<double> memory;              // bytes that it may take; none: what is available
     std::optional<double> exposure;            // of a PNG, in stops over the natural one
 };
 

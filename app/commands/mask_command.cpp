@@ -176,7 +176,7 @@ void MaskCommand::save() const {
     }
     for (std::size_t slice = 0; slice < files.size(); ++slice) {
         const Grid<float> thresholds = thresholds_of(mask, static_cast<int>(slice), gain_);
-        save_grey(files[slice], thresholds, bits_);
+        save_next(slice, [&] { save_grey(files[slice], thresholds, bits_); });
         if (screens_ && slice == 0) save_grey(beside(output_, "screened"), screened(picture, thresholds), 8);
     }
 }

@@ -1,16 +1,20 @@
 #include "app/commands/mural.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/commands/options.h"
 #include "app/commands/render_report.h"
+#include "app/files/atomic_file.h"
 #include "app/files/sheet_files.h"
 #include "app/progress_line.h"
+#include "core/text/shown_text.h"
 
 namespace dapple {
 
@@ -27,6 +31,11 @@ void add_mural_options(CLI::App& app, Sheet& sheets) {
     add_length(app, setting::overlap, sheets.overlap_mm)->group("Page");
 }
 
+void tell_of_no_share(const WorkShare& share, std::size_t count, const char* things) {
+    fmt::print(stderr, "none of the {} {} is in share {} of {}; nothing was drawn\n", count, things,
+               share.index + 1, share.of);
+}
+
 void render_mural(const RenderOptions& options) {
     const Sheet& sheets = options.drawing.sheets;
     std::vector<RenderOptions> parts;
@@ -37,6 +46,10 @@ void render_mural(const RenderOptions& options) {
         part.sheet = sheet;
         part.output = sheet_file(options.output, name_of(sheet));
         part.stats.reset();
+    }
+    if (parts.empty()) {
+        tell_of_no_share(options.share, number, "sheets");
+        return;
     }
     PageSize page;
     std::size_t drawn = 0;
@@ -49,18 +62,33 @@ void render_mural(const RenderOptions& options) {
             line.show((static_cast<double>(drawn) + share) / static_cast<double>(parts.size()),
                       fmt::format("{} of {} sheets drawn", drawn, parts.size()));
         };
-        render_parts(parts, {.progress = show}, [&](const RenderOptions& part, const Rendered& rendered) {
+        const auto take = [&](const RenderOptions& part, const Rendered& rendered) {
             page = rendered.whole_page;
             found.push_back({name_of(part.sheet), rendered.findings});
             if (options.stats) stats.push_back(stats_of(part, rendered));
             ++drawn;
-        });
+        };
+        try {
+            render_parts(parts, {.progress = show}, take);
+        } catch (const std::runtime_error&) {
+            save_next(drawn, [] { throw; });
+        }
     }
-    if (parts.empty()) return;
-    if (options.share.index == 0) save_assembly_plan(options.output, page, sheets);
+    const bool writes_plan = options.share.index == 0;
+    if (writes_plan) save_next(drawn, [&] { save_assembly_plan(options.output, page, sheets); });
     const bool by_pen = options.saving.pen_files && options.drawing.pens.set != PenSet::one;
-    fmt::print(stderr, "{}: {}{}\n", sheets_in_words(page, sheets),
-               sheet_files_in_words(options.output, sheets), by_pen ? ", a file for each pen" : "");
+    const char* const each_pen = by_pen ? ", a file for each pen" : "";
+    if (options.share.of > 1) {
+        std::vector<std::string> names;
+        for (const RenderOptions& part : parts) names.push_back(printable(part.output.native()));
+        fmt::print(stderr, "{} of {}: {}{}; {}\n", drawn, sheets_in_words(page, sheets),
+                   fmt::join(names, ", "), each_pen,
+                   writes_plan ? printable(plan_file(options.output).native()) + " shows how they join"
+                               : std::string("the plan is written with share 1"));
+    } else {
+        fmt::print(stderr, "{}: {}{}\n", sheets_in_words(page, sheets),
+                   sheet_files_in_words(options.output, sheets), each_pen);
+    }
     for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
     if (options.stats) save_stats(*options.stats, stats_of_all(stats));
 }

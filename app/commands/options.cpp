@@ -192,6 +192,17 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
     return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), take, help);
 }
 
+CLI::Option* add_memory(CLI::App& app, std::optional<double>& bytes) {
+    const auto read = [&bytes](const std::string& text) {
+        bytes = quantity_of(text);
+        if (!bytes || !(*bytes > 0))
+            throw std::runtime_error(text + " is not possible; give bytes, such as 12G");
+    };
+    return add_text(
+        app, "--memory", "BYTES", read,
+        "Go on with what needs up to so much memory, such as 12G, rather than with what is available");
+}
+
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
     const auto take = [&pens](const std::string& text) {
         PenChoice read = pens_in(text);

@@ -69,6 +69,9 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, Count& target, st
         app, name, "N", [&target, most](const std::string& text) { target = count_in(text, most); }, help);
 }
 
+/// --memory: bytes that the command may take, whatever is available.
+CLI::Option* add_memory(CLI::App& app, std::optional<double>& bytes);
+
 /// --pens: a set of pens, own ones, or a file that lists such.
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help);
 

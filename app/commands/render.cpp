@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/available_memory.h"
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
@@ -30,6 +31,8 @@
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
 #include "core/output/raster.h"
+#include "core/placing/stipple.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 
 namespace dapple {
@@ -136,6 +139,25 @@ void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, 
     if (format == DrawingFormat::pdf) check_fits_pdf(page, dots);
 }
 
+// Throws if what is held of the drawing does not fit into memory: dots in an order that is not the tile's,
+// those that lines join, and those of several pens.
+void check_holds(const DrawingPlan& plan, const DrawingFile& file, const PageSize& part,
+                 const RenderOptions& options) {
+    constexpr double kSorted = 60, kShortened = 200, kJoined = 300;  // bytes a dot, measured
+    const DrawingSettings& settings = file.settings;
+    double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
+                                     : kDotsPerScale * plan.placing.scale * plan.density->mean();
+    const bool joined = settings.style != DrawingStyle::dots;
+    if (plan.pens.empty() && !joined)
+        dots *= part.width_mm * part.height_mm / (plan.page.width_mm * plan.page.height_mm);
+    const auto count = static_cast<std::uint64_t>(dots);
+    const DotOrder order = options.saving.order.value_or(usual_order(file.format, count, settings.style));
+    if (order == DotOrder::recursion && plan.pens.empty() && !joined) return;
+    const double each = joined ? kJoined : order == DotOrder::shortest ? kShortened : kSorted;
+    check_memory(dots * each, fmt::format("{} dots in the order \"{}\"", about(dots), name_of(order)),
+                 options.memory);
+}
+
 // The files for each pen, made sure not to be those that the drawing is of.
 std::vector<std::filesystem::path> pen_files_of(const RenderOptions& options, DrawingFormat format,
                                                 std::span<const Pen> pens) {
@@ -195,6 +217,7 @@ PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
                      .saving = options.saving,
                      .embedded = embedded_settings(options.output, settings, options.saving)};
     DrawingPlan plan = plan_for(pipeline, options, needs_thresholds(file));
+    check_holds(plan, file, page.part.size, options);
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);

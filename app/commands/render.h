@@ -37,6 +37,7 @@ struct RenderOptions {
     std::optional<Rectangle<double>> region;  // a part instead of a sheet
     PictureLimit limit = PictureLimit::usual;
     WorkShare share;
+    std::optional<double> memory;                // bytes that it may take; none: what is available
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
     std::vector<FileInUse> read = {};            // the picture and all else, which nothing is written over
 };

@@ -183,6 +183,7 @@ void RenderCommand::add_output_options(CLI::App& command) {
         ->type_name("FILE");
     command.add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+    add_memory(command, options_.memory);
 }
 
 void RenderCommand::add_mask_options(CLI::App& command) {
@@ -271,7 +272,7 @@ void RenderCommand::run(const CLI::App& command) {
     std::vector<std::filesystem::path> shared;
     for (std::size_t i = 0; i < pictures_.size(); ++i)
         if (options_.share.has(i)) shared.push_back(pictures_[i]);
-    if (shared.empty()) return;
+    if (shared.empty()) return tell_of_no_share(options_.share, pictures_.size(), "pictures");
     const BatchResult result = render_batch(options_, shared, jobs_);
     const std::string summary = batch_summary(result, options_.output);
     fmt::print(stderr, "{}\n", summary);

@@ -80,7 +80,7 @@ VolumeCommand::VolumeCommand(CLI::App& program) {
     command->add_option("-o,--output", output_, "The points: a name that ends in .ply or .csv")
         ->type_name("OUT")
         ->required();
-    add_count(*command, "--dots,-n", dots_, kMostVolumeDots,
+    add_count(*command, "-n,--dots", dots_, kMostVolumeDots,
               "Exactly so many: 10000, 10,000 or 10k. Of a point cloud so many of its own points")
         ->default_str("10000");
     add_whole_number(*command, "--relax", relax_, {.least = 0, .most = 100},

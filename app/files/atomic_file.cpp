@@ -248,6 +248,17 @@ void check_can_save(const fs::path& target) {
     }
 }
 
+void save_next(std::size_t before, const std::function<void()>& save) {
+    try {
+        save();
+    } catch (const std::runtime_error& error) {
+        if (before == 0) throw;
+        throw std::runtime_error(fmt::format("{}; {} before it {} saved, and {}", error.what(),
+                                             before == 1 ? "the one" : fmt::format("the {}", before),
+                                             before == 1 ? "is" : "are", before == 1 ? "stays" : "stay"));
+    }
+}
+
 void write_to_standard_output(const std::function<void(std::ostream&)>& write) {
     write_through(STDOUT_FILENO, "the standard output", GoingBack::impossible, write);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Saving so that a file is either the old one or the new one, whole.
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <ostream>
@@ -21,6 +22,10 @@ namespace dapple {
 /// folder, read-only itself or a link to itself, the disk is full, nobody reads the pipe. What `write` throws
 /// passes through.
 void save_atomically(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write);
+
+/// Calls `save`, which saves one of several files that belong together; `before` of them are saved. What it
+/// throws as std::runtime_error then also says that those stay.
+void save_next(std::size_t before, const std::function<void()>& save);
 
 /// Calls `write` with the standard output as a stream, which cannot go back. Throws std::runtime_error with
 /// one sentence if nobody reads it any more or the disk is full. What `write` throws passes through.

@@ -128,16 +128,18 @@ bool save_ordered(const std::filesystem::path& path, const DrawingSettings& sett
         write_drawing(out, format, settings, drawing, title, progress);
         progress(1);
     };
-    const auto for_each_pen = [&](const auto& write_pen) {
+    const auto for_each_pen = [&](std::size_t before, const auto& write_pen) {
         for (std::size_t pen = 0; pen < drawing.pens.size(); ++pen)
-            save_atomically(file_of_pen(path, pen, drawing.pens[pen]),
-                            [&](std::ostream& out) { write_pen(out, pen); });
+            save_next(pen + before, [&] {
+                save_atomically(file_of_pen(path, pen, drawing.pens[pen]),
+                                [&](std::ostream& out) { write_pen(out, pen); });
+            });
     };
     try {
         if (to_standard_output) {
             write_to_standard_output(write);
         } else if (has_pen_files(format, drawing.saving, drawing.pens)) {
-            for_each_pen([&](std::ostream& out, std::size_t pen) {
+            for_each_pen(0, [&](std::ostream& out, std::size_t pen) {
                 const auto done = static_cast<double>(pen), pens = static_cast<double>(drawing.pens.size());
                 write_drawing(out, format, settings, drawing_of_pen(drawing, pen), title,
                               [&](double share) { progress((done + share) / pens); });
@@ -146,7 +148,7 @@ bool save_ordered(const std::filesystem::path& path, const DrawingSettings& sett
         } else {
             save_atomically(path, write);
             if (has_separations(format, drawing.saving, drawing.pens))
-                for_each_pen([&](std::ostream& out, std::size_t pen) {
+                for_each_pen(1, [&](std::ostream& out, std::size_t pen) {
                     write_separation(out, format, settings, drawing, pen, progress);
                 });
         }

@@ -34,9 +34,11 @@ bool save_frames(const fs::path& folder, const FilmFrame& frame, int frames, con
     for (int i = 0; i < frames; ++i) {
         if (watch.stop.stop_requested()) return false;
         const Grid<glm::u8vec3> pixels = frame(share_of(i, frames));
-        save_atomically(frame_file(folder, i), [&](std::ostream& out) {
-            write_png(out, {.width = pixels.width, .height = pixels.height, .dpi = 96},
-                      [&](const PixelSink& sink) { sink(pixels); });
+        save_next(static_cast<std::size_t>(i), [&] {
+            save_atomically(frame_file(folder, i), [&](std::ostream& out) {
+                write_png(out, {.width = pixels.width, .height = pixels.height, .dpi = 96},
+                          [&](const PixelSink& sink) { sink(pixels); });
+            });
         });
         if (watch.progress) watch.progress(static_cast<double>(i + 1) / frames);
     }

@@ -160,7 +160,7 @@ class Reader {
                 return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == kPointX ||
                        c == kPointY;
             };
-            const auto end = std::ranges::find_if_not(text, is_of_value) - text.begin();
+            const auto end = std::find_if_not(text.begin(), text.end(), is_of_value) - text.begin();
             const std::string_view value = text.substr(0, static_cast<std::size_t>(end));
             text.remove_prefix(value.size());
             word = {letter, value,

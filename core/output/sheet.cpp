@@ -140,12 +140,17 @@ Rectangle<double> parse_region(std::string_view text) {
                         text));
     }
     const auto [x, y, width, height] = *lengths;
+    for (const double length : {x, y, x + width, y + height}) {
+        if (std::isinf(length))
+            throw std::runtime_error(
+                fmt::format("'{}': a region lies on the page, and none is so large", text));
+    }
     // Written so that what is not a number is refused too.
-    if (!(x >= 0) || !(y >= 0) || !std::isfinite(x + y)) {
+    if (!(x >= 0) || !(y >= 0)) {
         throw std::runtime_error(
             fmt::format("'{}': a region's corner is counted from the page's, from 0 up", text));
     }
-    if (!(width > 0) || !(height > 0) || !std::isfinite(width + height)) {
+    if (!(width > 0) || !(height > 0)) {
         throw std::runtime_error(fmt::format("'{}': a region needs a width and a height over 0", text));
     }
     return {{x, y}, {x + width, y + height}};

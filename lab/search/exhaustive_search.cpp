@@ -215,18 +215,28 @@ SearchEstimate estimate_pass(int points, double floor, int probes, std::uint64_t
     const RadiusBound bound(points, floor);
     WordTree tree(points);
     Random random(seed);
+    const std::vector<std::string> endings = endings_of(points, bound);
+    // So many ways down each part; or, where there are more parts than ways, down parts drawn at random, each of which
+    // stands for all.
+    const std::size_t each = static_cast<std::size_t>(probes) / std::max<std::size_t>(endings.size(), 1);
+    const bool all = each > 1;
+    const std::size_t groups = endings.empty() ? 0 : all ? endings.size() : 1;
+    const std::size_t ways = all ? each : static_cast<std::size_t>(probes);
     SearchEstimate estimate;
     double variance = 0;
-    for (const std::string& ending : endings_of(points, bound)) {
+    for (std::size_t group = 0; group < groups; ++group) {
         double sum = 0, squares = 0;
-        for (int i = 0; i < probes; ++i) {
-            const double words = tree.probe(ending, bound, random);
+        for (std::size_t i = 0; i < ways; ++i) {
+            const std::size_t ending = all ? group : random.below(endings.size());
+            const double words = tree.probe(endings[ending], bound, random) *
+                                 static_cast<double>(all ? 1 : endings.size());
             sum += words;
             squares += words * words;
         }
-        const double mean = sum / probes;
+        const auto count = static_cast<double>(ways);
+        const double mean = sum / count;
         estimate.words += mean;
-        if (probes > 1) variance += (squares / probes - mean * mean) / (probes - 1);
+        if (ways > 1) variance += (squares / count - mean * mean) / (count - 1);
     }
     estimate.error = std::sqrt(std::max(variance, 0.0));
     return estimate;

@@ -101,7 +101,7 @@ void take_part(SearchState& state, std::size_t part, std::vector<FoundTile> foun
 /// The radius below which no tile of the pass is of interest any more.
 double radius_wanted(const SearchState& state);
 
-/// How many words a pass with that floor looks at, guessed by `probes` random ways down each part.
+/// How many words a pass with that floor looks at, guessed by `probes` random ways down its parts.
 struct SearchEstimate {
     double words = 0, error = 0;  // one standard error of it
 };

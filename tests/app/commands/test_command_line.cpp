@@ -116,6 +116,25 @@ TEST_CASE("a count is understood as people write it") {
     CHECK(dots("1e3") == 1000);
 }
 
+TEST_CASE("what needs more memory than there is is refused before it begins, unless it is allowed") {
+    const Scene scene;
+    const std::string out = " -o " + scene("x");
+    scene.must_fail("render" + out + ".svg --order shortest --dots 5G", "of memory, and ");
+    scene.must_fail("render" + out + ".svg --style line --dots 5G",
+                    "available; choose fewer, or say --memory ");
+    scene.must_fail("analyse" + out + ".json --dots 2147483648",
+                    "analysing 2,100,000,000 dots would need about ");
+    scene.must_fail("render" + out + ".svg --order space --dots 100k --memory 1M",
+                    "and 1.0 MB are allowed; choose fewer");
+    scene.must_fail("lights" + out + ".csv --samples 1M --memory 10M", "1,000,000 samples would need about ");
+    scene.must_fail("render" + out + ".svg --memory much",
+                    "--memory: much is not possible; give bytes, such as 12G");
+    // Streams hold a piece at a time.
+    CHECK(run_dapple("render" + out + ".svg --order recursion --relax 0 --dots 100k --memory 1M").status ==
+          0);
+    CHECK(run_dapple("render" + out + ".svg --order space --dots 100k --memory 1G").status == 0);
+}
+
 TEST_CASE("option values that cannot be are refused with the option's name") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " -o " + scene("old.svg") + " ";
@@ -159,6 +178,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--blur -3", "--blur: -3 is not possible"},
           Wrong{"--sheet 4,1/3x4", "--sheet: '4,1/3x4': sheets are counted"},
           Wrong{"--region 1,2,3", "--region: '1,2,3' is not a region"},
+          Wrong{"--region 10,10,1e308x1e308", "the region reaches to 1e+308 x 1e+308 mm, and"},
           Wrong{"--region 0,0,0x5", "--region: '0,0,0x5': a region needs a width"},
           Wrong{"--region -1,0,5x5", "--region: '-1,0,5x5': a region's corner"},
           Wrong{"--region 150,0,60x10", "--region: the region reaches to 210"},

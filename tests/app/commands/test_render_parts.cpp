@@ -86,6 +86,16 @@ TEST_CASE("runs that share the sheets of a mural, or pictures, draw each of them
     CHECK(files("one") == files("many"));
     CHECK(files("one").size() == 7 + 3);
     const std::string to = " -o " + scene("m.svg");
+    // What is told is what this run did.
+    const Outcome second = run_dapple(mural + scene("m.svg") + " --share 2/3");
+    CHECK(second.err.find("2 of 6 sheets of") != std::string::npos);
+    CHECK(second.err.find("m-B2.svg; the plan is written with share 1") != std::string::npos);
+    CHECK(run_dapple(mural + scene("m.svg") + " --share 1/3").err.find("m-plan.svg shows how") !=
+          std::string::npos);
+    CHECK(run_dapple(batch + scene("many/") + " --share 6/9").err ==
+          "none of the 3 pictures is in share 6 of 9; nothing was drawn\n");
+    CHECK(run_dapple(mural + scene("m.svg") + " --share 7/9").err ==
+          "none of the 6 sheets is in share 7 of 9; nothing was drawn\n");
     scene.must_fail("render --share 1/2" + to, "--share: is for several pictures, or the sheets of a mural");
     scene.must_fail("render --sheets 2x2 --share 0/2" + to, "0/2 is no share; give one such as 1/4");
     scene.must_fail("render --sheets 2x2 --share 3/2" + to, "3/2 is no share");
@@ -363,4 +373,26 @@ TEST_CASE("on a paper with margins exactly so many dots lie, all of each within 
     scene.must_fail(begin + " --crop 0,0,97x10",
                     "--crop: the part reaches to 97 x 10 pixels, and the picture is 96 x 64");
     scene.must_fail(begin + " --page a6 --dot-radius 60", "--dot-radius: ");
+}
+
+TEST_CASE("where the disk is full in the middle of several files, those before it stay and are told of") {
+    const Scene scene;
+    // White above: the first two sheets are small.
+    std::string picture = "P2 8 8 255\n";
+    for (int i = 0; i < 64; ++i) picture += i < 32 ? "255 " : "0 ";
+    put_text(scene("half.pgm"), picture);
+    const std::string program = "ulimit -f 8; exec \"$DAPPLE\" ";  // of 512 bytes
+    const Outcome mural = run_in_shell(program + "render " + scene("half.pgm") +
+                                       " --dots 2000 --sheets 2x2 -o " + scene("h.svg"));
+    CHECK(mural.status == 1);
+    CHECK(mural.err.find("h-A2.svg: cannot be written") != std::string::npos);
+    CHECK(mural.err.find("; the 2 before it are saved, and stay\n") != std::string::npos);
+    CHECK(std::filesystem::exists(scene("h-B1.svg")));
+    const Outcome film = run_in_shell(program + "record " + scene("half.pgm") + " -o " + scene("f/") +
+                                      " --seconds 1 --fps 8 --size 100 --dots 3000");
+    CHECK(film.status == 1);
+    CHECK(film.err.find(" before it are saved, and stay\n") != std::string::npos);
+    CHECK(std::filesystem::exists(scene("f/frame-0001.png")));
+    for (const auto& entry : std::filesystem::directory_iterator(scene.folder / ""))
+        CHECK(entry.path().extension() != ".part");
 }
