@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMemoryOfDot = 300;  // bytes, measured
+constexpr double kMemoryOfDot = 400;  // bytes, measured
 
 bool is_table(const fs::path& path) {
     const std::string ending = ending_of(path);

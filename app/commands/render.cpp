@@ -143,7 +143,7 @@ void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, 
 // those that lines join, and those of several pens.
 void check_holds(const DrawingPlan& plan, const DrawingFile& file, const PageSize& part,
                  const RenderOptions& options) {
-    constexpr double kSorted = 60, kShortened = 200, kJoined = 300;  // bytes a dot, measured
+    constexpr double kSorted = 100, kJoined = 220, kOfPens = 500;  // bytes a dot, measured
     const DrawingSettings& settings = file.settings;
     double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
                                      : kDotsPerScale * plan.placing.scale * plan.density->mean();
@@ -153,7 +153,7 @@ void check_holds(const DrawingPlan& plan, const DrawingFile& file, const PageSiz
     const auto count = static_cast<std::uint64_t>(dots);
     const DotOrder order = options.saving.order.value_or(usual_order(file.format, count, settings.style));
     if (order == DotOrder::recursion && plan.pens.empty() && !joined) return;
-    const double each = joined ? kJoined : order == DotOrder::shortest ? kShortened : kSorted;
+    const double each = !plan.pens.empty() ? kOfPens : joined ? kJoined : kSorted;
     check_memory(dots * each, fmt::format("{} dots in the order \"{}\"", about(dots), name_of(order)),
                  options.memory);
 }
