@@ -216,8 +216,8 @@ SearchEstimate estimate_pass(int points, double floor, int probes, std::uint64_t
     WordTree tree(points);
     Random random(seed);
     const std::vector<std::string> endings = endings_of(points, bound);
-    // So many ways down each part; or, where there are more parts than ways, down parts drawn at random, each of which
-    // stands for all.
+    // So many ways down each part; or, where there are more parts than ways, down parts drawn at random, each
+    // of which stands for all.
     const std::size_t each = static_cast<std::size_t>(probes) / std::max<std::size_t>(endings.size(), 1);
     const bool all = each > 1;
     const std::size_t groups = endings.empty() ? 0 : all ? endings.size() : 1;
@@ -228,8 +228,8 @@ SearchEstimate estimate_pass(int points, double floor, int probes, std::uint64_t
         double sum = 0, squares = 0;
         for (std::size_t i = 0; i < ways; ++i) {
             const std::size_t ending = all ? group : random.below(endings.size());
-            const double words = tree.probe(endings[ending], bound, random) *
-                                 static_cast<double>(all ? 1 : endings.size());
+            const double words =
+                tree.probe(endings[ending], bound, random) * static_cast<double>(all ? 1 : endings.size());
             sum += words;
             squares += words * words;
         }
