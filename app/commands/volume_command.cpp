@@ -8,6 +8,7 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/remarks.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/volume_file.h"
@@ -38,7 +39,7 @@ Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
     if (input == "cube") return cube_volume();
     if (input == "ball") return ball_volume();
     if (input == "gyroid") return gyroid_volume();
-    return ending_of(input) == ".nrrd" ? read_nrrd(input) : read_slices(inputs);
+    return ending_of(input) == ".nrrd" ? read_nrrd(input) : read_slices(inputs, &print_remark);
 }
 
 void turn_over(Volume& volume) {

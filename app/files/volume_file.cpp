@@ -173,10 +173,13 @@ Volume read_nrrd(const std::filesystem::path& file) {
     return checked(file, std::move(volume));
 }
 
-Volume read_slices(std::span<const std::filesystem::path> pictures) {
+Volume read_slices(std::span<const std::filesystem::path> pictures, const TellRemark& tell) {
     Volume volume;
     for (const std::filesystem::path& picture : pictures) {
-        const Grid<float> light = read_picture(picture).light;
+        const Picture read =
+            read_picture(picture, PictureLimit::usual, PictureColours::left_out, {}, PictureBehind::black);
+        if (tell) tell(picture, read.remark);
+        const Grid<float>& light = read.light;
         if (volume.size.z == 0) volume.size = {light.width, light.height, 0};
         if (volume.size.x != light.width || volume.size.y != light.height)
             fail(picture,

@@ -7,9 +7,11 @@
 //     .ply              points: ASCII or binary; of each vertex x, y and z count (Turk 1994)
 
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <ostream>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/volume/volume.h"
@@ -18,7 +20,9 @@ namespace dapple {
 
 /// All throw std::runtime_error naming the file and what is wrong with it.
 Volume read_nrrd(const std::filesystem::path& file);
-Volume read_slices(std::span<const std::filesystem::path> pictures);
+/// What is transparent is empty. `tell` is called with what people should know of how a picture was read.
+using TellRemark = std::function<void(const std::filesystem::path&, const std::string&)>;
+Volume read_slices(std::span<const std::filesystem::path> pictures, const TellRemark& tell = {});
 std::vector<glm::dvec3> read_ply(const std::filesystem::path& file);
 
 /// Binary, little-endian, floats.
