@@ -96,6 +96,14 @@ class Actions {
         posix_spawn_file_actions_addopen(&actions_, as, path, flags, 0);
     }
     void give(const Descriptor& from, int as) { posix_spawn_file_actions_adddup2(&actions_, from.get(), as); }
+    // What somebody left open for others, who may have begun this program with it, is not for a decoder.
+    void close_from(int first) {
+#if defined(DAPPLE_LINUX)
+        posix_spawn_file_actions_addclosefrom_np(&actions_, first);
+#else
+        (void)first;
+#endif
+    }
     const posix_spawn_file_actions_t* get() const {
         return &actions_;
     }
@@ -133,6 +141,7 @@ class Process {
         actions.open(STDERR_FILENO, "/dev/null", O_WRONLY);
         actions.give(input, STDOUT_FILENO);
         actions.give(given, kPictureFile);
+        actions.close_from(kPictureFile + 1);
         std::string name = program.string(), format = reader, most = std::to_string(request.most_pixels),
                     behind = request.over_paper ? "paper" : "black",
                     shape = request.square_pixels ? "square" : "as-is",
