@@ -8,13 +8,13 @@
 
 build_packages=(
     cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
-    libglm-dev libimgui-dev libjpeg62-turbo-dev libkissfft-dev liblcms2-dev libopenimageio-dev libpng-dev
-    libqpdf-dev libseccomp-dev libstb-dev libtbb-dev libtiff-dev libwebp-dev ninja-build nlohmann-json3-dev pkg-config
-    zlib1g-dev
+    libglm-dev libimgui-dev libjpeg62-turbo-dev libjxl-dev libkissfft-dev liblcms2-dev libopenimageio-dev
+    libpng-dev libqpdf-dev libseccomp-dev libstb-dev libtbb-dev libtiff-dev libwebp-dev ninja-build
+    nlohmann-json3-dev pkg-config zlib1g-dev
 )
 window_packages=(fonts-dejavu-core libegl-mesa0 libgl1-mesa-dri)
 test_packages=(
-    appstream clang-format doctest-dev imagemagick inkscape libopenmpi-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev
+    appstream clang-format doctest-dev imagemagick inkscape libjxl-tools libopenmpi-dev libpugixml-dev librsvg2-bin libtiff-tools libx11-dev
     libxml2-utils openimageio-tools openmpi-bin poppler-utils pybind11-dev python3-cssselect python3-dev python3-ezdxf python3-lxml python3-numpy
     python3-pil python3-pytest python3-tinycss2 x11-utils xauth xclip xdotool xvfb
 )

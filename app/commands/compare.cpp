@@ -10,6 +10,7 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/remarks.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
@@ -65,7 +66,7 @@ CompareRequest request_of(const CompareOptions& options) {
         if (request.pngs) request.pictures.back().png = png_of_light(request.pictures.back().light);
     };
     if (options.pictures.empty()) add("still life", sample_picture());
-    for (const fs::path& file : options.pictures) add(file.filename().string(), read_picture(file));
+    for (const fs::path& file : options.pictures) add(file.filename().string(), read_with_remark(file));
     return request;
 }
 

@@ -8,6 +8,7 @@
 #include "app/available_memory.h"
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/remarks.h"
 #include "app/files/atomic_file.h"
 #include "app/files/environment_file.h"
 #include "app/files/exr_file.h"
@@ -39,6 +40,7 @@ std::string source_of(const LightsOptions& options) {
 EnvironmentMap map_of(const LightsOptions& options) {
     if (!options.map) return sky_map();
     EnvironmentFile file = read_environment(*options.map, LightBelowZero::none);
+    print_remark(*options.map, file.remark);
     const std::string name = printable(options.map->string());
     const std::string pixels = fmt::format("{} pixel{}", file.below_zero, file.below_zero == 1 ? "" : "s");
     if (file.below_zero > 0 && !options.clamp)

@@ -10,6 +10,7 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/remarks.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/picture.h"
@@ -76,7 +77,7 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& output,
 }
 
 Grid<float> light_of(const std::filesystem::path& picture) {
-    Picture read = read_picture(picture);
+    Picture read = read_with_remark(picture);
     for (float& value : read.light.values) value *= std::exp2(read.exposure);
     return std::move(read.light);
 }

@@ -10,7 +10,7 @@
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
-#include "app/files/picture.h"
+#include "app/commands/remarks.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
@@ -24,7 +24,7 @@ namespace {
 void show_picture(Pipeline& pipeline, const RecordOptions& options) {
     const PictureColours colours =
         options.drawing.pens.set == PenSet::one ? PictureColours::left_out : PictureColours::kept;
-    set_picture(pipeline, options.image ? read_picture(*options.image, PictureLimit::usual, colours)
+    set_picture(pipeline, options.image ? read_with_remark(*options.image, PictureLimit::usual, colours)
                                         : sample_picture(colours));
 }
 

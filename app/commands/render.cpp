@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/available_memory.h"
+#include "app/commands/remarks.h"
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
@@ -97,8 +98,10 @@ Picture picture_of(const RenderOptions& options) {
     const PictureColours colours =
         options.drawing.pens.set == PenSet::one ? PictureColours::left_out : PictureColours::kept;
     if (!options.image) return sample_picture(colours);
-    return reads_standard_input(options) ? read_picture_from_standard_input(options.limit, colours)
-                                         : read_picture(*options.image, options.limit, colours);
+    if (!reads_standard_input(options)) return read_with_remark(*options.image, options.limit, colours);
+    Picture picture = read_picture_from_standard_input(options.limit, colours);
+    print_remark("the standard input", picture.remark);
+    return picture;
 }
 
 // What the command draws, made sure to be possible.

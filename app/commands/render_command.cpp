@@ -14,6 +14,7 @@
 #include "app/commands/mural.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
+#include "app/commands/remarks.h"
 #include "app/commands/render_checks.h"
 #include "app/commands/render_report.h"
 #include "app/files/atomic_file.h"
@@ -189,7 +190,7 @@ void RenderCommand::add_output_options(CLI::App& command) {
 void RenderCommand::add_mask_options(CLI::App& command) {
     const auto light_of = [this](const char* option, const std::string& file) {
         try {
-            return read_picture(file, options_.limit).light;
+            return read_with_remark(file, options_.limit).light;
         } catch (const std::runtime_error& error) {
             throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
         }

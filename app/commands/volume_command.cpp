@@ -8,6 +8,7 @@
 
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
+#include "app/commands/remarks.h"
 #include "app/files/atomic_file.h"
 #include "app/files/file_ending.h"
 #include "app/files/volume_file.h"
@@ -30,7 +31,8 @@ bool is_cloud(const std::filesystem::path& input) {
 
 // And not a slice of one.
 bool is_whole(const std::filesystem::path& input) {
-    return is_cloud(input) || ending_of(input) == ".nrrd" || input == "ball" || input == "gyroid";
+    return is_cloud(input) || ending_of(input) == ".nrrd" || input == "cube" || input == "ball" ||
+           input == "gyroid";
 }
 
 Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
@@ -38,7 +40,7 @@ Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
     if (input == "cube") return cube_volume();
     if (input == "ball") return ball_volume();
     if (input == "gyroid") return gyroid_volume();
-    return ending_of(input) == ".nrrd" ? read_nrrd(input) : read_slices(inputs);
+    return ending_of(input) == ".nrrd" ? read_nrrd(input) : read_slices(inputs, &print_remark);
 }
 
 void turn_over(Volume& volume) {
@@ -54,7 +56,10 @@ std::vector<glm::dvec3> placed(Volume volume, std::uint64_t count, int steps) {
         line.show(static_cast<double>(step) / steps, "settling");
         return true;
     });
-    for (glm::dvec3& dot : dots) dot *= volume.spacing;
+    // Floats tell dots apart, but for such that lie far from where they are counted from.
+    for (glm::dvec3& dot : dots)
+        dot = volume.corner == glm::dvec3(0) ? glm::dvec3(glm::vec3(dot * volume.spacing))
+                                             : volume.corner + dot * volume.spacing;
     return dots;
 }
 
@@ -93,8 +98,9 @@ VolumeCommand::VolumeCommand(CLI::App& program) {
             "PNG files")
         ->type_name("FILM");
     command->footer(
-        "Dots of a density lie in voxels times the file's spacings, the first voxel from 0 to 1; x is to the "
-        "right, y\ndown a slice, z from slice to slice.\n\n"
+        "Dots of a density lie in voxels times the file's spacings, the first voxel from 0 to 1, or where "
+        "its "
+        "space\norigin says; x is to the right, y down a slice, z from slice to slice.\n\n"
         "Examples:\n"
         "  dapple volume gyroid -o gyroid.ply -n 20000 --film gyroid.webp\n"
         "  dapple volume slices/*.png -o cells.csv -n 50k\n"

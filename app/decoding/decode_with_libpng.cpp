@@ -163,7 +163,7 @@ void decode(int file, PictureFormat, const DecodeRequest& request, const BeforeP
                              .grey = layout.channels.grey(),
                              .description = std::move(described),
                              .pixel_aspect = png_get_pixel_aspect_ratio(png, info)};
-    if (!request.over_paper) layout.channels.alpha.reset();
+    layout.over_paper = request.over_paper;
     StoredPixels decoder(layout);
 
     // An interlaced picture has to be there as a whole; else a row at a time.

@@ -10,19 +10,20 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
-#include <locale>
 #include <memory>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/decoding/bmp_runs.h"
+#include "app/decoding/changed_beginning.h"
 #include "app/decoding/decode.h"
+#include "app/decoding/psd_picture.h"
+#include "app/decoding/radiance_header.h"
 #include "app/decoding/stored_pixels.h"
 #include "app/decoding/tiff_doubles.h"
 
@@ -62,48 +63,6 @@ void expect_stated_size(int file, PictureFormat format, const DecodeRequest& req
     before_pixels({.in_memory = bytes + row * kBandRows * sizeof(float), .in_all = bytes});
 }
 
-std::string radiance_header(int file) {
-    std::array<char, 1 << 14> beginning{};
-    const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
-    const std::string_view text(beginning.data(), got < 0 ? 0 : static_cast<std::size_t>(got));
-    return std::string(text.substr(0, text.find("\n\n")));
-}
-
-// OpenImageIO reads Radiance's pictures of red, green and blue, and says of others that they have no format.
-void expect_radiance_rgb(const std::string& header) {
-    if (header.find("FORMAT=32-bit_rle_xyze") != header.npos)
-        throw DecodeError(
-            "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green and "
-            "blue");
-}
-
-// The way from the values to the light, as Radiance has it: they were multiplied by every EXPOSURE and every
-// COLORCORR of the header. OpenImageIO gives them as they are.
-glm::mat3 radiance_light(const std::string& header) {
-    glm::dvec3 multiplied(1);
-    std::istringstream lines(header);
-    for (std::string line; std::getline(lines, line);) {
-        const bool exposure = line.starts_with("EXPOSURE=");
-        if (!exposure && !line.starts_with("COLORCORR=")) continue;
-        std::istringstream numbers(line.substr(line.find('=') + 1));
-        numbers.imbue(std::locale::classic());
-        glm::dvec3 by(0);
-        numbers >> by.x;
-        if (exposure)
-            by.y = by.z = by.x;
-        else
-            numbers >> by.y >> by.z;
-        multiplied *= by;
-    }
-    const glm::dvec3 light = 1.0 / multiplied;
-    for (int i = 0; i < 3; ++i)
-        if (!(light[i] > 0 && light[i] <= kMostLightOfAPixel))
-            throw DecodeError(
-                "says in its header by which EXPOSURE or COLORCORR its light was multiplied, and that is not "
-                "a number over 0; mend these lines or leave them out");
-    return {light.x, 0, 0, 0, light.y, 0, 0, 0, light.z};
-}
-
 // `halved`: a raw file's picture in half its size, for which no colours are guessed between the sensor's.
 // `from`: what it is read from instead of the file of that name, if there is any.
 std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureFormat format, bool halved,
@@ -125,9 +84,8 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureF
     return input;
 }
 
-Channels channels_of(const OIIO::ImageSpec& spec) {
+Channels channels_of(const OIIO::ImageSpec& spec, PictureFormat format) {
     Channels channels;
-    if (spec.alpha_channel >= 0 && spec.alpha_channel < spec.nchannels) channels.alpha = spec.alpha_channel;
     const auto named = [&](std::string_view name) {
         const auto same = [&](const std::string& other) {
             return OIIO::Strutil::iequals(other, std::string(name));
@@ -135,6 +93,12 @@ Channels channels_of(const OIIO::ImageSpec& spec) {
         const auto found = std::ranges::find_if(spec.channelnames, same);
         return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
     };
+    // Where OpenImageIO says that it is none of the channels, as of GIF, it has its name. Grey TGA has none
+    // either.
+    const int alpha = spec.alpha_channel >= 0 && spec.alpha_channel < spec.nchannels ? spec.alpha_channel
+                      : format == PictureFormat::targa && spec.nchannels == 2        ? 1
+                                                                                     : named("A");
+    if (alpha >= 0) channels.alpha = alpha;
     const int red = named("R"), green = named("G"), blue = named("B"), luminance = named("Y");
     if (red >= 0 && green >= 0 && blue >= 0) {
         channels.colour = {red, green, blue};
@@ -177,13 +141,22 @@ std::string profile_of(const OIIO::ImageSpec& spec) {
     return {static_cast<const char*>(icc->data()), static_cast<std::size_t>(icc->datasize())};
 }
 
-PixelLayout layout_of(const OIIO::ImageSpec& spec) {
+// Whether colours come multiplied by alpha. Readers that leave them alone do not all say so.
+bool is_premultiplied(const OIIO::ImageSpec& spec, PictureFormat format) {
+    constexpr int kPremultipliedTarga = 4;
+    if (spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0) return false;
+    if (format == PictureFormat::targa)
+        return spec.get_int_attribute("targa:alpha_type", 0) == kPremultipliedTarga;
+    return format != PictureFormat::bmp && format != PictureFormat::gif && format != PictureFormat::jpeg2000;
+}
+
+PixelLayout layout_of(const OIIO::ImageSpec& spec, PictureFormat format) {
     PixelLayout layout;
-    layout.channels = channels_of(spec);
+    layout.channels = channels_of(spec, format);
     layout.count = spec.nchannels;
     layout.encoding = encoding_of(spec);
     layout.profile = profile_of(spec);
-    layout.premultiplied = layout.channels.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+    layout.premultiplied = layout.channels.alpha && is_premultiplied(spec, format);
     layout.eight_bit = spec.format == OIIO::TypeDesc::UINT8;
     return layout;
 }
@@ -278,26 +251,51 @@ float pixel_aspect_of(const OIIO::ImageSpec& spec, int file, PictureFormat forma
     return format == PictureFormat::jpeg ? 1 : spec.get_float_attribute("PixelAspectRatio", 1);
 }
 
+// The picture's window, where that is not just what is stored. Only these two formats have one: what
+// OpenImageIO says of TGA and JPEG 2000 are places on a screen or a grid.
+std::optional<DisplayWindow> window_of(const OIIO::ImageSpec& spec, PictureFormat format) {
+    if ((format != PictureFormat::openexr && format != PictureFormat::tiff) ||
+        OIIO::Strutil::starts_with(spec.get_string_attribute("textureformat"), "CubeFace"))
+        return std::nullopt;
+    const DisplayWindow window{.width = spec.full_width,
+                               .height = spec.full_height,
+                               .x = std::int64_t{spec.x} - spec.full_x,
+                               .y = std::int64_t{spec.y} - spec.full_y};
+    if (window.x == 0 && window.y == 0 && window.width == spec.width && window.height == spec.height)
+        return std::nullopt;
+    return window;
+}
+
+// What is read in place of a file that OpenImageIO reads wrong.
+std::unique_ptr<ChangedBeginning> changed(int file, std::vector<unsigned char> beginning,
+                                          std::uint64_t rest) {
+    return std::make_unique<ChangedBeginning>(std::move(beginning), file, rest);
+}
+
 }  // namespace
 
 void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
             ImageSink& sink) {
     expect_stated_size(file, format, request, before_pixels);
-    std::optional<glm::mat3> to_srgb;
+    std::unique_ptr<ChangedBeginning> from;
+    std::optional<RadianceHeader> radiance;
+    std::optional<PsdPicture> psd;
     if (format == PictureFormat::radiance) {
-        const std::string header = radiance_header(file);
-        expect_radiance_rgb(header);
-        to_srgb = radiance_light(header);
+        radiance = radiance_header(file);
+        from = changed(file, {radiance->plain.begin(), radiance->plain.end()}, radiance->size);
+    } else if (format == PictureFormat::psd) {
+        psd.emplace(file);
+        from = changed(file, psd->beginning(), psd->rest());
+    } else if (format == PictureFormat::bmp) {
+        if (auto plain = bmp_without_runs(file)) from = changed(file, std::move(*plain), INT64_MAX);
     }
     const std::string name = "/dev/fd/" + std::to_string(file);
     const bool halved = format == PictureFormat::raw && request.enough_side > 0;
-    std::optional<std::vector<unsigned char>> plain;
-    if (format == PictureFormat::bmp) plain = bmp_without_runs(file);
-    std::optional<OIIO::Filesystem::IOMemReader> from;
-    if (plain) from.emplace(plain->data(), plain->size());
-    const std::unique_ptr<OIIO::ImageInput> input =
-        open_picture(name, format, halved, from ? &*from : nullptr);
+    const std::unique_ptr<OIIO::ImageInput> input = open_picture(name, format, halved, from.get());
     OIIO::ImageSpec whole = input->spec();
+    const std::optional<DisplayWindow> window = window_of(whole, format);
+    if (window) check_size(window->width, window->height, whole.nchannels, request);
+    if (window && request.enough_side > 0) throw DecodeError(kWholeOnly);
     if (halved) {
         if (std::max(whole.width, whole.height) < request.enough_side) throw DecodeError(kWholeOnly);
         whole.width *= 2;
@@ -305,7 +303,13 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, const 
     }
     check_size(whole.width, whole.height, whole.nchannels, request);
     if (request.enough_side > 0 && !halved) go_to_smaller(*input, request.enough_side);
-    const OIIO::ImageSpec spec = input->spec();
+    OIIO::ImageSpec spec = input->spec();
+    if (psd && psd->has_transparency()) {
+        spec.nchannels = psd->channels();
+        spec.alpha_channel = spec.nchannels - 1;
+        spec.channelnames.resize(static_cast<std::size_t>(spec.nchannels), "A");
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
     check_size(spec.width, spec.height, spec.nchannels, request);
     if (spec.get_string_attribute("oiio:ColorSpace") == "color separated")
         throw DecodeError(
@@ -323,26 +327,28 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, const 
     if (in_doubles) doubles.emplace(file, page, spec.width, spec.height, spec.nchannels);
     const auto read = [&](int begin, int end) {
         if (doubles) return doubles->read(begin, end, band.data());
+        if (psd && psd->has_transparency()) return psd->read(begin, end, band.data());
         // The JPEG reader goes on after a file ends too early, but says so.
         if (!read_rows(*input, spec, begin, end, band.data()) || input->has_error())
             throw error_of("the picture is damaged", input->geterror(), name);
     };
 
-    PixelLayout layout = layout_of(spec);
-    layout.to_srgb = to_srgb;
+    PixelLayout layout = layout_of(spec, format);
+    if (radiance) layout.to_srgb = radiance->light;
     if (format == PictureFormat::bmp || format == PictureFormat::targa)
         forget_unused_alpha(layout, spec, band_rows, band, read);
-    const int orientation = whole.get_int_attribute("Orientation", 1);
+    const int orientation = radiance ? radiance->orientation : whole.get_int_attribute("Orientation", 1);
+    const int width = window ? window->width : whole.width, height = window ? window->height : whole.height;
     const ImageHeader header{
         .width = spec.width,
         .height = spec.height,
         .orientation = orientation >= 1 && orientation <= 8 ? orientation : 1,
         .grey = layout.channels.grey(),
-        .description =
-            describe(whole.width, whole.height, kind_of(whole), layout.channels, input->format_name()),
+        .description = describe(width, height, kind_of(whole), layout.channels, input->format_name()),
         .scene_light = spec.format.is_floating_point() && layout.encoding.kind == Encoding::Kind::linear,
-        .pixel_aspect = pixel_aspect_of(whole, file, format)};
-    if (!request.over_paper) layout.channels.alpha.reset();
+        .pixel_aspect = radiance ? radiance->pixel_aspect : pixel_aspect_of(whole, file, format),
+        .window = window};
+    layout.over_paper = request.over_paper;
     StoredPixels decoder(layout);
     std::vector<glm::vec3> colours(spec.width);
     for (int begin = 0; begin < spec.height; begin += band_rows) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,12 @@ namespace dapple {
 inline constexpr std::int64_t kUsualPixels = 400'000'000;
 inline constexpr std::int64_t kAnyPixels = INT64_MAX;
 
+/// A picture's size, and where in it the first stored pixel lies, which may be outside.
+struct DisplayWindow {
+    int width = 0, height = 0;
+    std::int64_t x = 0, y = 0;
+};
+
 struct ImageHeader {
     int width = 0, height = 0;  // as stored, over 0
     int orientation = 1;        // EXIF's, 1..8: how the camera was held
@@ -19,6 +26,9 @@ struct ImageHeader {
     std::string description;    // "512 x 512 pixels, 8-bit grey png"
     bool scene_light = false;   // as it was in front of a camera, where white is not 1
     float pixel_aspect = 1;     // a pixel's width for its height; where a picture arrives it is always 1
+    std::optional<DisplayWindow>
+        window{};          // of a picture that is not just what is stored; never where it arrives
+    std::string remark{};  // what people should know of how it was read; usually nothing
 };
 
 /// Lighter than anything in a picture, and little enough for sums and squares of it to stay numbers.
@@ -36,7 +46,8 @@ class ImageSink {
 };
 
 struct DecodeRequest {
-    bool over_paper = true;                   // transparent parts show white; else alpha is left out
+    bool over_paper = true;     // transparent and missing parts show white paper; else they are black
+    bool square_pixels = true;  // else they stay as they are stored, whatever their shape
     std::int64_t most_pixels = kUsualPixels;  // larger ones are refused before they are read
     /// A smaller picture will do whose longer side is at least so many pixels; it is refused if the whole one
     /// is hardly larger, or has no such copy in its file. 0: the whole one, which PNG's decoder gives anyway.

@@ -1,6 +1,6 @@
 // A decoder: a program of its own, so that what a hostile file does to a library happens there.
 //
-//     dapple-decode READER MOST-PIXELS over-paper|as-is ENOUGH-SIDE
+//     dapple-decode READER MOST-PIXELS paper|black square|as-is ENOUGH-SIDE
 //
 // reads the file that is its descriptor kPictureFile, which is in the format of OpenImageIO's reader of that
 // name, and writes it into standard output as image_pipe.h says.
@@ -18,17 +18,19 @@
 #include "app/decoding/decoder_sandbox.h"
 #include "app/decoding/image_pipe.h"
 #include "app/decoding/square_pixels.h"
+#include "app/decoding/window_sink.h"
 #include "core/text/numbers.h"
 
 int main(int argc, char** argv) {
     using namespace dapple;
     constexpr int kUsage = 2;
-    if (argc != 5) return kUsage;
+    if (argc != 6) return kUsage;
     const auto format = format_with_reader(argv[1]);
     const auto most_pixels = number_of<long long>(argv[2]);
-    const auto enough_side = number_of<int>(argv[4]);
+    const auto enough_side = number_of<int>(argv[5]);
     if (!format || !most_pixels || !enough_side) return kUsage;
-    const DecodeRequest request{.over_paper = std::string_view(argv[3]) == "over-paper",
+    const DecodeRequest request{.over_paper = std::string_view(argv[3]) == "paper",
+                                .square_pixels = std::string_view(argv[4]) == "square",
                                 .most_pixels = *most_pixels,
                                 .enough_side = *enough_side};
     end_with_parent(STDOUT_FILENO);
@@ -42,9 +44,9 @@ int main(int argc, char** argv) {
     try {
         try {
             enter_sandbox();
-            // Maps of light around something have no pixels that could be squares.
             SquarePixels square(pipe);
-            decode(kPictureFile, *format, request, before_pixels, request.over_paper ? square : as_is);
+            WindowSink window(request.square_pixels ? square : as_is, request.over_paper);
+            decode(kPictureFile, *format, request, before_pixels, window);
             pipe.finish();
         } catch (const NoSandbox& error) {
             pipe.fail(error.what(), PictureFailure::system);

@@ -96,7 +96,17 @@ class Actions {
         posix_spawn_file_actions_addopen(&actions_, as, path, flags, 0);
     }
     void give(const Descriptor& from, int as) { posix_spawn_file_actions_adddup2(&actions_, from.get(), as); }
-    const posix_spawn_file_actions_t* get() const { return &actions_; }
+    // What somebody left open for others, who may have begun this program with it, is not for a decoder.
+    void close_from(int first) {
+#if defined(DAPPLE_LINUX)
+        posix_spawn_file_actions_addclosefrom_np(&actions_, first);
+#else
+        (void)first;
+#endif
+    }
+    const posix_spawn_file_actions_t* get() const {
+        return &actions_;
+    }
 
  private:
     posix_spawn_file_actions_t actions_;
@@ -131,11 +141,13 @@ class Process {
         actions.open(STDERR_FILENO, "/dev/null", O_WRONLY);
         actions.give(input, STDOUT_FILENO);
         actions.give(given, kPictureFile);
+        actions.close_from(kPictureFile + 1);
         std::string name = program.string(), format = reader, most = std::to_string(request.most_pixels),
-                    over = request.over_paper ? "over-paper" : "as-is",
+                    behind = request.over_paper ? "paper" : "black",
+                    shape = request.square_pixels ? "square" : "as-is",
                     side = std::to_string(request.enough_side);
-        std::array<char*, 6> arguments{name.data(), format.data(), most.data(),
-                                       over.data(), side.data(),   nullptr};
+        std::array<char*, 7> arguments{name.data(),  format.data(), most.data(), behind.data(),
+                                       shape.data(), side.data(),   nullptr};
         const int error = ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(),
                                         decoder_environment().data());
         if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
@@ -228,7 +240,9 @@ void decode_open(const Descriptor& file, PictureFormat format, const fs::path& d
 }  // namespace
 
 fs::path decoder_for(PictureFormat format) {
-    return decoder_named(format == PictureFormat::png ? "dapple-decode-png" : "dapple-decode");
+    return decoder_named(format == PictureFormat::png   ? "dapple-decode-png"
+                         : format == PictureFormat::jxl ? "dapple-decode-jxl"
+                                                        : "dapple-decode");
 }
 
 void decode_file(const fs::path& path, const DecodeRequest& request, ImageSink& sink, std::stop_token stop) {

@@ -45,21 +45,23 @@ void allow_reading(int rules, const char* path, bool folder) {
 }
 
 // Root may raise limits, and more. But root's programs may also read other people's pictures: the kernel
-// looks once more whether they may when a library opens one by the name of its descriptor.
-void drop_privileges() {
+// looks once more whether they may when a library opens one by the name of its descriptor. That they may read
+// whatever they like stays only where no other file can be opened.
+void drop_privileges(bool other_files_shut_out) {
     __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
     __user_cap_data_struct privileges[_LINUX_CAPABILITY_U32S_3]{};
     if (::syscall(SYS_capget, &header, privileges) != 0) {
         early_error = errno;
         return;
     }
-    constexpr std::uint32_t kReading = 1U << CAP_DAC_READ_SEARCH;
-    privileges[0] = {privileges[0].effective & kReading, privileges[0].permitted & kReading, 0};
+    const std::uint32_t kept = other_files_shut_out ? 1U << CAP_DAC_READ_SEARCH : 0;
+    privileges[0] = {privileges[0].effective & kept, privileges[0].permitted & kept, 0};
     privileges[1] = {};
     if (::syscall(SYS_capset, &header, privileges) != 0) early_error = errno;
 }
 
-void shut_files_out() {
+// False if the kernel has no Landlock, or whoever runs this system.
+bool shut_files_out() {
     landlock_ruleset_attr handled{};
     handled.handled_access_fs =
         LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_READ_FILE |
@@ -68,7 +70,7 @@ void shut_files_out() {
         LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO | LANDLOCK_ACCESS_FS_MAKE_BLOCK |
         LANDLOCK_ACCESS_FS_MAKE_SYM;
     const auto rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0));
-    if (rules < 0) return;  // the kernel has it not, or whoever runs this system
+    if (rules < 0) return false;
     allow_reading(rules, kPictureFile, false);
     for (const char* const file : {"/etc/localtime", "/etc/ld.so.cache"}) allow_reading(rules, file, false);
     // Libraries: that of HEIC in Debian 13 loads its codecs when a file needs one.
@@ -77,13 +79,13 @@ void shut_files_out() {
         allow_reading(rules, folder, true);
     if (::syscall(SYS_landlock_restrict_self, rules, 0) != 0) early_error = errno;
     ::close(rules);
+    return true;
 }
 
 // What binds only the thread that asks for it, and those that it starts.
 void begin_early(int, char**, char**) {
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) early_error = errno;
-    drop_privileges();
-    shut_files_out();
+    drop_privileges(shut_files_out());
 }
 
 // The system calls these before it initialises any library.

@@ -4,8 +4,9 @@
 //
 // A program that this is linked into can open only the file that is its descriptor kPictureFile, and what
 // libraries look up of the system: time zones, processors, libraries; and those only to read, where the
-// kernel has Landlock. That begins before main(), because some libraries start threads while they are loaded,
-// and Landlock binds none that is there already.
+// kernel has Landlock; where it has none, root's may not read other people's files. That begins before
+// main(), because some libraries start threads while they are loaded, and Landlock binds none that is there
+// already.
 
 #include <stdexcept>
 

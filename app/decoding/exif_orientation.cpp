@@ -4,6 +4,28 @@
 
 namespace dapple {
 
+glm::ivec2 ExifOrientation::upright(int x, int y, int width, int height) const {
+    const int right = width - 1 - x, bottom = height - 1 - y;
+    switch (value) {
+        case 2:
+            return {right, y};
+        case 3:
+            return {right, bottom};
+        case 4:
+            return {x, bottom};
+        case 5:
+            return {y, x};
+        case 6:
+            return {bottom, x};
+        case 7:
+            return {bottom, right};
+        case 8:
+            return {y, right};
+        default:
+            return {x, y};
+    }
+}
+
 int orientation_in(std::span<const unsigned char> exif) {
     const bool little = exif.size() >= 8 && exif[0] == 'I' && exif[1] == 'I';
     const bool big = exif.size() >= 8 && exif[0] == 'M' && exif[1] == 'M';

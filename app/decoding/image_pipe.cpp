@@ -142,7 +142,8 @@ ImageHeader get_header(Reader& reader, const DecodeRequest& request) {
             .orientation = numbers.orientation,
             .grey = yes_or_no(numbers.grey, "grey"),
             .description = printable(reader.text()),
-            .scene_light = yes_or_no(numbers.scene_light, "light of a scene")};
+            .scene_light = yes_or_no(numbers.scene_light, "light of a scene"),
+            .remark = printable(reader.text())};
 }
 
 void check_light(std::span<const float> values, int y) {
@@ -197,6 +198,7 @@ void ImagePipe::row(std::span<const glm::vec3> colours) {
                               header_.scene_light ? 1 : 0};
         put(&numbers, sizeof numbers);
         put_text(header_.description);
+        put_text(header_.remark);
     }
     put(&kRow, 1);
     if (header_.grey) {

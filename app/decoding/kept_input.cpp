@@ -4,9 +4,12 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -49,24 +52,47 @@ void write_all(int to, const char* bytes, std::size_t size) {
     }
 }
 
+// Whether a picture of that format, as far as it is there, has come to its end. `chunk`: of a PNG, where its
+// next piece begins, which moves on.
+bool is_whole(PictureFormat format, int file, std::uint64_t size, std::uint64_t& chunk) {
+    constexpr std::uint64_t kHead = 8, kChecksum = 4, kNowhere = std::uint64_t{1} << 62;
+    std::array<unsigned char, kHead> head{};
+    const auto read = [&](std::uint64_t at) {
+        return at + kHead <= size && ::pread(file, head.data(), kHead, static_cast<off_t>(at)) == kHead;
+    };
+    if (format == PictureFormat::webp)
+        return read(0) && size >= kHead + (std::uint64_t{head[7]} << 24 | std::uint64_t{head[6]} << 16 |
+                                           std::uint64_t{head[5]} << 8 | head[4]);
+    if (format != PictureFormat::png) return false;
+    while (read(chunk)) {
+        const std::uint64_t next = chunk + kHead + kChecksum +
+                                   (std::uint64_t{head[0]} << 24 | std::uint64_t{head[1]} << 16 |
+                                    std::uint64_t{head[2]} << 8 | head[3]);
+        const std::string_view name(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        if (name == "IEND") return size >= next;
+        chunk = name.front() == 0 ? kNowhere : next;
+    }
+    return false;
+}
+
 }  // namespace
 
 void keep_input(int from, int to, std::uint64_t most, const std::stop_token& stop) {
     const WriteErrorsInsteadOfSignals said;
     std::vector<char> buffer(std::size_t{1} << 18);
     std::vector<unsigned char> beginning;
-    bool known = false;
-    std::uint64_t kept = 0;
+    std::optional<PictureFormat> format;
+    std::uint64_t kept = 0, chunk = 8;
     while (const std::size_t size = read_some(from, buffer, stop)) {
-        if (!known) {
+        if (!format) {
             beginning.insert(beginning.end(), buffer.begin(), buffer.begin() + static_cast<long>(size));
-            known = beginning.size() >= kFormatBytes;
-            if (known) format_or_refusal(beginning);
+            if (beginning.size() >= kFormatBytes) format = format_or_refusal(beginning);
         }
         if ((kept += size) > most)
             throw DecodeError("is longer than " + std::to_string(most / 1'000'000) +
                               " megabytes, the most that is read from a pipe; save it as a file first");
         write_all(to, buffer.data(), size);
+        if (format && is_whole(*format, to, kept, chunk)) return;
     }
 }
 

@@ -10,11 +10,12 @@
 namespace dapple {
 
 /// What comes from a pipe may have no end.
-inline constexpr std::uint64_t kMostKeptBytes = 8'000'000'000;
+inline constexpr std::uint64_t kMostKeptBytes = 2'000'000'000;
 
-/// Appends all that comes from one open file to another. Throws DecodeError with a sentence that names
-/// neither: once its beginning has come, if it is in none of picture_formats(); if more than `most` bytes
-/// come; if it cannot be read or written; and when it is stopped, also while nothing comes.
+/// Appends what comes from one open file to another, which is empty and may be read too. A PNG and a WebP say
+/// where they end: nothing behind is waited for. Of others all is kept. Throws DecodeError with a sentence
+/// that names neither: once its beginning has come, if it is in none of picture_formats(); if more than
+/// `most` bytes come; if it cannot be read or written; and when it is stopped, also while nothing comes.
 void keep_input(int from, int to, std::uint64_t most = kMostKeptBytes, const std::stop_token& stop = {});
 
 /// The same into a new file without a name, which is gone with its descriptor.

@@ -14,7 +14,7 @@ struct Named {
     std::string_view reader, name;
 };
 
-constexpr std::array<Named, 15> kFormats{{
+constexpr std::array<Named, 16> kFormats{{
     {PictureFormat::png, "png", "PNG"},
     {PictureFormat::jpeg, "jpeg", "JPEG"},
     {PictureFormat::tiff, "tiff", "TIFF"},
@@ -23,6 +23,7 @@ constexpr std::array<Named, 15> kFormats{{
     {PictureFormat::webp, "webp", "WebP"},
     {PictureFormat::heif, "heif", "HEIC, AVIF"},
     {PictureFormat::jpeg2000, "jpeg2000", "JPEG 2000"},
+    {PictureFormat::jxl, "jpegxl", "JPEG XL"},
     {PictureFormat::gif, "gif", "GIF"},
     {PictureFormat::bmp, "bmp", "BMP"},
     {PictureFormat::targa, "targa", "TGA"},
@@ -69,6 +70,8 @@ constexpr auto kMarks = std::to_array<Mark>({
     {PictureFormat::heif, 4, "ftypavif"sv},
     {PictureFormat::jpeg2000, 0, "\0\0\0\x0cjP  \r\n\x87\n"sv},
     {PictureFormat::jpeg2000, 0, "\xff\x4f\xff\x51"sv},
+    {PictureFormat::jxl, 0, "\xff\x0a"sv},
+    {PictureFormat::jxl, 0, "\0\0\0\x0cJXL \r\n\x87\n"sv},
     {PictureFormat::gif, 0, "GIF87a"sv},
     {PictureFormat::gif, 0, "GIF89a"sv},
     {PictureFormat::psd, 0, "8BPS\0\x01"sv},

@@ -19,6 +19,7 @@ enum class PictureFormat {
     webp,
     heif,
     jpeg2000,
+    jxl,
     gif,
     bmp,
     targa,
@@ -43,7 +44,7 @@ struct StatedSize {
 };
 std::optional<StatedSize> stated_size(PictureFormat format, std::span<const unsigned char> beginning);
 
-/// What OpenImageIO calls its reader: "png", "openexr".
+/// What OpenImageIO calls its reader, or its newer releases do: "png", "openexr".
 std::string_view reader_of(PictureFormat format);
 std::optional<PictureFormat> format_with_reader(std::string_view reader);
 

@@ -26,7 +26,9 @@ bool is_light(float value) {
 }  // namespace
 
 StoredPixels::StoredPixels(const PixelLayout& layout)
-    : layout_(layout), profile_(layout.profile, layout.channels.grey() ? 1 : 3, layout.encoding) {
+    : layout_(layout),
+      behind_(layout.over_paper ? 1.0f : 0.0f),
+      profile_(layout.profile, layout.channels.grey() ? 1 : 3, layout.encoding) {
     for (std::size_t i = 0; i < eight_bit_.size(); ++i)
         eight_bit_[i] = layout.encoding.light(static_cast<float>(i) / 255.0f);
 }
@@ -35,7 +37,7 @@ void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::v
     if (profile_) return decode_by_profile(stored, light);
     const auto count = static_cast<std::size_t>(layout_.count);
     for (std::size_t i = 0; i < light.size(); ++i) {
-        light[i] = over_paper(stored.data() + i * count);
+        light[i] = over_what_is_behind(stored.data() + i * count);
         if (!is_light(light[i].x) || !is_light(light[i].y) || !is_light(light[i].z))
             fail_at(i, y, stored.subspan(i * count, count));
     }
@@ -59,17 +61,18 @@ void StoredPixels::decode_by_profile(std::span<const float> stored, std::span<gl
     profile_.to_light(colours_, light);
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (channels.grey()) light[i] = glm::vec3(light[i].y);  // not only nearly so
-        light[i] = light[i] * alpha_of(i) + (1 - alpha_of(i));
+        light[i] = light[i] * alpha_of(i) + behind_ * (1 - alpha_of(i));
     }
 }
 
-glm::vec3 StoredPixels::over_paper(const float* pixel) const {
+glm::vec3 StoredPixels::over_what_is_behind(const float* pixel) const {
     if (!layout_.channels.alpha) return light_of(pixel, 1);
     const float alpha = std::clamp(pixel[*layout_.channels.alpha], 0.0f, 1.0f);
-    if (!layout_.premultiplied) return light_of(pixel, 1) * alpha + (1 - alpha);
+    const float shown = behind_ * (1 - alpha);
+    if (!layout_.premultiplied) return light_of(pixel, 1) * alpha + shown;
     // Linear light is multiplied as light, and may glow where alpha is 0; encoded values as they are.
-    if (layout_.encoding.kind == Encoding::Kind::linear) return light_of(pixel, 1) + (1 - alpha);
-    return alpha > 0 ? light_of(pixel, 1 / alpha) * alpha + (1 - alpha) : glm::vec3(1);
+    if (layout_.encoding.kind == Encoding::Kind::linear) return light_of(pixel, 1) + shown;
+    return alpha > 0 ? light_of(pixel, 1 / alpha) * alpha + shown : glm::vec3(shown);
 }
 
 glm::vec3 StoredPixels::light_of(const float* pixel, float factor) const {

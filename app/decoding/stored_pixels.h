@@ -27,6 +27,7 @@ struct PixelLayout {
     std::string profile{};               // ICC's bytes, which count for more; empty: none
     std::optional<glm::mat3> to_srgb{};  // of light, from other primaries or an exposure
     bool premultiplied = false;          // colours by alpha
+    bool over_paper = true;              // white behind what is transparent; else black
     bool eight_bit = false;
 };
 
@@ -34,16 +35,17 @@ class StoredPixels {
  public:
     explicit StoredPixels(const PixelLayout& layout);
 
-    /// A row, integers scaled to 0..1, as linear light over white paper. Throws DecodeError if a pixel is
+    /// A row, integers scaled to 0..1, as linear light over what is behind. Throws DecodeError if a pixel is
     /// not a number, infinite, or lighter than any is.
     void decode(std::span<const float> stored, int y, std::span<glm::vec3> light);
 
  private:
     void decode_by_profile(std::span<const float> stored, std::span<glm::vec3> light);
-    glm::vec3 over_paper(const float* pixel) const;
+    glm::vec3 over_what_is_behind(const float* pixel) const;
     glm::vec3 light_of(const float* pixel, float factor) const;
 
     PixelLayout layout_;
+    float behind_;
     std::array<float, 256> eight_bit_{};
     ColourProfile profile_;
     std::vector<float> colours_;  // of a row, for the profile

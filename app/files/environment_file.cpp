@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/decoding/decoder_process.h"
+#include "app/decoding/exif_orientation.h"
 #include "core/text/shown_text.h"
 
 namespace dapple {
@@ -14,17 +15,25 @@ namespace {
 class RadianceSink : public ImageSink {
  public:
     void begin(const ImageHeader& header) override {
-        radiance = {header.width, header.height};
-        ends_at_white = !header.scene_light;
+        header_ = header;
+        orientation_ = {header.orientation};
+        radiance = orientation_.swaps_sides() ? Grid<glm::vec3>(header.height, header.width)
+                                              : Grid<glm::vec3>(header.width, header.height);
     }
     void row(std::span<const glm::vec3> colours) override {
-        std::ranges::copy(colours, &radiance.at(0, row_++));
+        for (int x = 0; x < header_.width; ++x) {
+            const glm::ivec2 to = orientation_.upright(x, row_, header_.width, header_.height);
+            radiance.at(to.x, to.y) = colours[static_cast<std::size_t>(x)];
+        }
+        ++row_;
     }
+    const ImageHeader& header() const { return header_; }
 
     Grid<glm::vec3> radiance;
-    bool ends_at_white = false;
 
  private:
+    ImageHeader header_;
+    ExifOrientation orientation_;
     int row_ = 0;
 };
 
@@ -44,9 +53,11 @@ EnvironmentFile read_environment(const std::filesystem::path& path, LightBelowZe
                                  const std::stop_token& stop) {
     RadianceSink sink;
     try {
-        decode_file(path, {.over_paper = false}, sink, stop);
+        // Pixels of directions are no squares.
+        decode_file(path, {.over_paper = false, .square_pixels = false}, sink, stop);
         const std::size_t count = below_zero == LightBelowZero::none ? without_below_zero(sink.radiance) : 0;
-        return {EnvironmentMap(std::move(sink.radiance)), sink.ends_at_white, count};
+        return {EnvironmentMap(std::move(sink.radiance)), !sink.header().scene_light, count,
+                sink.header().remark};
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; make the map smaller first");

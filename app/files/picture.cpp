@@ -20,7 +20,11 @@ class PictureSink : public ImageSink {
         header_ = header;
     }
     void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() { return builder_->finish(std::move(header_.description), header_.scene_light); }
+    Picture finish() {
+        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
+        picture.remark = std::move(header_.remark);
+        return picture;
+    }
 
  private:
     PictureColours colours_;
@@ -32,11 +36,11 @@ class PictureSink : public ImageSink {
 }  // namespace
 
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit, PictureColours colours,
-                     std::stop_token stop) {
+                     std::stop_token stop, PictureBehind behind) {
     PictureSink sink(colours);
     const auto most = limit == PictureLimit::usual ? kUsualPixels : kAnyPixels;
     try {
-        decode_file(path, {.over_paper = true, .most_pixels = most}, sink, stop);
+        decode_file(path, {.over_paper = behind == PictureBehind::paper, .most_pixels = most}, sink, stop);
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; --huge reads it all the same");
@@ -50,7 +54,7 @@ std::optional<Picture> read_first_look(const std::filesystem::path& path, Pictur
                                        std::stop_token stop) {
     PictureSink sink(colours);
     try {
-        decode_file_smaller(path, {.over_paper = true, .enough_side = kFirstLookSide}, sink, stop);
+        decode_file_smaller(path, {.enough_side = kFirstLookSide}, sink, stop);
     } catch (const DecodeError&) {
         return std::nullopt;
     }

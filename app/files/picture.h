@@ -35,6 +35,7 @@ struct Picture {
     /// usual_exposure() of the light if the file has it as it was in front of a camera, else 0.
     float exposure = 0;
     std::string description{};  // "512 x 512 pixels, 8-bit grey png"
+    std::string remark{};       // what people should know of how it was read; usually nothing
 };
 
 enum class PictureLimit {
@@ -44,11 +45,15 @@ enum class PictureLimit {
 
 enum class PictureColours { left_out, kept };
 
+/// What transparent parts show, and those that the file has no pixels of, such as the outside of an EXR's
+/// data window.
+enum class PictureBehind { paper, black };
+
 /// Reads the first picture of a file in any of picture_formats(), the right way up.
 ///
 /// Integer pixels are taken as sRGB-encoded and float ones as linear light unless the file says otherwise:
-/// for integers an ICC profile counts first, or a PNG's cICP. Luminance has Rec. 709 weights. Transparent
-/// parts show white paper. Pixels that are no squares are made so.
+/// for integers an ICC profile counts first, or a PNG's cICP. Luminance has Rec. 709 weights. Pixels that
+/// are no squares are made so.
 /// Memory: 4 bytes a value of the light, 10 with its colours.
 /// Formats are told by content; libraries read them in a process of their own, with limits on memory and
 /// time, which on Linux can do nothing else.
@@ -56,7 +61,8 @@ enum class PictureColours { left_out, kept };
 /// Throws std::runtime_error with one sentence if the file is missing, a folder, empty, not a picture,
 /// damaged, too large, has pixels that are NaN or infinite, or reading was stopped.
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit = PictureLimit::usual,
-                     PictureColours colours = PictureColours::left_out, std::stop_token stop = {});
+                     PictureColours colours = PictureColours::left_out, std::stop_token stop = {},
+                     PictureBehind behind = PictureBehind::paper);
 
 /// A first look at a large JPEG or raw file, or at a TIFF or EXR with mipmaps, in a fraction of the time. It
 /// is smaller, its longer side kFirstLookSide pixels or up to twice as many, or half of the whole's in a raw

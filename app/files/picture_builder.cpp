@@ -14,29 +14,6 @@ namespace {
 
 constexpr glm::vec3 kRec709{0.2126f, 0.7152f, 0.0722f};
 
-// Where pixel (x, y) of a stored picture of the given size belongs when it is held upright.
-glm::ivec2 upright(ExifOrientation orientation, int x, int y, int width, int height) {
-    const int right = width - 1 - x, bottom = height - 1 - y;
-    switch (orientation.value) {
-        case 2:
-            return {right, y};
-        case 3:
-            return {right, bottom};
-        case 4:
-            return {x, bottom};
-        case 5:
-            return {y, x};
-        case 6:
-            return {bottom, x};
-        case 7:
-            return {bottom, right};
-        case 8:
-            return {y, right};
-        default:
-            return {x, y};
-    }
-}
-
 int preview_side(int side, int longer) {
     if (longer <= kPreviewSide) return side;
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(side) * kPreviewSide / longer)));
@@ -83,7 +60,7 @@ void PictureBuilder::add_row(int y, std::span<const glm::vec3> colours) {
 void PictureBuilder::keep_row(int y, std::span<const glm::vec3> colours) {
     for (int x = 0; x < stored_width_; ++x) {
         const glm::vec3 colour = colours[x];
-        const glm::ivec2 to = upright(orientation_, x, y, stored_width_, stored_height_);
+        const glm::ivec2 to = orientation_.upright(x, y, stored_width_, stored_height_);
         light_.at(to.x, to.y) = glm::dot(colour, kRec709);
         if (!colours_.empty()) colours_.at(to.x, to.y) = packed(colour);
         const auto scaled = [](int place, int from, int onto) {

@@ -6,16 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "app/decoding/exif_orientation.h"
 #include "app/files/picture.h"
 
 namespace dapple {
-
-/// How a camera was held: the EXIF orientation, 1..8. 1 and any other number are upright; 5..8 swap width and
-/// height.
-struct ExifOrientation {
-    int value = 1;
-    bool swaps_sides() const { return value >= 5 && value <= 8; }
-};
 
 class PictureBuilder {
  public:

@@ -17,6 +17,7 @@ struct Volume {
     glm::ivec3 size{0};
     std::vector<float> density;   // 0 or more, at least one above
     glm::dvec3 spacing{1, 1, 1};  // how large a voxel is, in whatever unit; for what is written
+    glm::dvec3 corner{0, 0, 0};   // where the first voxel begins, in the same unit
 
     float at(const glm::ivec3& voxel) const {
         return density[(static_cast<std::size_t>(voxel.z) * size.y + voxel.y) * size.x + voxel.x];

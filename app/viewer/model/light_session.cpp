@@ -59,10 +59,10 @@ void LightSession::read_next() {
     reading_.begin([path = *to_read_](const auto& todo) -> std::optional<ReadMap> {
         const std::stop_token& stop = todo.stop();
         try {
-            EnvironmentMap map =
-                path.empty() ? sky_map() : read_environment(path, LightBelowZero::refused, stop).map;
+            EnvironmentFile read = path.empty() ? EnvironmentFile{.map = sky_map()}
+                                                : read_environment(path, LightBelowZero::refused, stop);
             if (stop.stop_requested()) return std::nullopt;
-            return ReadMap{path, std::make_shared<const LitMap>(std::move(map))};
+            return ReadMap{path, std::make_shared<const LitMap>(std::move(read.map)), std::move(read.remark)};
         } catch (const std::exception&) {
             if (stop.stop_requested()) return std::nullopt;
             throw;
@@ -159,7 +159,7 @@ void LightSession::take_map() {
             sampling_.stop();
             samples_ = {};
             ++maps_;
-            banner = {};
+            banner = {BannerKind::notice, read->remark.empty() ? "" : name_ + ": " + read->remark};
         }
     } catch (const std::exception& error) {
         if (!lit_) throw;

@@ -92,6 +92,7 @@ class LightSession {
     struct ReadMap {
         std::filesystem::path path;  // empty: the sky
         std::shared_ptr<const LitMap> lit;
+        std::string remark;  // on how it was read
     };
 
     struct Sampling {

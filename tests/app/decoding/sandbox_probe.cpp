@@ -91,6 +91,13 @@ bool has_threads() {
     return value == 1;
 }
 
+// Than the standard ones and the picture.
+bool has_more_files() {
+    for (int file = 4; file < 200; ++file)
+        if (::fcntl(file, F_GETFL) >= 0) return true;
+    return false;
+}
+
 bool tries(std::string_view act, const fs::path& home) {
     const std::string parent = std::to_string(::getppid());
     if (act == "read") return opens(home / "secret", O_RDONLY);
@@ -113,6 +120,7 @@ bool tries(std::string_view act, const fs::path& home) {
     if (act == "files-early") return early_thread.does([] { return raises(RLIMIT_NOFILE, 100); });
     if (act == "time") return raises(RLIMIT_CPU, 10'000);
     if (act == "dump") return ::prctl(PR_SET_DUMPABLE, 1, 0, 0, 0) == 0;
+    if (act == "inherit") return has_more_files();
     if (act == "environment") return std::getenv("DAPPLE_TEST_TOKEN") != nullptr;
     // What decoders do.
     if (act == "reopen") return opens("/dev/fd/3", O_RDONLY);

@@ -312,6 +312,39 @@ TEST_CASE("what comes through a pipe without an end is refused at its beginning,
     CHECK(::lseek(to.get(), 0, SEEK_END) <= 1'000'000);
 }
 
+TEST_CASE("nothing is waited for behind the end that a PNG or a WebP says it has") {
+    const TemporaryFolder folder;
+    write_picture(folder / "a.png",
+                  {.width = 300, .height = 200, .values = std::vector<float>(60'000, 0.25f)});
+    write_picture(folder / "a.webp",
+                  {.width = 300, .height = 200, .channels = 3, .values = std::vector<float>(180'000, 0.25f)});
+    const std::string pipe = (folder / "pipe").string();
+    run("mkfifo " + pipe);
+    for (const char* const name : {"a.png", "a.webp"}) {
+        CAPTURE(std::string(name));
+        const fs::path file = folder / name;
+        Decoded through;
+        {
+            std::jthread writer([&] {
+                run("(cat " + file.string() + "; cat /dev/zero) 2>/dev/null > " + pipe + " || true");
+            });
+            decode_file(pipe, {}, through);
+        }
+        CHECK(through.pixels == decoded(file).pixels);
+        // The last byte is of the picture.
+        const std::string bytes = text_of(file);
+        const Descriptor to(::memfd_create("kept", 0));
+        std::array<int, 2> ends{};
+        REQUIRE(::pipe(ends.data()) == 0);
+        const Descriptor from(ends[0]);
+        for (const std::string& part : {bytes.substr(0, bytes.size() - 1), bytes.substr(bytes.size() - 1)})
+            REQUIRE(::write(ends[1], part.data(), part.size()) == static_cast<ssize_t>(part.size()));
+        ::close(ends[1]);
+        keep_input(from.get(), to.get());
+        CHECK(::lseek(to.get(), 0, SEEK_END) == static_cast<off_t>(bytes.size()));
+    }
+}
+
 TEST_CASE("the true reason is said why what comes through a pipe cannot be kept") {
     const TemporaryFolder folder;
     // In a process of its own: what it does to limits lasts.

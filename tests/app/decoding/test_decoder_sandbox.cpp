@@ -1,8 +1,11 @@
 #if defined(DAPPLE_LINUX)
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <linux/filter.h>
 #include <linux/landlock.h>
+#include <linux/seccomp.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -10,6 +13,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -104,6 +110,74 @@ TEST_CASE("a decoder does not raise its limits, whoever it runs as") {
         CHECK(home.said_by(SANDBOXED_PROBE, act) == "not done: Operation not permitted");
         CHECK(home.said_by(FREE_PROBE, act) == "done");
     }
+}
+
+TEST_CASE("a decoder has none of the files that were left open for others") {
+    const Home home;
+    // As a shell leaves them: these are for its children, too.
+    int pipe[2] = {};
+    REQUIRE(::pipe(pipe) == 0);
+    const Descriptor read_end(pipe[0]), write_end(pipe[1]),
+        file(::open((home.folder() / "secret").c_str(), O_RDWR));
+    const Descriptor far(::fcntl(file.get(), F_DUPFD, 150));
+    for (const char* const probe : {SANDBOXED_PROBE, FREE_PROBE})
+        CHECK(home.said_by(probe, "inherit").starts_with("not done"));
+    // Whoever is begun in another way has them.
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int out = ::open((home.folder() / "out").c_str(), O_WRONLY | O_CREAT, 0600);
+        ::dup2(out, STDOUT_FILENO);
+        ::execl((home.folder() / "inherit").c_str(), (home.folder() / "inherit").c_str(), nullptr);
+        ::_exit(1);
+    }
+    REQUIRE(::waitpid(child, nullptr, 0) == child);
+    CHECK(text_of(home.folder() / "out").ends_with("done"));
+    CHECK_FALSE(text_of(home.folder() / "out").ends_with("not done"));
+}
+
+TEST_CASE("where there is no Landlock, root's decoder reads no file that is another's alone") {
+    if (::geteuid() != 0) {
+        MESSAGE("this needs root");
+        return;
+    }
+    const Home home;
+    constexpr uid_t kNobody = 65534;
+    REQUIRE(::chown((home.folder() / "secret").c_str(), kNobody, kNobody) == 0);
+    REQUIRE(::chmod((home.folder() / "secret").c_str(), 0600) == 0);
+    const auto said_without_landlock = [&](const char* probe) {
+        fs::remove(home.folder() / "read");
+        fs::create_symlink(probe, home.folder() / "read");
+        const std::string name = (home.folder() / "read").string();
+        auto ends = own_pipe();
+        REQUIRE(ends);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            // This system call fails as one that the kernel has not.
+            sock_filter calls[] = {
+                BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_landlock_create_ruleset, 0, 1),
+                BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+                BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+            };
+            const sock_fprog program{4, calls};
+            ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
+            ::dup2((*ends)[1].get(), STDOUT_FILENO);
+            ::execl(name.c_str(), name.c_str(), nullptr);
+            ::_exit(1);
+        }
+        ::waitpid(child, nullptr, 0);
+        std::string said(1000, '\0');
+        const ssize_t size = ::read((*ends)[0].get(), said.data(), said.size());
+        said.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+        return said;
+    };
+    const std::string shut_in = said_without_landlock(SANDBOXED_PROBE),
+                      free = said_without_landlock(FREE_PROBE);
+    CAPTURE(shut_in);
+    CHECK(shut_in.ends_with("not done: Permission denied"));
+    CHECK(free.ends_with("done"));
+    CHECK_FALSE(free.ends_with("not done"));
 }
 
 TEST_CASE("a decoder is told nothing of what stands in the environment") {

@@ -293,8 +293,96 @@ TEST_CASE("a Radiance picture of XYZ is refused by its name, not for a lack of o
     };
     put_text(folder / "xyz.hdr", radiance("xyze"));
     CHECK(sentence_of(folder / "xyz.hdr").find("has colours as XYZ") != std::string::npos);
+    put_text(folder / "other.hdr", radiance("cmyke"));
+    CHECK(sentence_of(folder / "other.hdr").find("a format that is not Radiance's: 32-bit_rle_cmyke") !=
+          std::string::npos);
     put_text(folder / "rgb.hdr", radiance("rgbe"));
     CHECK(sentence_of(folder / "rgb.hdr").empty());
+}
+
+TEST_CASE("the rows and columns of a Radiance picture may come in any order, and its pixels be no squares") {
+    const TemporaryFolder folder;
+    constexpr int width = 4, height = 2;
+    const auto light_at = [](int x, int y) { return static_cast<float>(1 + x + 4 * y); };
+    const auto number_of = [](int x, int y) {  // mantissas over 2^4
+        return std::string(3, static_cast<char>(16 * (1 + x + 4 * y))) + '\x84';
+    };
+    for (const std::string first : {"-Y", "+Y", "-X", "+X"})
+        for (const std::string sign : {"-", "+"}) {
+            const bool columns = first[1] == 'X';
+            const std::string second = sign + (columns ? "Y" : "X");
+            const int rows = columns ? width : height, pixels = columns ? height : width;
+            std::string bytes;
+            for (int i = 0; i < rows; ++i)
+                for (int j = 0; j < pixels; ++j) {
+                    // x grows to the right, y up.
+                    const auto along = [&](const std::string& axis, int steps, int side) {
+                        return (axis[0] == '+') == (axis[1] == 'X') ? steps : side - 1 - steps;
+                    };
+                    const int a = along(first, i, rows), b = along(second, j, pixels);
+                    bytes += columns ? number_of(a, b) : number_of(b, a);
+                }
+            const auto write = [&](const std::string& lines) {
+                put_text(folder / "a.hdr", "#?RADIANCE\n" + lines + "\n" + first + " " +
+                                               std::to_string(rows) + " " + second + " " +
+                                               std::to_string(pixels) + "\n" + bytes);
+            };
+            CAPTURE(first);
+            CAPTURE(second);
+            // It may say nothing of its format either.
+            for (const char* const format : {"FORMAT=32-bit_rle_rgbe\n", ""}) {
+                write(format);
+                const Picture picture = read_picture(folder / "a.hdr");
+                const EnvironmentMap map = read_environment(folder / "a.hdr").map;
+                REQUIRE(picture.light.width == width);
+                REQUIRE(picture.light.height == height);
+                REQUIRE(map.width() == width);
+                for (int y = 0; y < height; ++y)
+                    for (int x = 0; x < width; ++x) {
+                        CHECK(picture.light.at(x, y) == doctest::Approx(light_at(x, y)));
+                        CHECK(map.radiance().at(x, y).x == doctest::Approx(light_at(x, y)));
+                    }
+            }
+            // Twice as high as wide, in two steps; of an environment map that says nothing.
+            write("PIXASPECT= 4\nPIXASPECT=.5\n");
+            const Picture high = read_picture(folder / "a.hdr");
+            CHECK(high.light.width == width);
+            REQUIRE(high.light.height == 2 * height);
+            CHECK(high.light.at(1, 1) == doctest::Approx(light_at(1, 0)));
+            CHECK(high.light.at(1, 2) == doctest::Approx(light_at(1, 1)));
+            CHECK(read_environment(folder / "a.hdr").map.height() == height);
+        }
+    for (const char* const size : {"-Y 2 +Y 4", "+Y 2", "-Y 0 +X 4", "2 4", ""}) {
+        put_text(folder / "a.hdr", std::string("#?RADIANCE\n\n") + size + "\n" + std::string(32, '\x80'));
+        CHECK(sentence_of(folder / "a.hdr").find("its header has no size") != std::string::npos);
+    }
+}
+
+TEST_CASE("a map of light is turned as its file says, as a picture is") {
+    const TemporaryFolder folder;
+    const std::string in = folder.path().string() + "/";
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        CAPTURE(orientation);
+        const bool on_its_side = orientation > 4;
+        PictureFile file{.width = on_its_side ? 16 : 32,
+                         .height = on_its_side ? 32 : 16,
+                         .type = "float",
+                         .orientation = orientation};
+        for (int i = 0; i < 32 * 16; ++i) file.values.push_back(static_cast<float>(i / 64 + 1) / 8);
+        write_picture(folder / "a.tif", file);
+        write_picture(folder / "a.exr", file);
+        file.type = "uint8";
+        write_picture(folder / "a.jpg", file);
+        for (const char* const name : {"a.tif", "a.exr", "a.jpg"}) {
+            CAPTURE(std::string(name));
+            const Grid<float> picture = read_picture(folder / name).light;
+            const EnvironmentMap map = read_environment(folder / name).map;
+            REQUIRE(picture.width == 32);
+            REQUIRE(map.width() == 32);
+            for (std::size_t i = 0; i < picture.values.size(); ++i)
+                CHECK(map.radiance().values[i].x == doctest::Approx(picture.values[i]).epsilon(1e-4));
+        }
+    }
 }
 
 TEST_CASE("the light of a Radiance picture is its values by all that they were multiplied by") {

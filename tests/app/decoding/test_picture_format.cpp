@@ -42,6 +42,9 @@ TEST_CASE("a format is told by the marks that its standard gives it") {
     CHECK(told("#?RGBE\nFORMAT="sv) == PictureFormat::radiance);
     CHECK(told("\0\0\0\x18"
                "ftypheic\0\0\0\0"sv) == PictureFormat::heif);
+    CHECK(told("\xff\x0a\xfa\x1f\x01"sv) == PictureFormat::jxl);
+    CHECK(told("\0\0\0\x0c"
+               "JXL \r\n\x87\n\0\0\0\x14"sv) == PictureFormat::jxl);
     CHECK(told("P5\n3 3\n255\n"sv) == PictureFormat::pnm);
     CHECK(told("II*\0\x10\0\0\0CR\x02\0"sv) == PictureFormat::raw);
     CHECK(told("\0\0\0\x18"
