@@ -20,6 +20,7 @@ import urllib.request
 
 import inkex
 from inkex import AbortExtension, Transform
+from inkex.units import parse_unit
 from lxml import etree
 
 DAPPLE = "urn:x-dapple:settings"
@@ -102,7 +103,7 @@ class Stipple(inkex.EffectExtension):
             around, part = part, part.add(inkex.Group(**clip))
             part.transform = -around.composed_transform() @ picture.composed_transform()
         group = part.add(inkex.Group())
-        group.transform = -part.composed_transform() @ Transform(scale=1 / (self.svg.scale * MM_PER_PX))
+        group.transform = -part.composed_transform() @ Transform(scale=1 / (px_per_unit(self.svg) * MM_PER_PX))
         return group
 
     def file_of(self, picture):
@@ -115,10 +116,28 @@ class Stipple(inkex.EffectExtension):
         if not url.path or url.scheme not in ("", "file"):
             raise AbortExtension(f'The picture "{picture.get_id()}" is not in a file: "{href}"; embed it first.')
         linked = urllib.parse.unquote(url.path)
-        for path in (os.path.join(self.svg_path() or "/", linked), picture.get("sodipodi:absref") or ""):
+        # Inkscape hands over a copy of the document, in which links lead from where that lies.
+        for folder in os.path.dirname(str(self.options.input_file)), self.svg_path() or "/":
+            path = os.path.join(folder, linked)
             if os.path.isfile(path):
                 return os.path.abspath(path)
+        if os.path.isfile(picture.get("sodipodi:absref") or ""):
+            return picture.get("sodipodi:absref")
         raise AbortExtension(f"{linked}, the file of a linked picture, is missing; put it back, or link another.")
+
+
+def length(element, name, whole):
+    """In user units, of which percents are of so many."""
+    text = element.get(name) or 0
+    share, unit = parse_unit(text, default_value=0)
+    return share / 100 * whole if unit == "%" else element.to_dimensionless(text)
+
+
+def px_per_unit(svg):
+    """As Inkscape has it: the document's own percents are of its viewBox, all of which it shows."""
+    box = svg.get_viewbox()[2:]
+    scales = [(length(svg, name, side) or side) / side for name, side in zip(("width", "height"), box) if side]
+    return (max if "slice" in svg.get("preserveAspectRatio", "") else min)(scales, default=1)
 
 
 def release(picture, parts):
@@ -183,8 +202,11 @@ def page_of(svg, picture, pixels_wide, pixels_high):
     """Of the part of a picture that preserveAspectRatio shows: the options that draw it on a page as large as in the
     document, and what takes that page, as a unit square, to millimetres of the document. If the document stretches it,
     the page is as large in area, so that the dots give the picture's tone."""
-    x, y, width, height = (picture.to_dimensionless(picture.get(name) or 0) for name in ("x", "y", "width", "height"))
-    width, height = width or pixels_wide, height or pixels_high  # as Inkscape shows it
+    # Without a viewBox and sizes Inkscape has a document of 300 by 150.
+    wholes = {"x": svg.viewbox_width or 300, "y": svg.viewbox_height or 150}
+    x, y = (length(picture, name, whole) for name, whole in wholes.items())
+    width = length(picture, "width", wholes["x"]) or pixels_wide  # as Inkscape shows it
+    height = length(picture, "height", wholes["y"]) or pixels_high
     x_scale, y_scale = width / pixels_wide, height / pixels_high
     fit = picture.get("preserveAspectRatio") or "xMidYMid"
     if "none" not in fit:
@@ -193,7 +215,7 @@ def page_of(svg, picture, pixels_wide, pixels_high):
     left = (width - all_wide) * (0 if "xMin" in fit else 1 if "xMax" in fit else 0.5)
     top = (height - all_high) * (0 if "YMin" in fit else 1 if "YMax" in fit else 0.5)
     width, height = min(width, all_wide), min(height, all_high)
-    in_mm = Transform(scale=svg.scale * MM_PER_PX) @ picture.composed_transform()
+    in_mm = Transform(scale=px_per_unit(svg) * MM_PER_PX) @ picture.composed_transform()
     area_mm2 = abs(in_mm.a * in_mm.d - in_mm.b * in_mm.c) * width * height
     if not area_mm2 > 0:
         raise AbortExtension(f'The picture "{picture.get_id()}" has no width or no height; make it larger.')

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <new>
 #include <optional>
 #include <span>
@@ -41,6 +45,9 @@ Result guarded(Result failed, const Work& work) noexcept {
     return failed;
 }
 
+constexpr int kMostChannels = 4;
+constexpr std::int64_t kMostPixels = std::numeric_limits<std::int32_t>::max();
+
 template <class Pointer>
 Pointer given(Pointer pointer, const char* what) {
     if (!pointer) throw std::runtime_error(std::string(what) + " is NULL");
@@ -48,8 +55,13 @@ Pointer given(Pointer pointer, const char* what) {
 }
 
 std::size_t product(int width, int height, int each = 1) {
-    if (width < 1 || height < 1 || each < 1)
-        throw std::runtime_error("width, height and channels are 1 or more");
+    if (width < 1 || height < 1 || each < 1 || each > kMostChannels)
+        throw std::runtime_error(fmt::format(
+            "a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 to {}", width,
+            height, each, kMostChannels));
+    if (static_cast<std::int64_t>(width) * height > kMostPixels)
+        throw std::runtime_error(fmt::format(
+            "{} x {} pixels are more than 2,147 megapixels; make the picture smaller", width, height));
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
            static_cast<std::size_t>(each);
 }
@@ -68,6 +80,15 @@ char* copied_text(const std::string& text) {
 
 dapple::FileFormat format_named(const char* name) {
     return dapple::file_format(given(name, "the format"));
+}
+
+int set_density(dapple_stippler* stippler, const float* values, int width, int height,
+                dapple::Interpolation interpolation) {
+    return guarded(-1, [&] {
+        const std::span density(given(values, "values"), product(width, height));
+        given(stippler, "the stippler")->stippler.set_density(density, width, height, interpolation);
+        return 0;
+    });
 }
 
 }  // namespace
@@ -110,11 +131,11 @@ int dapple_set_light(dapple_stippler* stippler, const float* light, const float*
 }
 
 int dapple_set_density(dapple_stippler* stippler, const float* values, int width, int height) {
-    return guarded(-1, [&] {
-        const std::span density(given(values, "values"), product(width, height));
-        given(stippler, "the stippler")->stippler.set_density(density, width, height);
-        return 0;
-    });
+    return set_density(stippler, values, width, height, dapple::Interpolation::nearest);
+}
+
+int dapple_set_linear_density(dapple_stippler* stippler, const float* values, int width, int height) {
+    return set_density(stippler, values, width, height, dapple::Interpolation::linear);
 }
 
 int dapple_set_tile(dapple_stippler* stippler, const char* text) {
@@ -149,8 +170,8 @@ char* dapple_usual_settings(void) {
     return guarded<char*>(nullptr, [] { return copied_text(dapple::Settings().text()); });
 }
 
-unsigned long long dapple_drawing_count(const dapple_drawing* drawing) {
-    return drawing ? drawing->drawing.count() : 0;
+size_t dapple_drawing_count(const dapple_drawing* drawing) {
+    return drawing ? static_cast<size_t>(drawing->drawing.count()) : 0;
 }
 
 void dapple_drawing_page_mm(const dapple_drawing* drawing, double* width, double* height) {

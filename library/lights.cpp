@@ -10,6 +10,7 @@
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 #include "core/tile/built_in_tiles.h"
+#include "library/state.h"
 
 namespace dapple {
 
@@ -23,9 +24,9 @@ std::vector<SampledLight> sample_lights(std::span<const float> radiance, int wid
     for (std::size_t i = 0; i < texels.values.size(); ++i)
         texels.values[i] = {radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2]};
     RankedTile tile = ranked_tile(*built_in_tile(kDefaultTile));
-    const LightSamples found =
-        light_samples(EnvironmentMap(std::move(texels)), tile,
-                      {.count = sampling.count, .seed = sampling.seed, .threads = sampling.threads});
+    const LightSamples found = light_samples(
+        EnvironmentMap(std::move(texels)), tile,
+        {.count = sampling.count, .seed = sampling.seed, .threads = checked_threads(sampling.threads)});
     std::vector<SampledLight> lights;
     lights.reserve(found.samples.size());
     for (const LightSample& sample : found.samples) {

@@ -14,6 +14,9 @@ struct Settings::State {
     SavingChoice saving;
 };
 
+/// Throws std::runtime_error if so many cannot work.
+int checked_threads(int threads);
+
 /// What the settings' tile names. Throws as tile_text() does.
 StoredTile stored_tile(std::string_view name);
 

@@ -18,6 +18,8 @@
 namespace dapple {
 namespace {
 
+constexpr int kMostThreads = 1024;
+
 // Thrown from within a writer to leave it.
 struct Stopped {};
 
@@ -71,6 +73,13 @@ FileFormat file_format(std::string_view name) {
                                     FileFormat::csv, FileFormat::json})
         if (named == format_of(format)) return format;
     throw std::runtime_error(fmt::format("{}: not a format; give svg, gcode, hpgl, dxf, csv or json", name));
+}
+
+int checked_threads(int threads) {
+    if (threads < 0 || threads > kMostThreads)
+        throw std::runtime_error(
+            fmt::format("threads is {}; give a whole number from 0 to {}", threads, kMostThreads));
+    return threads;
 }
 
 struct Drawing::State {
@@ -240,11 +249,16 @@ struct Stippler::State {
 };
 
 Stippler::Stippler(int threads) : state_(std::make_unique<State>()) {
-    state_->threads = std::max(threads, 0);
+    state_->threads = checked_threads(threads);
 }
 Stippler::Stippler(Stippler&&) noexcept = default;
 Stippler& Stippler::operator=(Stippler&&) noexcept = default;
 Stippler::~Stippler() = default;
+
+Stippler::State& Stippler::state() {
+    if (!state_) throw std::runtime_error("the stippler was moved from; assign another one to it");
+    return *state_;
+}
 
 void Stippler::set_picture(const LightPicture& picture) {
     Grid<float> light = grid_of(picture.light, picture.width, picture.height, "a picture");
@@ -256,7 +270,7 @@ void Stippler::set_picture(const LightPicture& picture) {
     const auto finite = [](float value) { return std::isfinite(value); };
     if (!std::ranges::all_of(picture.light, finite) || !std::ranges::all_of(picture.colours, finite))
         throw std::runtime_error("a picture's light has a value that is not finite");
-    Pipeline& pipeline = state_->pipeline;
+    Pipeline& pipeline = state().pipeline;
     pipeline.set_plain({});
     pipeline.set_light(std::move(light));
     if (picture.colours.empty()) return;
@@ -268,23 +282,25 @@ void Stippler::set_picture(const LightPicture& picture) {
     pipeline.set_colours(std::move(colours));
 }
 
-void Stippler::set_density(std::span<const float> values, int width, int height) {
+void Stippler::set_density(std::span<const float> values, int width, int height,
+                           Interpolation interpolation) {
     Grid<float> grid = grid_of(values, width, height, "a density");
     if (!std::ranges::all_of(values, [](float value) { return value >= 0 && value <= 1; }))
         throw std::runtime_error("a density has a value that is not within 0 to 1");
-    state_->pipeline.set_plain(page_density(std::move(grid)));
+    state().pipeline.set_plain(page_density(
+        std::move(grid), interpolation == Interpolation::linear ? Reading::bilinear : Reading::by_cell));
 }
 
 void Stippler::set_tile(std::string_view text) {
     std::optional<StoredTile> given;
     if (!text.empty()) given = read_tile(text);
-    state_->given = std::move(given);
-    state_->pipeline.forget_tile();
+    state().given = std::move(given);
+    state().pipeline.forget_tile();
 }
 
 Plan Stippler::plan(const Settings& settings) {
-    DrawingPlan plan = state_->plan(settings.state_->drawing);
-    const double scale = state_->pipeline.find_scale(plan);
+    DrawingPlan plan = state().plan(settings.state_->drawing);
+    const double scale = state().pipeline.find_scale(plan);
     const PageSize page = plan.layout(scale).page;
     const Tone& tone = plan.tone;
     return {.dots = plan.placing.count.value_or(std::llround(expected_dots(*plan.density, scale))),
@@ -308,8 +324,8 @@ std::optional<Drawing> Stippler::draw(const Settings& settings, const Watch& wat
     file.settings = settings.state_->drawing;
     file.saving = settings.state_->saving;
     file.embedded = settings.changed();
-    file.settings.placing.threads = state_->threads;
-    std::optional<PlannedDrawing> drawing = state_->pipeline.drawing(state_->plan(file.settings), watch.stop);
+    file.settings.placing.threads = state().threads;
+    std::optional<PlannedDrawing> drawing = state().pipeline.drawing(state().plan(file.settings), watch.stop);
     if (!drawing) return std::nullopt;
     auto state = std::make_shared<Drawing::State>();
     state->drawing = *std::move(drawing);

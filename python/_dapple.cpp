@@ -96,10 +96,12 @@ auto set_picture(LightPicture (*picture_of)(std::span<const Value>, int, int, in
     };
 }
 
-void set_density(SharedStippler& shared, const Array<float>& values) {
+void set_density(SharedStippler& shared, const Array<float>& values, bool linear) {
     const py::gil_scoped_release free;
-    shared.use(
-        [&](Stippler& stippler) { stippler.set_density(span_of(values), side(values, 1), side(values, 0)); });
+    shared.use([&](Stippler& stippler) {
+        stippler.set_density(span_of(values), side(values, 1), side(values, 0),
+                             linear ? Interpolation::linear : Interpolation::nearest);
+    });
 }
 
 void set_tile(SharedStippler& shared, const std::string& text) {
@@ -244,7 +246,7 @@ PYBIND11_MODULE(_dapple, m) {
         .def("set_srgb", set_picture<std::uint16_t>(picture_of_srgb), py::arg("pixels").noconvert())
         .def("set_srgb", set_picture<float>(picture_of_srgb), py::arg("pixels").noconvert())
         .def("set_light", set_picture<float>(picture_of_light), py::arg("pixels").noconvert())
-        .def("set_density", set_density, py::arg("values").noconvert())
+        .def("set_density", set_density, py::arg("values").noconvert(), "linear"_a)
         .def("set_tile", set_tile)
         .def("plan", plan)
         .def("draw", draw);

@@ -29,14 +29,26 @@ std::string error, text;
 std::vector<float> dots, tiles;
 dapple::PagePixels pixels;
 
+// What a page shows without keeping somebody waiting, and its memory holds.
+constexpr std::uint64_t kMostDots = 2'000'000;
+
 // See CMakeLists.txt.
 bool is_left_out(const std::string& tile) {
     return tile == "aperiodic1024" || tile == "aperiodic4096";
 }
 
-// Throws std::runtime_error if the drawing needs a tile that is left out.
-void check_tile(const dapple::Settings& settings) {
+void check_count(std::uint64_t count) {
+    if (count > kMostDots)
+        throw std::runtime_error("these settings ask for " + std::to_string(count) +
+                                 " dots, and this page draws " + std::to_string(kMostDots) +
+                                 " at most; take fewer, or draw them with the program");
+}
+
+// Throws std::runtime_error if the drawing needs a tile that is left out, or has too many dots.
+void check(const dapple::Settings& settings) {
     const Json drawing = Json::parse(settings.text()).at("drawing");
+    if (drawing["count"].is_number() && drawing["dot_size"]["sizing"] != "by_tone")
+        check_count(drawing["count"]);
     std::string tile = drawing.at("tile");
     // The usual tile's points have one ranking; for others, this one takes its place.
     const bool is_ranked = drawing["ranking"].is_string() && drawing["ranking"] != "energy";
@@ -70,6 +82,11 @@ Json pens_of(const std::vector<dapple::DrawingPen>& pens) {
     return list;
 }
 
+const dapple::Drawing& drawn() {
+    if (!drawing) throw std::runtime_error("there is no drawing");
+    return *drawing;
+}
+
 // Four values a dot: x, y and radius in millimetres, and the pen.
 void collect_dots() {
     dots.clear();
@@ -84,7 +101,7 @@ void collect_dots() {
 // Five values a tile: x, y and side in millimetres, level and kind.
 void collect_tiles() {
     tiles.clear();
-    for (const dapple::DrawnTile& tile : drawing.value().tiles())
+    for (const dapple::DrawnTile& tile : drawn().tiles())
         for (const double value :
              {tile.x, tile.y, tile.side, double(tile.level), static_cast<double>(tile.kind)})
             tiles.push_back(static_cast<float>(value));
@@ -97,7 +114,7 @@ struct MeasuredDots {
 };
 MeasuredDots measured_dots() {
     constexpr std::size_t kMost = 50'000;
-    const double page_width = drawing.value().page_width_mm(), page_height = drawing->page_height_mm();
+    const double page_width = drawn().page_width_mm(), page_height = drawn().page_height_mm();
     MeasuredDots measured;
     for (double share = 1;; share *= 0.95) {
         measured = {{}, {}, share * page_width, share * page_height};
@@ -138,6 +155,10 @@ const char* engine_tile_names() {
     });
 }
 
+unsigned engine_most_dots() {
+    return kMostDots;
+}
+
 /// Those of a project or a drawing, checked, as changed() has them.
 const char* engine_changed(const char* settings) {
     return guarded([&] { return kept(dapple::Settings(settings).changed()); });
@@ -146,6 +167,7 @@ const char* engine_changed(const char* settings) {
 /// Red, green, blue and alpha, sRGB-encoded.
 int engine_set_picture(const std::uint8_t* rgba, int width, int height) {
     return guarded([&] {
+        drawing.reset();
         const std::span bytes(rgba, 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         stippler.set_picture(dapple::picture_of_srgb(bytes, width, height, 4));
         return 1;
@@ -155,9 +177,11 @@ int engine_set_picture(const std::uint8_t* rgba, int width, int height) {
 /// What was drawn, as JSON; its dots are then at engine_dots().
 const char* engine_draw(const char* json) {
     return guarded([&] {
+        drawing.reset();  // nobody saves what was there before
         const dapple::Settings settings{std::string_view(json)};
-        check_tile(settings);
+        check(settings);
         const dapple::Plan plan = stippler.plan(settings);
+        check_count(plan.dots);
         drawing = stippler.draw(settings);
         collect_dots();
         const Json drawn{{"dots", drawing->count()},
@@ -195,8 +219,8 @@ const float* engine_tiles() {
 const char* engine_file(const char* format) {
     return guarded([&] {
         std::ostringstream out;
-        drawing.value().write(
-            out, std::string_view(format) == "svg" ? dapple::FileFormat::svg : dapple::FileFormat::csv);
+        drawn().write(out,
+                      std::string_view(format) == "svg" ? dapple::FileFormat::svg : dapple::FileFormat::csv);
         return kept(std::move(out).str());
     });
 }
@@ -227,7 +251,7 @@ const std::uint8_t* engine_spectrum_pixels() {
 /// Red, green and blue; gone after the next call.
 const std::uint8_t* engine_pixels(double dpi) {
     return guarded([&]() -> const std::uint8_t* {
-        pixels = drawing.value().pixels(dpi);
+        pixels = drawn().pixels(dpi);
         return pixels.rgb.data();
     });
 }

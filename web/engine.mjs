@@ -42,6 +42,7 @@ export async function startEngine(module) {
     return {
         usualSettings: () => JSON.parse(textOf("engine_usual_settings")),
         rows: () => JSON.parse(textOf("engine_rows")),
+        mostDots: () => exports.engine_most_dots(),
         tiles: () => textOf("engine_tile_names").split(" "),
         // What a project's or a drawing's text changes of the usual settings.
         changed: (text) => JSON.parse(textOf("engine_changed", text)),

@@ -2,6 +2,7 @@
 // places the dots at once, and, when the hand rests, to another one where they settle.
 
 const byId = (id) => document.getElementById(id);
+const say = (text) => { byId("message").textContent = text; };
 const SETTLE_AFTER = 150;  // milliseconds of rest, after which the link is written too: browsers refuse more than a few a second
 
 // An engine in a worker of its own.
@@ -67,13 +68,42 @@ function merged(usual, changed) {
 
 const bytesOf = (id) => Uint8Array.from(atob(byId(id).textContent), (c) => c.charCodeAt(0));
 
+// Beyond these canvases are empty, in one browser or another, and memory is short.
+const MOST_SIDE = 16384, MOST_PIXELS = 16e6;
+
 // Orientation and colour profile are the browser's work.
-async function pictureOf(blob) {
-    const bitmap = await createImageBitmap(blob);
+async function pictureOf(source, options) {
+    const bitmap = await createImageBitmap(source, options);
     const {width, height} = bitmap;
     const context = new OffscreenCanvas(width, height).getContext("2d", {willReadFrequently: true});
     context.drawImage(bitmap, 0, 0);
     return {pixels: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer), width, height};
+}
+// {read, width, height} of a file, read smaller where it is too large; `note` says what it lost.
+async function pictureIn(file, called) {
+    const image = new Image();
+    image.src = URL.createObjectURL(file);
+    const unreadable = new Error(`${called}: the browser cannot read this as a picture; try a PNG or a JPEG`);
+    try {
+        await new Promise((resolve, reject) => Object.assign(image, {onload: resolve, onerror: reject}));
+    } catch {
+        throw unreadable;
+    } finally {
+        URL.revokeObjectURL(image.src);
+    }
+    const [width, height] = [image.naturalWidth, image.naturalHeight];
+    const share = Math.min(1, MOST_SIDE / Math.max(width, height), Math.sqrt(MOST_PIXELS / (width * height)));
+    const smaller = (side) => Math.max(Math.round(side * share), 1);
+    let read;
+    try {
+        read = await pictureOf(file, share < 1 ? {resizeWidth: smaller(width), resizeHeight: smaller(height), resizeQuality: "high"} : {});
+    } catch {
+        throw file.type === "image/svg+xml" ? unreadable : new Error(`${called} is damaged`);
+    }
+    const start = new Uint8Array(await file.slice(0, 25).arrayBuffer());
+    const has16 = String.fromCharCode(...start.subarray(1, 4)) === "PNG" && start[24] === 16;
+    const notes = [share < 1 && `read as ${read.width} x ${read.height}`, has16 && "read with 8 of their 16 bits"];
+    return {read, width, height, note: notes.filter(Boolean).map((each) => `, ${each}`).join("")};
 }
 function sample() {
     return new File([bytesOf("picture")], "Still life", {type: "image/webp"});
@@ -84,11 +114,11 @@ async function main() {
     const module = await WebAssembly.compile(unpackLzma(bytesOf("engine")));
     const placing = engineThread(script, module);
     let settling = engineThread(script, module);
-    const {usual, rows: table, tiles} = await placing.ask("describe");
+    const {usual, rows: table, tiles, most} = await placing.ask("describe");
 
-    let settings = clone(usual), picture, name = "", drawn, ofSample = false;
+    let settings = clone(usual), picture, name = "", drawn, undrawn, ofSample = false;
+    let taken = 0;  // what was opened, dropped or pasted: of several, the last one counts
     const drawing = () => settings.drawing;
-    const say = (text) => { byId("message").textContent = text; };
 
     // Of the window's surround, as the theme has it.
     const canvas = pageCanvas(document.querySelector("canvas"), byId("over"), {
@@ -116,6 +146,17 @@ async function main() {
             byId("said").textContent = `${dots} on ${page}`;
             document.querySelector("canvas").ariaLabel = `${name}, drawn with ${dots} on ${page}`;
         }
+        refresh();
+    }
+
+    // What was drawn before has another picture or other settings: nobody sees or saves it any more.
+    function showNothing(why) {
+        say(undrawn = `${why}.`);
+        const {width, height} = picture;
+        canvas.show({width: 200, height: 200 * height / width, positions: new Float32Array(0)}, {paper: drawing().paper, pens: [{colour: [0, 0, 0]}], transparent: false});
+        drawn = undefined;
+        byId("count").textContent = "no dots";
+        byId("page").textContent = byId("work").textContent = "";
         refresh();
     }
 
@@ -163,7 +204,7 @@ async function main() {
             showDrawn(result, true);
         } catch (failed) {
             if (failed.ended || wanted !== newest) return;
-            say(`${failed.message}.`);
+            showNothing(failed.message);
         }
         settled = wanted;
         for (const resolve of waiting.splice(0)) resolve();
@@ -175,16 +216,20 @@ async function main() {
             if (right) canvas.showBeside(right);
             showDrawn({...result, steps: drawn?.steps ?? result.steps}, false);
         } catch (failed) {
-            if (wanted !== newest) return;
-            say(`${failed.message}.`);
-            byId("work").textContent = "";
+            if (wanted === newest && wanted !== settled) showNothing(failed.message);
         }
     });
+    // What is wanted now. A picture that was read smaller has its crop in the pixels of the file.
+    function wantedNow() {
+        const wanted = clone(settings), {crop} = wanted.drawing.page;
+        if (crop.unit === "pixels") for (const side of ["left", "top", "right", "bottom"]) crop[side] *= picture.read.width / picture.width;
+        return wanted;
+    }
     // Draws what is wanted now.
     function draw() {
         if (!picture) return;
         say("");
-        newest = clone(settings);
+        newest = wantedNow();
         byId("work").textContent = "settling";
         place(newest);
         clearTimeout(timer);
@@ -194,7 +239,7 @@ async function main() {
                 // What it works at is no longer wanted.
                 settling.end();
                 settling = engineThread(script, module);
-                settling.ask("picture", picture);
+                settling.ask("picture", picture.read);
             }
             settle(newest);
         }, SETTLE_AFTER);
@@ -281,7 +326,7 @@ async function main() {
     const sides = () => ["top", "right", "bottom", "left"];
     const sections = {
         Drawing: [
-            row(sliderRow, "drawing.count", {get: () => (byTone() && drawn ? drawn.dots : drawing().count), most: 2e6,
+            row(sliderRow, "drawing.count", {get: () => (byTone() && drawn ? drawn.dots : drawing().count), most, whole: true,
                 set: (value) => change((d) => { d.count = Math.round(value ?? usual.drawing.count); }), applies: () => !byTone()}),
             row(segmentsRow, "drawing.dot_size.sizing", {words: {automatic: "auto"},
                 set: (value) => change(({dot_size: size}) => {
@@ -363,8 +408,9 @@ async function main() {
     }
 
     // Pictures and settings that come in.
-    async function takeSettings(text) {
+    async function takeSettings(text, overtaken) {
         const {drawing: changed, saving: files} = await placing.ask("changed", text);
+        if (overtaken?.()) return;
         settings = merged(clone(usual), {drawing: changed, saving: files});
         refresh();
         link();
@@ -373,35 +419,36 @@ async function main() {
     function nameIs(called) {
         name = called;
         byId("name").textContent = name;
-        byId("about").textContent = `${picture.width} x ${picture.height} pixels`;
+        byId("about").textContent = `${picture.width} x ${picture.height} pixels${picture.note}`;
     }
-    async function takePicture(blob, called) {
-        let read;
-        try {
-            read = await pictureOf(blob);
-        } catch {
-            throw new Error(`${called}: the browser cannot read this as a picture; try a PNG or a JPEG`);
-        }
+    async function takePicture(file, called, overtaken) {
+        const opened = await pictureIn(file, called);
+        if (overtaken()) return;
         endCamera();
-        picture = read;
+        picture = opened;
+        ofSample = file === still;
         nameIs(called);
-        byId("work").textContent = "placing";
-        placing.ask("picture", picture);
-        settling.ask("picture", picture);
+        placing.ask("picture", picture.read);
+        settling.ask("picture", picture.read);
         draw();
     }
     // Draws one frame after the other; where it is ended, the last one settles.
     async function startCamera() {
+        const own = ++taken;
         const stream = await navigator.mediaDevices.getUserMedia({video: {width: 640, height: 480}});
+        if (own !== taken) return stream.getTracks().forEach((track) => track.stop());
         const video = element("video", {srcObject: stream, muted: true, playsInline: true});
         await video.play();
         camera = stream;
         byId("camera").ariaPressed = true;
         while (camera === stream) {
-            picture = await pictureOf(video);
-            await placing.ask("picture", picture);
+            const frame = await pictureOf(video);
+            if (camera !== stream) break;
+            picture = {read: frame, width: frame.width, height: frame.height, note: ""};
+            await placing.ask("picture", picture.read);
+            if (camera !== stream) break;
             nameIs("Camera");
-            newest = clone(settings);
+            newest = wantedNow();
             await place(newest);
             await new Promise(requestAnimationFrame);
         }
@@ -411,19 +458,19 @@ async function main() {
         camera.getTracks().forEach((track) => track.stop());
         camera = undefined;
         byId("camera").ariaPressed = false;
-        settling.ask("picture", picture);
+        settling.ask("picture", picture.read);
         draw();
     }
     async function take(file, called = file.name) {
+        const own = ++taken, overtaken = () => own !== taken;
         try {
             say("");
-            ofSample = file === still;
-            if (/\.(dapple|json)$/i.test(called)) return await takeSettings(await file.text());
-            const own = /\.svg$/i.test(called) && /<dapple:settings[^>]*>([^<]*)</.exec(await file.text());
-            if (own) return await takeSettings(own[1].replaceAll("&quot;", '"'));
-            await takePicture(file, called);
+            if (/\.(dapple|json)$/i.test(called)) return await takeSettings(await file.text(), overtaken);
+            const kept = /\.svg$/i.test(called) && /<dapple:settings[^>]*>([^<]*)</.exec(await file.text());
+            if (kept) return await takeSettings(kept[1].replaceAll("&quot;", '"'), overtaken);
+            await takePicture(file, called, overtaken);
         } catch (failed) {
-            say(`${failed.message}.`);
+            if (!overtaken()) say(`${failed.message}.`);
         }
     }
     const still = sample();
@@ -454,8 +501,8 @@ async function main() {
 
     // Files that go out.
     const stem = () => name.replace(/\.[a-z0-9]+$/i, "").replaceAll(" ", "-").toLowerCase() || "drawing";
-    function save(blob, ending) {
-        const link = element("a", {href: URL.createObjectURL(blob), download: stem() + ending});
+    function save(blob, called) {
+        const link = element("a", {href: URL.createObjectURL(blob), download: called});
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
     }
@@ -464,24 +511,28 @@ async function main() {
             try {
                 if (!picture) return;
                 byId("work").textContent = "saving";
-                await whenSettled();
-                await work();
+                for (let ended = true; ended;) {
+                    await whenSettled();
+                    if (!drawn) throw new Error(`Nothing was saved: ${undrawn.slice(0, -1)}`);
+                    // As the heading is now; what is changed meanwhile may end it.
+                    ended = await work(stem()).catch((failed) => { if (!failed.ended) throw failed; return true; });
+                }
             } catch (failed) {
                 say(`${failed.message}.`);
             }
             byId("work").textContent = "";
         };
     };
-    saving("svg", async () => save(new Blob([await settling.ask("file", "svg")], {type: "image/svg+xml"}), ".svg"));
-    saving("png", async () => {
+    saving("svg", async (called) => save(new Blob([await settling.ask("file", "svg")], {type: "image/svg+xml"}), `${called}.svg`));
+    saving("png", async (called) => {
         const {width, height, rgba} = await settling.ask("pixels", settings.saving.dpi);
         const canvas = new OffscreenCanvas(width, height);
         canvas.getContext("2d").putImageData(new ImageData(rgba, width, height), 0, 0);
-        save(await canvas.convertToBlob({type: "image/png"}), ".png");
+        save(await canvas.convertToBlob({type: "image/png"}), `${called}.png`);
     });
-    saving("project", async () => {
+    saving("project", async (called) => {
         const project = {dapple: 1, picture: ofSample ? null : {file: name}, ...changedFrom(usual, settings)};
-        save(new Blob([JSON.stringify(project, null, 2) + "\n"], {type: "application/json"}), ".dapple");
+        save(new Blob([JSON.stringify(project, null, 2) + "\n"], {type: "application/json"}), `${called}.dapple`);
     });
     byId("link").onclick = async () => {
         writeLink();
@@ -499,7 +550,7 @@ async function main() {
     refresh();
     await takeLink();
     const wrong = byId("message").textContent;
-    await take(still);
+    if (taken === 0) await take(still);
     if (wrong) say(wrong);
 }
 

@@ -6,7 +6,7 @@ const answers = {
         engine = await startEngine(module);
         return {};
     },
-    describe: async () => ({usual: engine.usualSettings(), rows: engine.rows(), tiles: engine.tiles()}),
+    describe: async () => ({usual: engine.usualSettings(), rows: engine.rows(), tiles: engine.tiles(), most: engine.mostDots()}),
     changed: async (text) => engine.changed(text),
     picture: async (picture) => engine.setPicture(picture),
     draw: async (settings) => engine.draw(settings),

@@ -29,6 +29,10 @@ constexpr std::size_t kMostPixelsKept = 16'000'000;
 // Scales whose ratio's logarithm to base 2 is less have the same ink curve, nearly.
 constexpr double kSameLevel = 0.1;
 
+// Cells have so many pixels across from dot to dot where they are darkest, as long as there are no more in
+// all.
+constexpr double kPixelsApart = 4, kMostFinePixels = 1e6;
+
 // Figure 8 emits every fourth dot once more, a little more or less.
 constexpr double kWithDuplicates = 1.4;
 
@@ -134,6 +138,7 @@ void Pipeline::forget_densities() {
 void Pipeline::set_plain(std::optional<Density> density) {
     plain_.reset();
     if (density) plain_ = std::make_shared<const Density>(std::move(*density));
+    finer_cells_.forget();
 }
 
 void Pipeline::frame(const PageSetup& setup) {
@@ -190,6 +195,20 @@ const PenDensities& Pipeline::toned_densities(const Toned& toned) {
         tone_ms_ += milliseconds_since(start);
         return densities;
     });
+}
+
+// Steps of relaxation see a density blurred by its pixels: cells as wide as dots are apart, or wider, are
+// taken apart, so that their edges are seen where they are.
+std::shared_ptr<const Density> Pipeline::plain_for(double dots) {
+    if (plain_->reading() != Reading::by_cell || !(plain_->mean() > 0)) return plain_;
+    const double most = std::ranges::max(plain_->values().values);
+    const double apart = plain_->longer_side() * std::sqrt(plain_->mean() / (std::max(dots, 1.0) * most));
+    const double pixels = static_cast<double>(plain_->values().values.size());
+    const int times =
+        static_cast<int>(std::min(std::ceil(kPixelsApart / apart), std::sqrt(kMostFinePixels / pixels)));
+    if (times <= 1) return plain_;
+    return finer_cells_.of(times,
+                           [&] { return std::make_shared<const Density>(in_finer_cells(*plain_, times)); });
 }
 
 std::shared_ptr<const Density> Pipeline::density_for(const Toned& toned, const Mask& mask) {
@@ -369,6 +388,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots)
     const double most =
         static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
+    if (plain_ && plan.steps > 0) plan.density = plain_for(dots);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);
@@ -380,10 +400,15 @@ namespace {
 // Even where discs overlap to solid black, which lines and samples do not.
 RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, double scale) {
     const bool pictures = plan.settle_for == SettleFor::pictures;
-    RelaxingRequest relaxing{.scale = scale,
-                             .threads = plan.placing.threads,
-                             .kernel = pictures ? kPictureKernel : kSampleKernel,
-                             .stirring = stirring_of(placer.table(), scale)};
+    RelaxingRequest relaxing{
+        .scale = scale,
+        .threads = plan.placing.threads,
+        .kernel = pictures ? kPictureKernel : kSampleKernel,
+        .keeps_density = !pictures,
+        .ink = plan.placing.count && !pictures
+                   ? ink_for(*plan.density, scale, kSampleKernel, static_cast<double>(*plan.placing.count))
+                   : 1,
+        .stirring = stirring_of(placer.table(), scale)};
     if (pictures && !plan.joined) {
         relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
         relaxing.areas = {static_cast<float>(smallest_area(plan.size)), plan.finer};

@@ -198,6 +198,7 @@ class Pipeline {
     std::shared_ptr<const Histogram> histogram(float exposure);
     Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
+    std::shared_ptr<const Density> plain_for(double dots);
 
     void frame(const PageSetup& setup);
     /// The framing in values of the light: those that have a pixel of it.
@@ -213,6 +214,7 @@ class Pipeline {
     int pixels_in_one_ = 1;
     float usual_exposure_ = 0;
     std::shared_ptr<const Density> plain_;
+    Cached<int, std::shared_ptr<const Density>> finer_cells_;  // of the plain one, by how many pixels to one
     Cached<float, std::shared_ptr<const Histogram>> histogram_;  // by exposure
     Cached<Usual, Tone> usual_;
     Cached<Detailed, Grid<float>> detailed_;  // none of a large picture

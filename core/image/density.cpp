@@ -25,13 +25,6 @@ std::int64_t floor_of_pixel(double position) {
     return cut - (position < static_cast<double>(cut));
 }
 
-// The pixels, first and last, that interpolation can touch between two positions in pixels from the picture's
-// edge.
-std::pair<std::int64_t, std::int64_t> support(double from, double to) {
-    const double slack = kPixelSlack + kRelativePixelSlack * (to - from);
-    return {floor_of_pixel(from - 0.5 - slack), floor_of_pixel(to - 0.5 + slack) + 1};
-}
-
 void include(Bounds& bounds, float value) {
     bounds.min = std::min(bounds.min, value);
     bounds.max = std::max(bounds.max, value);
@@ -49,8 +42,8 @@ int across(std::int64_t i, int count, Sides sides) {
 
 }  // namespace
 
-Density::Density(Grid<float> values, Sides sides, glm::dvec2 tile_corner)
-    : values_(std::move(values)), sides_(sides), tile_corner_(tile_corner) {
+Density::Density(Grid<float> values, Sides sides, glm::dvec2 tile_corner, Reading reading)
+    : values_(std::move(values)), sides_(sides), reading_(reading), tile_corner_(tile_corner) {
     if (values_.empty()) throw std::runtime_error("a density needs at least one pixel");
     if (values_.values.size() > std::numeric_limits<std::int32_t>::max()) {
         throw std::runtime_error("a density has at most 2,147 megapixels; make the picture smaller");
@@ -79,6 +72,7 @@ Density::Density(Grid<float> values, Sides sides, glm::dvec2 tile_corner)
 double Density::at(glm::dvec2 p) const {
     const double u = p.x * longer_, v = p.y * longer_;
     if (!(u >= 0 && v >= 0 && u < values_.width && v < values_.height)) return 0;
+    if (reading_ == Reading::by_cell) return values_.at(static_cast<int>(u), static_cast<int>(v));
     const double fx = std::floor(u - 0.5), fy = std::floor(v - 0.5);
     const double s = u - 0.5 - fx, t = v - 0.5 - fy;
     const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy);
@@ -88,6 +82,12 @@ double Density::at(glm::dvec2 p) const {
     const double upper = row0[x0] + (static_cast<double>(row0[x1]) - row0[x0]) * s;
     const double lower = row1[x0] + (static_cast<double>(row1[x1]) - row1[x0]) * s;
     return upper + (lower - upper) * t;
+}
+
+std::pair<std::int64_t, std::int64_t> Density::support(double from, double to) const {
+    const double slack = kPixelSlack + kRelativePixelSlack * (to - from);
+    const std::int64_t last = floor_of_pixel(to - middle() + slack);
+    return {floor_of_pixel(from - middle() - slack), reading_ == Reading::bilinear ? last + 1 : last};
 }
 
 void Density::build_pyramid() {
@@ -197,14 +197,17 @@ SmallSquare Density::look(const QuadSquare& square) const {
     const bool inside = left >= 0 && top >= 0 && right <= values_.width && bottom <= values_.height;
 
     // A square that rounding puts across a centre line by a hair is a patch all the same: patches are
-    // continuous.
-    const std::int64_t column = floor_of_pixel(left - 0.5 + kPixelSlack);
-    const std::int64_t row = floor_of_pixel(top - 0.5 + kPixelSlack);
+    // continuous. Cells are not.
+    const bool smooth = reading_ == Reading::bilinear;
+    const double slack = smooth ? kPixelSlack : 0;
+    const std::int64_t column = floor_of_pixel(left - middle() + slack);
+    const std::int64_t row = floor_of_pixel(top - middle() + slack);
     const auto first_column = static_cast<double>(column), first_row = static_cast<double>(row);
-    if (inside && right - 0.5 <= first_column + 1 + kPixelSlack &&
-        bottom - 0.5 <= first_row + 1 + kPixelSlack) {
-        const double v00 = pixel(column, row), v10 = pixel(column + 1, row);
-        const double v01 = pixel(column, row + 1), v11 = pixel(column + 1, row + 1);
+    if (inside && right - middle() <= first_column + 1 + slack &&
+        bottom - middle() <= first_row + 1 + slack) {
+        const int next = smooth ? 1 : 0;
+        const double v00 = pixel(column, row), v10 = pixel(column + next, row);
+        const double v01 = pixel(column, row + next), v11 = pixel(column + next, row + next);
         const double s = left + side / 2 - 0.5 - first_column, t = top + side / 2 - 0.5 - first_row;
         const double along = v10 - v00, down = v01 - v00, twist = v11 - v10 - down;
         look.is_patch = true;

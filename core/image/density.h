@@ -3,14 +3,15 @@
 //
 // Page frame: x to the right, y down, the picture's longer side is 1. The quadtree's root squares have the
 // same side. One has its corner on the picture's own, unless the density says where else it lies: then four
-// of them reach over the picture. Squares hold nothing outside the picture. Between the pixels' centres the
-// density is bilinear, beyond the outermost centres constant.
+// of them reach over the picture. Squares hold nothing outside the picture. A picture's density is bilinear
+// between the pixels' centres and constant beyond the outermost; one may also be constant in each pixel.
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/image/grid.h"
@@ -48,7 +49,7 @@ struct PixelRange {
 /// A square of a few pixels or less.
 struct SmallSquare {
     Bounds bounds;
-    bool is_patch = false;  // lies between four pixels' centres, within the picture
+    bool is_patch = false;  // lies between four pixels' centres, or in one cell, within the picture
     BilinearPatch patch;    // if so
     PixelRange pixels;      // else: those that interpolation can touch
 };
@@ -59,16 +60,26 @@ enum class Sides {
     wrap,   // the picture's other side: interpolation goes round, as on an environment map
 };
 
+/// What a pixel's value holds for.
+enum class Reading {
+    bilinear,  // its centre
+    by_cell,   // all of the pixel
+};
+
 class Density {
  public:
     /// Values 0..1 (more is allowed, as on environment maps). Throws std::runtime_error if the grid is empty
     /// or a value is negative or not finite.
-    explicit Density(Grid<float> values, Sides sides = Sides::paper, glm::dvec2 tile_corner = {0, 0});
+    explicit Density(Grid<float> values, Sides sides = Sides::paper, glm::dvec2 tile_corner = {0, 0},
+                     Reading reading = Reading::bilinear);
 
     int width() const { return values_.width; }
     int height() const { return values_.height; }
     int longer_side() const { return longer_; }
     Sides sides() const { return sides_; }
+    Reading reading() const { return reading_; }
+    /// Where in a pixel, from its edge, its value begins to give way to the next one's, if it does so at all.
+    double middle() const { return reading_ == Reading::bilinear ? 0.5 : 0; }
     /// Where on the page root squares begin: from 0 to below 1, in whole 2^-20.
     glm::dvec2 tile_corner() const { return tile_corner_; }
     /// The same in pixels.
@@ -78,7 +89,7 @@ class Density {
     /// Mean over a square of the longer side, the empty part included.
     double mean() const { return mean_; }
 
-    /// Bilinear density at a point of the page; 0 outside the picture.
+    /// The density at a point of the page; 0 outside the picture.
     double at(glm::dvec2 p) const;
 
     /// Numbers that no value in the square lies below and above. Exact up to rounding (and safe against it)
@@ -114,10 +125,13 @@ class Density {
         }
     };
 
+    // The pixels, first and last, that reading between two positions in pixels from the edge can touch.
+    std::pair<std::int64_t, std::int64_t> support(double from, double to) const;
     void build_pyramid();
 
     Grid<float> values_;
     Sides sides_;
+    Reading reading_;
     glm::dvec2 tile_corner_;
     int longer_ = 0;
     double mean_ = 0;

@@ -44,10 +44,11 @@ struct KernelSquare {
         clamped,  // the picture, its outermost pixels going on outside
     };
     Source source = Source::block;
-    // A point's position among the centres of pixels = pixel_centre + pixel_half * point; the picture's first
-    // pixel is at 1, so that none is negative. In double precision: a point then has the same density with
-    // whatever square it comes.
+    // A point's position among the middles of pixels, see Density::middle() = pixel_centre + pixel_half *
+    // point; the picture's first pixel is at 1, so that none is negative. In double precision: a point then
+    // has the same density with whatever square it comes.
     double pixel_centre_x = 0, pixel_centre_y = 0, pixel_half_x = 0, pixel_half_y = 0;
+    float mixed = 1;                      // 0: the pixel at or before the position alone counts
     float block[16];                      // rows of four; not set at first, as that takes a while
     int first_column = 0, first_row = 0;  // of the block; counted likewise
     const float* picture = nullptr;

@@ -28,9 +28,10 @@ template <Source kSource>
     const Square4 t = kSource == Source::block     ? from_block(s, block, u.pixel, v.pixel)
                       : kSource == Source::picture ? from_picture(s, u.pixel, v.pixel)
                                                    : from_clamped(s, u.pixel, v.pixel);
-    const Lanes upper = t.v00 + (t.v10 - t.v00) * u.fraction;
-    const Lanes lower = t.v01 + (t.v11 - t.v01) * u.fraction;
-    return upper + (lower - upper) * v.fraction;
+    const Lanes right = u.fraction * Lanes(s.mixed), below = v.fraction * Lanes(s.mixed);
+    const Lanes upper = t.v00 + (t.v10 - t.v00) * right;
+    const Lanes lower = t.v01 + (t.v11 - t.v01) * right;
+    return upper + (lower - upper) * below;
 }
 
 // A store that waits for memory soon blocks the loads behind it. At one point of each block; `at` is the next

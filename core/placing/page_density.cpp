@@ -40,9 +40,16 @@ glm::dvec2 corner_off_edges(int width, int height) {
     return {corner_off_ends(width / longer), corner_off_ends(height / longer)};
 }
 
-Density page_density(Grid<float> values) {
+Density page_density(Grid<float> values, Reading reading) {
     const glm::dvec2 corner = values.empty() ? glm::dvec2(0) : corner_off_edges(values.width, values.height);
-    return Density(std::move(values), Sides::paper, corner);
+    return Density(std::move(values), Sides::paper, corner, reading);
+}
+
+Density in_finer_cells(const Density& cells, int times) {
+    Grid<float> finer(cells.width() * times, cells.height() * times);
+    for (int y = 0; y < finer.height; ++y)
+        for (int x = 0; x < finer.width; ++x) finer.at(x, y) = cells.values().at(x / times, y / times);
+    return Density(std::move(finer), cells.sides(), cells.tile_corner(), Reading::by_cell);
 }
 
 }  // namespace dapple

@@ -12,6 +12,9 @@ namespace dapple {
 glm::dvec2 corner_off_edges(int width, int height);
 
 /// The density whose tiles begin there. Throws as Density's constructor does.
-Density page_density(Grid<float> values);
+Density page_density(Grid<float> values, Reading reading = Reading::bilinear);
+
+/// The same density of cells, each as so many pixels across and down.
+Density in_finer_cells(const Density& cells, int times);
 
 }  // namespace dapple

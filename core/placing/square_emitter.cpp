@@ -106,8 +106,10 @@ bool SquareEmitter::set_density(const Visit& visit, KernelSquare& square) const 
     square.pixel_half_x = square.sign_x * side / 2;
     square.pixel_half_y = square.sign_y * side / 2;
     const glm::dvec2 corner = density.corner_pixel();
-    square.pixel_centre_x = corner.x + (static_cast<double>(visit.square.x) + 0.5) * side + 0.5;
-    square.pixel_centre_y = corner.y + (static_cast<double>(visit.square.y) + 0.5) * side + 0.5;
+    const double from_middle = 1 - density.middle();
+    square.pixel_centre_x = corner.x + (static_cast<double>(visit.square.x) + 0.5) * side + from_middle;
+    square.pixel_centre_y = corner.y + (static_cast<double>(visit.square.y) + 0.5) * side + from_middle;
+    square.mixed = density.reading() == Reading::bilinear ? 1 : 0;
     square.picture = density.values().values.data();
     square.width = density.width();
     square.height = density.height();
@@ -176,7 +178,7 @@ PlacedCount SquareEmitter::emit_across_seam(const KernelSquare& s, const KernelO
         }
         const double u = s.pixel_centre_x + s.pixel_half_x * x, v = s.pixel_centre_y + s.pixel_half_y * y;
         const double left = std::floor(u), top = std::floor(v);
-        const auto fx = static_cast<float>(u - left), fy = static_cast<float>(v - top);
+        const float fx = static_cast<float>(u - left) * s.mixed, fy = static_cast<float>(v - top) * s.mixed;
         const auto column = static_cast<std::int64_t>(left) - 1, row = static_cast<std::int64_t>(top) - 1;
         const float v00 = density.pixel(column, row), v10 = density.pixel(column + 1, row);
         const float v01 = density.pixel(column, row + 1), v11 = density.pixel(column + 1, row + 1);

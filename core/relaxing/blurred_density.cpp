@@ -14,8 +14,6 @@ namespace {
 
 // In a level's own pixels squared: of the spline through one pixel, and of two halves' mean.
 constexpr double kSplineVariance = 0.25, kHalvingVariance = 0.25;
-// A level's pixels are twice as wide as those before once its Gaussian is wider than this many of them.
-constexpr double kMostPixels = 2.5;
 constexpr int kBefore = 1, kAfter = 2;  // pixels around, that are read
 
 // Half as many pixels, the odd one kept, that cover the same length: each the mean of what it covers.
@@ -113,14 +111,18 @@ float weighed(const float (&weights)[3], float a, float b, float c) {
 
 }  // namespace
 
-BlurredDensity::BlurredDensity(Grid<float> grid, double least_variance, double most_variance) {
+BlurredDensity::BlurredDensity(Grid<float> grid, double least_variance, double most_variance,
+                               const BlurQuality& quality) {
+    double ratio = 2;
+    for (int i = 1; i < quality.octave; i *= 2) ratio = std::sqrt(ratio);
+    ratio_ = static_cast<float>(ratio);
     const double width = grid.width, height = grid.height;
     double variance = kSplineVariance, side = 1;  // of the level to come
     while (2 * variance <= least_variance) variance *= 2;
     first_variance_ = static_cast<float>(variance);
     double held = 0;  // by the grid, without the spline's
     while (true) {
-        while (std::sqrt(variance) / side > kMostPixels) {
+        while (std::sqrt(variance) / side > quality.most_pixels) {
             grid = halved(grid);
             held += kHalvingVariance * side * side;
             side *= 2;
@@ -131,7 +133,7 @@ BlurredDensity::BlurredDensity(Grid<float> grid, double least_variance, double m
         levels_.push_back(
             {with_pixels_around(grid, kBefore, kAfter), grid.width / width, grid.height / height});
         if (variance >= most_variance) return;
-        variance *= 2;
+        variance *= ratio;
     }
 }
 
@@ -151,9 +153,9 @@ BlurredDensity::Slope BlurredDensity::on(const Level& level, double x, double y)
 BlurredDensity::Slope BlurredDensity::at(double x, double y, float variance) const {
     float over = variance / first_variance_;
     std::size_t level = 0;
-    for (; over >= 2 && level + 2 < levels_.size(); ++level) over *= 0.5f;
+    for (; over >= ratio_ && level + 2 < levels_.size(); ++level) over /= ratio_;
     const Slope narrow = on(levels_[level], x, y);
-    const float share = std::clamp(over - 1, 0.0f, 1.0f);
+    const float share = std::clamp((over - 1) / (ratio_ - 1), 0.0f, 1.0f);
     if (share == 0 || level + 1 == levels_.size()) return narrow;
     const Slope wide = on(levels_[level + 1], x, y);
     return {narrow.value + share * (wide.value - narrow.value), narrow.x + share * (wide.x - narrow.x),

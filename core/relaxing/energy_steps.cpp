@@ -27,6 +27,10 @@ constexpr float kLeastDensity = 1e-6f;
 // In standard deviations: farther in, nothing of an edge is felt, wherever it waves to.
 constexpr float kFarFromEdge = 5;
 
+// Where one side is a hundred times as dense as the other, what a blur lacks of a Gaussian pulls on dots of
+// the sparse side as hard as they push each other.
+constexpr BlurQuality kForSamples{.octave = 8, .most_pixels = 5};
+
 constexpr int kLanes = 8;
 typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
 typedef std::int32_t LaneMask __attribute__((vector_size(kLanes * sizeof(float))));
@@ -112,7 +116,30 @@ BlurredDensity blurred_for_kernels(const Density& density, double scale, float k
         }
     }
     const float narrowest = on_black / areas.finer.most_times();
-    return {std::move(ink), std::min(narrowest, kMostVariance) * pixels2, kMostVariance * pixels2};
+    return {std::move(ink), std::min(narrowest, kMostVariance) * pixels2, kMostVariance * pixels2,
+            kernel == kSampleKernel ? kForSamples : BlurQuality{}};
+}
+
+float ink_for(const Density& density, double scale, float kernel, double dots) {
+    const PageRows page(density, scale);
+    const double black = 1 / (page.spacing * page.spacing);  // dots on a square row
+    const float most_apart = std::sqrt(kMostVariance / 2) / kernel;
+    double ink = expected_dots(density, scale);
+    const auto add_edge = [&](float length, const auto& place_of) {
+        const int steps = 4 * static_cast<int>(length) + 1;
+        for (int i = 0; i < steps; ++i) {
+            const float along = (static_cast<float>(i) + 0.5f) / static_cast<float>(steps) * length;
+            const auto tone = static_cast<float>(density.at(place_of(along)));
+            const float apart = std::min(page.spacing / std::sqrt(std::max(tone, kLeastDensity)), most_apart);
+            const float beyond = beyond_edge(kWavesOfDensity, (along - length / 2) / apart, tone) * apart;
+            ink += black * tone * beyond * length / steps;
+        }
+    };
+    for (const float y : {0.0f, std::nextafter(page.height, 0.0f)})
+        add_edge(page.width, [&](float x) { return page.place(x, y); });
+    for (const float x : {0.0f, std::nextafter(page.width, 0.0f)})
+        add_edge(page.height, [&](float y) { return page.place(x, y); });
+    return static_cast<float>(dots / std::max(ink, dots / 2));
 }
 
 template <bool kWeighed>
@@ -170,7 +197,7 @@ DotStep EnergySteps::step(std::size_t dot) {
     const DotStep dots =
         areas_.differ() ? by_dots<true>(x, y, kernels.variance) : by_dots<false>(x, y, kernels.variance);
     const DotStep rise = slope(x, y, kernels, tone);
-    const float ink = 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
+    const float ink = ink_ * 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
     // Half of what would overshoot: the energy bends most along waves as long as kernels are wide.
     float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
     // Around a dot others are about as large, so that forces are as much stronger or weaker.

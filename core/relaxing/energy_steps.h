@@ -27,6 +27,10 @@ inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
 BlurredDensity blurred_for_kernels(const Density& density, double scale, float kernel,
                                    const DotAreas& areas = {});
 
+/// What the wanted density has to be multiplied with at this scale to have the ink of so many dots, with what
+/// it has beyond the page's edges. Else a dense part would lack some, and pull them out of a sparse one.
+float ink_for(const Density& density, double scale, float kernel, double dots);
+
 /// The steps of a row's dots, one row after another. All that is given has to outlive it.
 class EnergySteps {
  public:
@@ -37,8 +41,8 @@ class EnergySteps {
 
     /// `blurred` for the same kernel and areas.
     EnergySteps(const DotRows& rows, const BlurredDensity& blurred, const PageRows& page, float kernel,
-                const DotAreas& areas = {})
-        : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel), areas_(areas) {}
+                const DotAreas& areas = {}, float ink = 1)
+        : rows_(rows), blurred_(blurred), page_(page), kernel_(kernel), areas_(areas), ink_(ink) {}
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
@@ -60,6 +64,7 @@ class EnergySteps {
     const PageRows page_;
     const float kernel_;
     const DotAreas areas_;
+    const float ink_;
     RowCursors<kFarthestRow> cursors_;
 };
 

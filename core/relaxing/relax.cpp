@@ -9,6 +9,7 @@
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
 #include "core/relaxing/page_rows.h"
+#include "core/relaxing/random_bits.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {
@@ -28,15 +29,17 @@ constexpr std::size_t kDotsAtOnce = 2048;  // on a thread, about
 // Moves dots, row after row.
 class Mover {
  public:
-    // Without a blurred density by Lloyd's steps alone.
+    // Without a blurred density by Lloyd's steps alone. After so many steps.
     Mover(const DotRows& rows, const Density& density, const RelaxingRequest& request,
-          const BlurredDensity* blurred)
+          const BlurredDensity* blurred, int taken)
         : rows_(rows),
           density_(density),
           page_(density, request.scale),
           lloyd_(rows, density, page_),
-          areas_(request.areas) {
-        if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel, request.areas);
+          areas_(request.areas),
+          keeps_density_(request.keeps_density),
+          taken_(taken) {
+        if (blurred) energy_.emplace(rows, *blurred, page_, request.kernel, request.areas, request.ink);
         even_from_ = request.even_from;
     }
 
@@ -52,10 +55,12 @@ class Mover {
         to_y = rows_.y[dot];
         const float tone = tone_at(to_x, to_y);
         DotStep step = step_of(dot, tone);
+        const float chance = keeps_density_ ? chance_at(to_x, to_y, taken_) : 0;
         for (int i = 0; i < kShorterTries; ++i) {
             const float x = std::clamp(to_x + step.x, 0.0f, last_x_);
             const float y = std::clamp(to_y + step.y, 0.0f, last_y_);
-            if (tone_at(x, y) > kLeastShare * tone) {
+            const float there = tone_at(x, y);
+            if (keeps_density_ ? keeps_density(tone, there, chance) : there > kLeastShare * tone) {
                 to_x = x;
                 to_y = y;
                 return;
@@ -89,6 +94,8 @@ class Mover {
     std::optional<EnergySteps> energy_;
     const DotAreas& areas_;
     float even_from_ = 0;
+    bool keeps_density_;
+    int taken_;
 };
 
 FloatBuffer in_one_column(const DotPieces& dots, FloatBuffer Dots::*column) {
@@ -161,7 +168,7 @@ bool Relaxation::step(const std::stop_token& stop) {
         rows_.most_radius2 = rows_.radii2.empty() ? 0 : std::ranges::max(rows_.radii2);
     }
     on_stretches([&](std::int64_t first, std::int64_t end) {
-        Mover mover(rows_, density_, request_, by_energy ? request_.blurred.get() : nullptr);
+        Mover mover(rows_, density_, request_, by_energy ? request_.blurred.get() : nullptr, taken_);
         for (std::int64_t row = first; row < end; ++row) mover.move_row(row, next_x_, next_y_);
     });
     if (stop.stop_requested()) return false;

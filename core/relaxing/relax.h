@@ -37,7 +37,12 @@ struct RelaxingRequest {
     // paper shows between them unless they are even. No density is as large where none overlap.
     float even_from = kNeverEven;
     float kernel = kPictureKernel;  // see energy_steps.h
-    DotAreas areas = {};            // of the dots; the later steps weigh them by these
+    // A dot goes to where there is less by a chance of that share of what it comes from (Metropolis et al.
+    // 1953), so that as many come back as go: of the details that kernels do not see each keeps its dots.
+    // Else it stays where there would be less than a quarter, so that thin lines stay lines.
+    bool keeps_density = false;
+    float ink = 1;        // see ink_for() of energy_steps.h
+    DotAreas areas = {};  // of the dots; the later steps weigh them by these
     // See blurred_for_kernels(). Without, it is made once it is needed.
     std::shared_ptr<const BlurredDensity> blurred = {};
     // The first steps give each dot room for the disc that its own radius says, which many dots of another

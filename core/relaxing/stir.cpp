@@ -9,6 +9,7 @@
 
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
+#include "core/relaxing/random_bits.h"
 
 namespace dapple {
 
@@ -25,14 +26,6 @@ constexpr float kMostRowsApart = 8;
 // A dot stays where the ink is, as in a step.
 constexpr float kLeastShare = 0.25f;
 constexpr int kShorterTries = 3;
-
-// Bits that look random (Steele, Lea & Flood 2014, SplitMix).
-std::uint64_t mixed(std::uint64_t bits) {
-    bits += 0x9e3779b97f4a7c15;
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
-    return bits ^ bits >> 31;
-}
 
 // Nearly normally distributed. No logarithm or sine: their last bits would not be the same everywhere.
 float random_at(int level, std::uint64_t column, std::uint64_t row) {
@@ -104,9 +97,11 @@ void stir(DotPieces& dots, const Density& density, const RelaxingRequest& reques
         const float tone = here / finer.times_at({x, y});
         const float apart = std::min(1 / std::sqrt(std::max(in_black * here, 1e-30f)), most_apart);
         glm::vec2 step = strength * stirring_at({x, y}, apart);
+        const float chance = request.keeps_density ? chance_at(x, y, -1) : 0;
         for (int i = 0; i < kShorterTries; ++i) {
             const float to_x = mirrored(x + step.x, last_x), to_y = mirrored(y + step.y, last_y);
-            if (density.at({to_x, to_y}) / finer.times_at({to_x, to_y}) > double{kLeastShare * tone}) {
+            const auto there = static_cast<float>(density.at({to_x, to_y}) / finer.times_at({to_x, to_y}));
+            if (request.keeps_density ? keeps_density(tone, there, chance) : there > kLeastShare * tone) {
                 x = to_x;
                 y = to_y;
                 return;

@@ -27,7 +27,7 @@ DAPPLE_API const char* dapple_error(void);
 /* What dapple_... returned to be freed: texts and pixels. NULL does nothing. */
 DAPPLE_API void dapple_free(void* returned);
 
-/* How many threads work; 0: one for each core. */
+/* How many threads work, up to 1024; 0: one for each core. */
 DAPPLE_API dapple_stippler* dapple_stippler_new(int threads);
 DAPPLE_API void dapple_stippler_free(dapple_stippler* stippler);
 
@@ -41,8 +41,14 @@ DAPPLE_API int dapple_set_picture(dapple_stippler* stippler, const unsigned char
 DAPPLE_API int dapple_set_light(dapple_stippler* stippler, const float* light, const float* colours,
                                 int width, int height);
 
-/* The density of the dots itself, which no tone changes: width * height values of 0 to 1. 0, or -1. */
+/* The density of the dots itself, which no tone changes: width * height values of 0 to 1, each of which holds
+ * for all of its cell: no dot lies where it is 0. 0, or -1. */
 DAPPLE_API int dapple_set_density(dapple_stippler* stippler, const float* values, int width, int height);
+
+/* The same, but that each value holds for the middle of its cell, and that the density changes evenly between
+ * four middles, as a picture's does. 0, or -1. */
+DAPPLE_API int dapple_set_linear_density(dapple_stippler* stippler, const float* values, int width,
+                                         int height);
 
 /* The text of a tile file for all drawings from now on; NULL or "": the settings' tile again. 0, or -1. */
 DAPPLE_API int dapple_set_tile(dapple_stippler* stippler, const char* text);
@@ -59,7 +65,7 @@ DAPPLE_API void dapple_drawing_free(dapple_drawing* drawing);
 /* All settings with their usual values, as JSON; to be freed. */
 DAPPLE_API char* dapple_usual_settings(void);
 
-DAPPLE_API unsigned long long dapple_drawing_count(const dapple_drawing* drawing);
+DAPPLE_API size_t dapple_drawing_count(const dapple_drawing* drawing);
 DAPPLE_API void dapple_drawing_page_mm(const dapple_drawing* drawing, double* width, double* height);
 
 /* Fills arrays of dapple_drawing_count() values, each of which may be NULL: millimetres from the page's upper

@@ -74,16 +74,25 @@ struct Advice {
     double amount = 0;  // that it speaks of: dots, millimetres or dots per inch; 0: none
 };
 
+/// What a density's value holds for.
+enum class Interpolation {
+    nearest,  // all of its cell, exactly: no dot lies where it is 0
+    linear,   // the middle of its cell; between four middles it changes evenly, as a picture's does
+};
+
 enum class FileFormat { svg, gcode, hpgl, dxf, csv, json };
 
 /// By the ending of a file's name, "cat.svg" or "cat.NC", or by its word alone, "gcode". Throws
 /// std::runtime_error if it is none of these.
 DAPPLE_API FileFormat file_format(std::string_view name);
 
-/// Never changes, and is cheap to copy. Up to five million dots are held in memory; of more, each pass over
-/// them places them anew, except for those of several pens.
+/// Never changes, and is cheap to copy; moving it copies it. Up to five million dots are held in memory; of
+/// more, each pass over them places them anew, except for those of several pens.
 class DAPPLE_API Drawing {
  public:
+    Drawing(const Drawing&) = default;
+    Drawing& operator=(const Drawing&) = default;
+
     std::uint64_t count() const;
     double page_width_mm() const;
     double page_height_mm() const;
@@ -121,10 +130,12 @@ class DAPPLE_API Drawing {
 
 /// Makes drawings of a picture. Keeps what the next one can use again, so that a drawing whose settings
 /// differ a little takes a fraction of the first one's time. One thread at a time may use it; drawings that
-/// it made do not need it.
+/// it made do not need it. One that was moved from may be assigned to and destroyed; all else throws
+/// std::runtime_error.
 class DAPPLE_API Stippler {
  public:
-    /// How many threads work; 0: one for each core.
+    /// How many threads work, up to 1024; 0: one for each core. Throws std::runtime_error if it is another
+    /// number.
     explicit Stippler(int threads = 0);
     Stippler(Stippler&&) noexcept;
     Stippler& operator=(Stippler&&) noexcept;
@@ -135,7 +146,8 @@ class DAPPLE_API Stippler {
 
     /// Instead of a picture the density of the dots itself, which no tone changes: width * height values of 0
     /// to 1, row after row from the top. Throws std::runtime_error if they are not.
-    void set_density(std::span<const float> values, int width, int height);
+    void set_density(std::span<const float> values, int width, int height,
+                     Interpolation interpolation = Interpolation::nearest);
 
     /// The text of a tile file, for all drawings from now on, whatever their settings name; empty: these
     /// again. Throws std::runtime_error saying in which line it is wrong.
@@ -150,6 +162,7 @@ class DAPPLE_API Stippler {
 
  private:
     struct State;
+    State& state();
     std::unique_ptr<State> state_;
 };
 

@@ -12,7 +12,7 @@ namespace dapple {
 struct LightSampling {
     std::uint64_t count = 1024;  // exactly so many, 1 .. 10,000,000
     std::uint64_t seed = 0;      // 0: the tile as it lies; else it is turned about the up axis
-    int threads = 0;             // the samples are the same for any number; 0: one for each core
+    int threads = 0;             // up to 1024; the samples are the same for any number; 0: one for each core
 };
 
 /// A distant light that stands for a region of the map.
@@ -26,7 +26,8 @@ struct SampledLight {
 /// `radiance`: linear red, green and blue, width * height of them, row after row from straight up to straight
 /// down. The weights sum to the map's flux. The most important come first: the first n are a set of their own
 /// once the weight of each of the others goes to the nearest of them. Throws std::runtime_error if the map is
-/// not twice as wide as high, or has a value that is negative or not finite, or no light.
+/// not twice as wide as high, or has a value that is negative or not finite, or no light, or
+/// if count or threads is none that is named here.
 DAPPLE_API std::vector<SampledLight> sample_lights(std::span<const float> radiance, int width, int height,
                                                    const LightSampling& sampling = {});
 

@@ -16,11 +16,14 @@ namespace dapple {
 ///                                       "page": {"paper": "A4"}},
 ///                           "saving": {"dpi": 150}})");
 ///
-/// text() lists every field with its usual value. A value that is cheap to copy.
+/// text() lists every field with its usual value. A value that is cheap to copy; moving it copies it.
 class DAPPLE_API Settings {
  public:
     /// The usual ones: 40,000 dots, automatic tone, a page 200 mm wide.
     Settings();
+
+    Settings(const Settings&) = default;
+    Settings& operator=(const Settings&) = default;
 
     /// The usual ones but for what the text says: a JSON object with "drawing", "saving" or both. A project's
     /// other fields have no say. Throws as set() does.

@@ -13,18 +13,19 @@ Python's other threads go on while it draws, and Ctrl+C ends it.
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _dapple
-from ._inputs import floats, picture, settings_of, whole_number
+from ._inputs import check_interpolation, floats, picture, settings_of, whole_number
 from ._png import png
 
 __all__ = [
@@ -44,6 +45,8 @@ __all__ = [
     "usual_settings",
 ]
 __version__ = _dapple.version
+
+Interpolation = Literal["nearest", "linear"]
 
 
 @dataclass(frozen=True)
@@ -100,14 +103,52 @@ class Evenness:
 
 
 class Dots:
-    """A drawing, which never changes. Its arrays are made when they are first asked for, and are read-only."""
+    """A drawing, which never changes. Its arrays are made when they are first asked for, and are read-only.
 
-    def __init__(self, drawing: _dapple.Drawing, settings: _dapple.Settings) -> None:
+    It can be pickled, so that other processes may draw: with its arrays, and with what it was drawn of, from which it is
+    drawn again if it is then saved.
+    """
+
+    def __init__(self, drawing: _dapple.Drawing, settings: _dapple.Settings, source: _Source) -> None:
         self._drawing = drawing
         self._settings = settings
+        self._source = source
+
+    def __getstate__(self) -> dict[str, Any]:
+        known = {name: getattr(self, name) for name in ("_source", "_count", "_pens", "_page_mm", "_arrays")}
+        return {"settings": self._settings.text(), **known}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._settings = _dapple.Settings()
+        self._settings.set(state.pop("settings"))
+        for array in state["_arrays"]:
+            array.flags.writeable = False
+        self.__dict__.update(state)
+
+    def __copy__(self) -> Dots:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Dots:
+        return self
+
+    @functools.cached_property
+    def _drawing(self) -> _dapple.Drawing:
+        return self._source.stippler().draw(self._settings)
+
+    @functools.cached_property
+    def _count(self) -> int:
+        return self._drawing.count()
+
+    @functools.cached_property
+    def _pens(self) -> list[tuple[str, tuple[float, float, float]]]:
+        return self._drawing.pens()
+
+    @functools.cached_property
+    def _page_mm(self) -> tuple[float, float]:
+        return self._drawing.page_mm()
 
     def __len__(self) -> int:
-        return self._drawing.count()
+        return self._count
 
     def __repr__(self) -> str:
         width, height = self.page_mm
@@ -143,12 +184,12 @@ class Dots:
     @property
     def pens(self) -> list[Pen]:
         """One: the ink."""
-        return [Pen(*pen) for pen in self._drawing.pens()]
+        return [Pen(*pen) for pen in self._pens]
 
     @property
     def page_mm(self) -> tuple[float, float]:
         """Width and height of the page, margins and all."""
-        return self._drawing.page_mm()
+        return self._page_mm
 
     def pixels(self, dpi: float | None = None) -> NDArray[np.uint8]:
         """The page as uint8, (height, width, 3), sRGB-encoded; so many to the inch, or as many as the settings say."""
@@ -187,6 +228,32 @@ class Dots:
         return json.loads(self._settings.text())["saving"]["dpi"]
 
 
+@dataclass(frozen=True)
+class _Source:
+    """What a stippler draws of, for whoever draws it again: nobody else changes the array."""
+
+    threads: int
+    pixels: NDArray[Any] | None = None
+    reading: Literal["srgb", "light", "nearest", "linear"] = "srgb"
+    tile: str = ""
+
+    def stippler(self) -> _dapple.Stippler:
+        stippler = _dapple.Stippler(self.threads)
+        self.set_pixels(stippler)
+        stippler.set_tile(self.tile)
+        return stippler
+
+    def set_pixels(self, stippler: _dapple.Stippler) -> None:
+        if self.pixels is None:
+            return
+        if self.reading == "srgb":
+            stippler.set_srgb(self.pixels)
+        elif self.reading == "light":
+            stippler.set_light(self.pixels)
+        else:
+            stippler.set_density(self.pixels, self.reading == "linear")
+
+
 class Stippler:
     """Makes drawings of one picture after the other, and keeps what the next one can use again: a drawing whose
     settings differ a little takes a fraction of the first one's time.
@@ -199,27 +266,41 @@ class Stippler:
     """
 
     def __init__(self, image: ArrayLike | None = None, *, linear: bool = False, threads: int = 0) -> None:
-        self._stippler = _dapple.Stippler(whole_number("threads", threads, 0, 1024))
+        self._source = _Source(whole_number("threads", threads, 0, 1024))
+        self._stippler = self._source.stippler()
         if image is not None:
             self.set_picture(image, linear=linear)
+
+    def __getstate__(self) -> _Source:
+        return self._source
+
+    def __setstate__(self, source: _Source) -> None:
+        self._source = source
+        self._stippler = source.stippler()
 
     def set_picture(self, image: ArrayLike, *, linear: bool = False) -> None:
         """As stipple() takes it."""
         pixels = picture(image)
-        if not linear:
-            self._stippler.set_srgb(pixels)
-        elif pixels.dtype == np.float32:
-            self._stippler.set_light(pixels)
-        else:
+        if linear and pixels.dtype != np.float32:
             raise TypeError(f"image is of {pixels.dtype}; linear light is of floats, from 0, black, to 1, paper")
+        self._take(pixels, image, "light" if linear else "srgb")
 
-    def set_density(self, density: ArrayLike) -> None:
-        """In place of a picture the density of the dots itself, which no tone changes: (height, width), 0 to 1."""
-        self._stippler.set_density(floats("density", density, np.float32, "height", "width"))
+    def _take(self, pixels: NDArray[Any], given: Any, reading: str) -> None:
+        pixels = pixels.copy() if np.may_share_memory(pixels, given) else pixels
+        source = dataclasses.replace(self._source, pixels=pixels, reading=reading)
+        source.set_pixels(self._stippler)
+        self._source = source
+
+    def set_density(self, density: ArrayLike, *, interpolation: Interpolation = "nearest") -> None:
+        """In place of a picture the density of the dots itself, which no tone changes: (height, width), 0 to 1, and 0
+        where it is masked. `interpolation`: as sample() takes it."""
+        check_interpolation(interpolation)
+        self._take(floats("density", density, np.float32, "height", "width"), density, interpolation)
 
     def set_tile(self, text: str) -> None:
         """The text of a tile file, for all drawings from now on, whatever their settings name; "": these again."""
         self._stippler.set_tile(text)
+        self._source = dataclasses.replace(self._source, tile=text)
 
     def plan(self, dots: int | None = None, *, settings: Mapping[str, Any] | str | None = None, **drawing: Any) -> Plan:
         """What draw() with these would come to."""
@@ -230,7 +311,8 @@ class Stippler:
     def draw(self, dots: int | None = None, *, settings: Mapping[str, Any] | str | None = None, **drawing: Any) -> Dots:
         """As stipple() does."""
         whole = settings_of(dots, settings, drawing)
-        return Dots(self._stippler.draw(whole), whole)
+        source = self._source
+        return Dots(self._stippler.draw(whole), whole, source)
 
 
 def stipple(
@@ -246,8 +328,8 @@ def stipple(
 
     image: (height, width), or (height, width, channels) with 1 channel for grey, 2 for grey and alpha, 3 for red, green
         and blue, 4 for these and alpha; any strides. sRGB-encoded: uint8, uint16, bool or, from 0 to 1, floats. With
-        `linear` floats are linear light, 0 black and 1 as light as paper, or lighter. What is transparent shows white
-        paper. PIL's images are taken as they are, of any mode that has colours or greys.
+        `linear` floats are linear light, 0 black and 1 as light as paper, or lighter. What is transparent or masked
+        shows white paper. PIL's images are taken as they are, of any mode that has colours or greys.
     dots: exactly so many, 1 to 10,000,000,000; usually 40,000.
     threads: how many work; 0: one for each core.
     drawing: fields of a project's "drawing" by their names, and `saving`, that of its files:
@@ -261,10 +343,19 @@ def stipple(
 
 
 def sample(
-    density: ArrayLike, n: int, *, relax: int = 60, tile: str = "kinds4096", threads: int = 0
+    density: ArrayLike,
+    n: int,
+    *,
+    interpolation: Interpolation = "nearest",
+    relax: int = 60,
+    tile: str = "kinds4096",
+    threads: int = 0,
 ) -> NDArray[np.float32]:
     """Points, 1 to 10,000,000,000, whose density is that of an array (height, width) of numbers, 0 or more, in any unit.
 
+    interpolation: "nearest": each number holds for all of its cell, and where it is 0 or masked there are no points.
+        "linear": for the middle of its cell; between four middles the density changes evenly, as a picture's does, so
+        that there are points up to half a cell beside zeros.
     relax: in so many steps, 0 to 100, they move to where sums over them come near to integrals over the density.
 
     Returns float32, (n, 2): x from 0 at the array's left edge to its width, y from 0 at its upper edge to its height; a
@@ -275,7 +366,7 @@ def sample(
     if not (np.isfinite(most) and weights.min(initial=0) >= 0):
         raise ValueError("density has a value that is negative or not finite")
     stippler = Stippler(threads=threads)
-    stippler.set_density(weights / (most or 1))
+    stippler.set_density(weights / (most or 1), interpolation=interpolation)
     height, width = weights.shape
     edges = {"on": True, "top": 0, "right": 0, "bottom": 0, "left": 0}
     dots = stippler.draw(
@@ -287,13 +378,36 @@ def sample(
     )
     points = np.stack([dots.x, dots.y], axis=1)
     inside = np.nextafter(np.array([width, height], np.float32), np.float32(0))
-    return np.clip(points, 0, inside, out=points)
+    np.clip(points, 0, inside, out=points)
+    if interpolation == "nearest":
+        _leave_empty_cells(points, weights > 0)
+    return points
+
+
+def _leave_empty_cells(points: NDArray[np.float32], filled: NDArray[np.bool_]) -> None:
+    """Where rounding to float32 has brought a point over the edge of its cell, it goes back."""
+
+    def lies_in_empty(places: NDArray[np.float32]) -> NDArray[np.bool_]:
+        column, row = places.astype(np.int64).T
+        return ~filled[row, column]
+
+    lost = np.flatnonzero(lies_in_empty(points))
+    edge = np.rint(points[lost])
+    last = np.float32(filled.shape[::-1])
+    for across, down in (1, 0), (0, 1), (1, 1):
+        # On the other side of the nearest edges.
+        other = np.where(points[lost] < edge, np.minimum(edge, last - 1), np.nextafter(edge, np.float32(-1)))
+        moved = np.where([across, down], np.maximum(other, 0), points[lost])
+        found = ~lies_in_empty(moved)
+        points[lost[found]] = moved[found]
+        lost, edge = lost[~found], edge[~found]
 
 
 def lights(radiance: ArrayLike, n: int = 1024, *, seed: int = 0, threads: int = 0) -> NDArray[np.void]:
     """An environment map as n small lights, 1 to 10,000,000, for renderers (Lagae & Dutré 2006, figure 7).
 
-    radiance: (height, 2 * height, 3), linear red, green and blue, rows from straight up to straight down.
+    radiance: (height, 2 * height, 3), linear red, green and blue, rows from straight up to straight down. What is
+        masked is black.
     seed: 0: the tile as it lies; else it is turned about the up axis.
 
     Returns an array (n,) with the fields
@@ -312,9 +426,10 @@ def lights(radiance: ArrayLike, n: int = 1024, *, seed: int = 0, threads: int = 
 
 
 def analyse(points: ArrayLike, width: float = 1, height: float = 1, *, periodic: bool = True) -> Evenness:
-    """How even points (n, 2) in a rectangle from 0 to width and 0 to height are. Periodic: opposite edges meet; else
-    nothing is known beyond the edges."""
-    x, y = np.ascontiguousarray(floats("points", points, np.float64, "n", 2).T)
+    """How even points (n, 2) in a rectangle from 0 to width and 0 to height are, without those that are masked.
+    Periodic: opposite edges meet; else nothing is known beyond the edges."""
+    xy = floats("points", points, np.float64, "n", 2)
+    x, y = np.ascontiguousarray(xy[~np.ma.getmaskarray(points).any(axis=1)].T)
     return Evenness(**_dapple.evenness(x, y, width, height, periodic))
 
 

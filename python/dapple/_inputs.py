@@ -23,8 +23,8 @@ def whole_number(name: str, value: Any, least: int, most: int) -> int:
 
 
 def floats(name: str, values: ArrayLike, dtype: Any, *shape: str | int) -> NDArray[Any]:
-    """As a contiguous array of that shape, where a name stands for any number."""
-    array = np.asarray(values)
+    """As a contiguous array of that shape, where a name stands for any number. What is masked is 0."""
+    array = np.ma.filled(values, 0) if np.ma.isMaskedArray(values) else np.asarray(values)
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} is of {array.dtype}; give an array of numbers")
     fits = len(array.shape) == len(shape) and all(
@@ -43,13 +43,19 @@ _AS_PIL = {"P": "RGBA", "PA": "RGBA", "RGBa": "RGBA", "La": "LA"} | dict.fromkey
 
 
 def picture(image: Any) -> NDArray[Any]:
-    """(height, width, channels), contiguous, uint8, uint16 or float32."""
+    """(height, width, channels), contiguous, uint8, uint16 or float32. What is masked is white and opaque."""
     mode = getattr(image, "mode", None)
     if mode is not None and hasattr(image, "convert"):
         see_through = {"1": "LA", "L": "LA", "RGB": "RGBA"} if "transparency" in image.info else {}
         if as_mode := see_through.get(mode) or _AS_PIL.get(mode):
             image = image.convert(as_mode)
     pixels = np.asarray(image)
+    if np.ma.isMaskedArray(image):
+        masked = np.ma.getmaskarray(image)
+        if pixels.ndim == 3:  # a pixel with one of its channels
+            masked = masked.any(axis=2, keepdims=True)
+        white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
+        pixels = np.where(masked, pixels.dtype.type(white), pixels)
     if pixels.ndim == 2:
         pixels = pixels[..., None]
     if mode == "I" and pixels.size and 0 <= pixels.min() and pixels.max() < 2**16:
@@ -65,6 +71,11 @@ def picture(image: Any) -> NDArray[Any]:
         )
     with np.errstate(over="ignore"):
         return np.ascontiguousarray(pixels, dtype=np.float32 if kind == "f" else pixels.dtype.newbyteorder("="))
+
+
+def check_interpolation(interpolation: str) -> None:
+    if interpolation not in ("nearest", "linear"):
+        raise ValueError(f"interpolation is {interpolation!r}; give 'nearest' or 'linear'")
 
 
 def settings_of(

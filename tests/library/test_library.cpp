@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -250,6 +251,57 @@ TEST_CASE("a density gives dots in proportion, and a white one none that would b
     CHECK(pixels.rgb.size() == 3u * 200 * 200);
 }
 
+TEST_CASE(
+    "a density's cells have their dots, and none where it is 0, or it changes evenly between their middles") {
+    // One cell of nine.
+    std::vector<float> density(9);
+    density[4] = 1;
+    for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::linear}) {
+        Stippler stippler;
+        stippler.set_density(density, 3, 3, interpolation);
+        const auto drawing = stippler.draw(Settings(
+            R"({"drawing": {"count": 2000, "settle_for": "samples", "page": {"width_mm": 3, "margins_mm": {"on":
+                true, "top": 0, "right": 0, "bottom": 0, "left": 0}}}})"));
+        REQUIRE(drawing);
+        int beside = 0;
+        drawing->for_each([&](const DotSpan& dots) {
+            for (std::size_t i = 0; i < dots.x.size(); ++i)
+                beside += std::abs(dots.x[i] - 1.5f) > 0.501f || std::abs(dots.y[i] - 1.5f) > 0.501f;
+            return true;
+        });
+        // A tent's parts beyond its middle half, of either side.
+        const double expected = interpolation == Interpolation::nearest ? 0 : 2000 * (1 - 0.75 * 0.75);
+        CHECK(beside == doctest::Approx(expected).epsilon(0.1));
+    }
+}
+
+TEST_CASE("settings and drawings that were moved from are as before, and a stippler can be given another") {
+    Settings settings(R"({"drawing": {"count": 300}})");
+    const std::string text = settings.text();
+    const Settings moved = std::move(settings);
+    CHECK(moved.text() == text);
+    CHECK(settings.text() == text);  // NOLINT(bugprone-use-after-move)
+    Stippler stippler;
+    stippler.set_picture(ramp());
+    Drawing drawing = *stippler.draw(moved);
+    const Drawing other = std::move(drawing);
+    CHECK(drawing.count() == 300);  // NOLINT(bugprone-use-after-move)
+    Stippler another = std::move(stippler);
+    CHECK(another.draw(moved)->count() == 300);
+    const auto refuses = [&](const auto& use) {
+        CHECK_THROWS_WITH(use(), "the stippler was moved from; assign another one to it");
+    };
+    // NOLINTBEGIN(bugprone-use-after-move)
+    refuses([&] { stippler.draw(moved); });
+    refuses([&] { stippler.plan(moved); });
+    refuses([&] { stippler.set_picture(ramp()); });
+    refuses([&] { stippler.set_density(std::vector<float>(1, 0.5f), 1, 1); });
+    refuses([&] { stippler.set_tile(""); });
+    // NOLINTEND(bugprone-use-after-move)
+    stippler = std::move(another);
+    CHECK(stippler.draw(moved)->count() == 300);
+}
+
 TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK_THROWS_WITH(Settings(R"({"drawing": {"count": 0}})"),
                       "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null");
@@ -376,6 +428,9 @@ TEST_CASE("lights carry the map's flux, and points are measured") {
     CHECK(flux == doctest::Approx(4 * pi * 0.5 + texel * 1999.5).epsilon(1e-5));
     CHECK(length == doctest::Approx(200));
     CHECK_THROWS_WITH(sample_lights(sky, 32, 64), doctest::Contains("twice"));
+    CHECK_THROWS_WITH(sample_lights(sky, 64, 32, {.threads = -1}), doctest::Contains("threads is -1"));
+    CHECK_THROWS_AS(sample_lights(sky, 64, 32, {.count = 0}), std::runtime_error);
+    CHECK_THROWS_AS(sample_lights(sky, 64, 32, {.count = 10'000'001}), std::runtime_error);
 
     std::vector<double> x, y;
     for (int i = 0; i < 32; ++i) {
@@ -443,6 +498,28 @@ TEST_CASE("C gets the same bytes, and errors as text") {
     CHECK(dapple_set_picture(stippler, nullptr, kWidth, kHeight, 3) == -1);
     CHECK(std::string(dapple_error()) == "pixels is NULL");
     CHECK(dapple_set_picture(stippler, pixels.data(), -1, kHeight, 3) == -1);
+    const auto refused = [](int result, const char* sentence) {
+        CHECK(result == -1);
+        CHECK(std::string(dapple_error()).find(sentence) != std::string::npos);
+    };
+    const int most = std::numeric_limits<int>::max();
+    for (const int threads : {-1, 1025, most}) {
+        CHECK_FALSE(dapple_stippler_new(threads));
+        CHECK(std::string(dapple_error()) ==
+              "threads is " + std::to_string(threads) + "; give a whole number from 0 to 1024");
+    }
+    for (const int channels : {-1, 0, 5, most})
+        refused(dapple_set_picture(stippler, pixels.data(), kWidth, kHeight, channels), "channels 1 to 4");
+    const std::vector<float> light(1, 0.5f);
+    for (const auto& [width, height] : {std::pair{0, 1}, {1, 0}, {-1, -1}, {most, -most}}) {
+        refused(dapple_set_picture(stippler, pixels.data(), width, height, 1), "sides are 1 or more");
+        refused(dapple_set_light(stippler, light.data(), nullptr, width, height), "sides are 1 or more");
+        refused(dapple_set_density(stippler, light.data(), width, height), "sides are 1 or more");
+        refused(dapple_set_linear_density(stippler, light.data(), width, height), "sides are 1 or more");
+    }
+    refused(dapple_set_picture(stippler, pixels.data(), most, most, 4), "megapixels");
+    refused(dapple_set_light(stippler, light.data(), light.data(), most, most), "megapixels");
+    refused(dapple_set_density(stippler, light.data(), most, 2), "megapixels");
     REQUIRE(dapple_set_picture(stippler, pixels.data(), kWidth, kHeight, 3) == 0);
     const char* const json = R"({"drawing": {"count": 500}})";
     CHECK_FALSE(dapple_draw(stippler, "{\"drawing\": {\"count\": -1}}", nullptr, nullptr));

@@ -1,9 +1,12 @@
 """The module as another program has it. Run by ctest, which says where it and the program are."""
 
 import ast
+import copy
 import inspect
 import json
+import multiprocessing
 import os
+import pickle
 import re
 import signal
 import subprocess
@@ -223,6 +226,8 @@ WRONG = [
     (lambda: dapple.sample([[1.0, np.inf]], 5), ValueError, "negative or not finite"),
     (lambda: dapple.sample(np.zeros((0, 5)), 5), ValueError, "0 values for a density of 5 x 0"),
     (lambda: dapple.sample([1.0, 2], 5), ValueError, r"density has the shape \(2,\); give \(height, width\)"),
+    (lambda: dapple.sample([[1.0]], 5, interpolation="cubic"), ValueError, "interpolation is 'cubic'; give"),
+    (lambda: dapple.Stippler().set_density([[1.0]], interpolation=None), ValueError, "interpolation is None; give"),
     (lambda: dapple.sample("even", 5), TypeError, "density is of <U4; give an array of numbers"),
     (lambda: dapple.sample(np.ones((5, 5)), 0), ValueError, "n is 0; give a whole number from 1 to"),
     (lambda: dapple.lights(np.ones((4, 4, 3))), ValueError, "twice"),
@@ -338,6 +343,142 @@ def test_points_are_as_dense_as_the_density_says():
     assert abs(np.cos(points[:, 0] / 9 + points[:, 1] / 7).mean() - mean) < 0.2 / np.sqrt(8000)
     assert np.array_equal(dapple.sample(7.0 * density, 500, relax=0), dapple.sample(density, 500, relax=0))
     assert dapple.sample(np.ones((1, 1)), 1).shape == (1, 2)
+
+
+def densities():
+    """Ten, uint8 or float64, that are hard in one way or another."""
+    random = np.random.default_rng(5)
+    y, x = np.mgrid[:60, :80] + 0.5
+    box = np.zeros((60, 80))
+    box[20:23, 40:44] = 1
+    specks = (random.random((60, 80)) < 0.02) * 1.0
+    steps = np.where(x < 40, 1.0, 100)
+    return {
+        "a small box": box,
+        "specks": specks,
+        "noise of zeros and ones": (random.random((60, 80)) < 0.44).astype(np.uint8),
+        "noise of any value": random.random((60, 80)),
+        "noise over a hundredfold": 100 ** random.random((60, 80)),
+        "a step of a hundred": steps,
+        "two cells": np.array([[1, 100]]),
+        "stripes": (x.astype(int) % 3 == 0) * 1.0,
+        "a checkerboard": ((x.astype(int) + y.astype(int)) % 2) * 1.0,
+        "a bell": np.exp(-((x - 30) ** 2 + (y - 20) ** 2) / 200),
+    }
+
+
+def groups(density, by):
+    """Cells in groups of about as much of the density: a number for each cell."""
+    mass = density / density.sum()
+    order = np.argsort(by, axis=None, kind="stable")
+    number = np.empty(density.size, int)
+    number[order] = np.minimum(np.cumsum(mass.flat[order]) * 16, 15).astype(int)
+    return number.reshape(density.shape)
+
+
+@pytest.mark.parametrize("name", densities())
+def test_points_come_in_the_numbers_that_cells_ask_for(name):
+    count = 2000
+    density = densities()[name].astype(float)
+    points = dapple.sample(density, count)
+    column, row = points.astype(int).T  # as the manual has it
+    seen = np.zeros(density.shape)
+    np.add.at(seen, (row, column), 1)
+    assert not seen[density == 0].any()
+    for by in density, np.arange(density.size).reshape(density.shape), np.indices(density.shape)[1]:
+        number = groups(density, by)
+        wanted = np.bincount(number.ravel(), density.ravel() / density.sum() * count)
+        found = np.bincount(number.ravel(), seen.ravel())
+        some = wanted > 0
+        chi2 = ((found - wanted)[some] ** 2 / wanted[some]).sum()
+        freedom = some.sum() - 1
+        # Random points come beyond it once in a thousand times (Wilson and Hilferty 1931).
+        assert chi2 <= freedom * (1 - 2 / (9 * freedom) + 3.09 * np.sqrt(2 / (9 * freedom))) ** 3
+
+
+def test_sparse_sides_get_their_share():
+    # Ten of a thousand points each.
+    shares = []
+    for turn in range(12):
+        wide = np.where(np.arange(80 + turn) < 40, 1.0, 100 * 40 / (40 + turn))[None].repeat(60 + turn, 0)
+        points = dapple.sample(np.rot90(wide, turn), 1010)
+        back = {0: points[:, 0], 1: wide.shape[1] - points[:, 1], 2: wide.shape[1] - points[:, 0], 3: points[:, 1]}[turn % 4]
+        shares.append((back < 40).sum() / 10)
+    assert np.mean(shares) == pytest.approx(1, abs=0.08)
+
+
+def test_a_density_may_also_change_evenly_between_the_middles_of_cells():
+    density = np.zeros((9, 9))
+    density[4, 4] = 1
+    x, y = dapple.sample(density, 2000, interpolation="linear", relax=0).T
+    assert 3.5 <= min(x.min(), y.min()) < 3.7 and 5.3 < max(x.max(), y.max()) <= 5.5
+    assert (abs(x - 4.5) < 0.5).mean() == pytest.approx(0.75, abs=0.01)  # of a tent from -1 to 1
+    linear = dapple.Stippler()
+    linear.set_density(density, interpolation="linear")
+    assert len(linear.draw(50)) == 50
+
+
+def test_what_is_masked_is_no_point_no_density_and_bare_paper():
+    y, x = np.mgrid[:40, :60]
+    mask = x < 30
+    density = np.ma.masked_array(np.where(mask, np.nan, 1.0), mask)
+    assert dapple.sample(density, 500)[:, 0].min() >= 30
+    assert np.array_equal(dapple.sample(density, 500), dapple.sample(density.filled(0), 500))
+    stippler = dapple.Stippler()
+    stippler.set_density(np.ma.masked_array(mask, mask))
+    with pytest.raises(ValueError, match="white everywhere"):
+        stippler.draw(50)
+
+    for picture in grey(), np.uint16(grey()) * 257, grey() / np.float32(255), grey() < 100:
+        paper = picture.copy()
+        paper[mask] = {"b": True, "u": np.iinfo(paper.dtype).max if paper.dtype.kind == "u" else 0}.get(paper.dtype.kind, 1)
+        assert same(np.ma.masked_array(picture, mask)) == same(paper)
+    paper = ramp()
+    paper[mask] = 255
+    one_channel = np.zeros(ramp().shape, bool)
+    one_channel[mask, 1] = True
+    assert same(np.ma.masked_array(ramp(), one_channel), pens="cmyk") == same(paper, pens="cmyk")
+    light = np.ma.masked_array(np.where(mask, np.nan, 0.5), mask)
+    assert same(light, linear=True) == same(light.filled(1), linear=True)
+
+    points = np.random.default_rng(1).random((300, 2))
+    missing = np.zeros(points.shape, bool)
+    missing[::3, 1] = True
+    kept = np.delete(points, np.s_[::3], axis=0)
+    assert dapple.analyse(np.ma.masked_array(points, missing)) == dapple.analyse(kept)
+    sky = np.ma.masked_array(np.ones((16, 32, 3)), np.indices((16, 32, 3))[0] >= 8)
+    assert np.array_equal(dapple.lights(sky, 20), dapple.lights(sky.filled(0), 20))
+
+
+def drawn_elsewhere(contrast):
+    dots = dapple.stipple(ramp(), 300, automatic_tone=False, tone={"contrast": contrast}, pens="cmyk")
+    return dots, dapple.Stippler(ramp()).plan(300), dots.advice(), dapple.analyse(np.stack([dots.x, dots.y], axis=1), 200, 200)
+
+
+def test_results_come_from_other_processes_and_can_be_copied(tmp_path):
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        found = pool.map(drawn_elsewhere, [0.1, 0.3])
+    for contrast, (dots, *others) in zip([0.1, 0.3], found):
+        ours, *want = drawn_elsewhere(contrast)
+        assert places(dots) == places(ours) and not dots.x.flags.writeable
+        assert repr(dots) == repr(ours) and dots.pens == ours.pens and others == want
+        assert np.array_equal(dots.pixels(40), ours.pixels(40))
+        for name, each in ("theirs.svg", dots), ("ours.svg", ours), ("copy.svg", copy.deepcopy(dots)):
+            each.save(tmp_path / name)
+            assert (tmp_path / name).read_bytes() == (tmp_path / "theirs.svg").read_bytes()
+        assert copy.copy(dots) is dots
+
+    # A stippler as well; it draws what it was given, whatever becomes of that array.
+    picture = ramp()
+    stippler = dapple.Stippler(picture, threads=1)
+    stippler.set_tile(dapple.tile_text("aperiodic64"))
+    picture[:] = 255
+    for again in pickle.loads(pickle.dumps(stippler)), copy.copy(stippler), copy.deepcopy(stippler):
+        assert places(again.draw(300)) == same(ramp(), tile="aperiodic64")
+    for take in (lambda: stippler.set_density([[0.2, 0.7]], interpolation="linear"), lambda: stippler.set_picture(grey() / 255, linear=True)):
+        take()
+        assert places(pickle.loads(pickle.dumps(stippler)).draw(300)) == places(stippler.draw(300))
+    assert len(pickle.loads(pickle.dumps(stippler.draw(50)))) == 50
 
 
 def test_lights_carry_the_maps_flux():

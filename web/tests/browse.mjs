@@ -1,10 +1,11 @@
 // browse.mjs PAGE.html DAPPLE FOLDER: the page in Chromium without a screen. What it saves is compared with the program's
 // drawing of the project that it saves; pictures of it are left in the folder. Prints how long things took.
 import {execFileSync} from "node:child_process";
-import {copyFileSync, readFileSync} from "node:fs";
+import {copyFileSync, readFileSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {resolve} from "node:path";
 import {pathToFileURL} from "node:url";
+import {deflateSync} from "node:zlib";
 
 const [page_file, dapple, folder] = process.argv.slice(2);
 const {chromium} = createRequire(resolve(folder, "x"))("playwright-core");
@@ -121,6 +122,19 @@ async function onScreen(page) {
     await page.keyboard.press("Enter");
     await settled(page);
     check((await text(page, "count")) === "12,000 dots", "12k is typed");
+    for (const [typed, count] of [["2M", 2e6], ["1,500", 1500], ["1.5k", 1500], ["15e2", 1500], ["0.012M", 12000]]) {
+        await page.getByLabel("Dots, typed").fill(typed);
+        await page.keyboard.press("Enter");
+        await page.waitForFunction((count) => document.getElementById("count").textContent === count, `${count.toLocaleString("en")} dots`);
+        check(true, `${typed} is read as the program reads it`);
+    }
+    await settled(page);
+    for (const typed of ["3M", "1e9", "2,5", "0", "-5", "10.000", "1.5", "40 thousand", "1,00", "12kk", "."]) {
+        await page.getByLabel("Dots, typed").fill(typed);
+        await page.keyboard.press("Enter");
+        check((await text(page, "message")) === `Dots: ${typed} is not possible; give a whole number from 1 to 2,000,000.` &&
+              (await text(page, "count")) === "12,000 dots", `${typed} is refused`);
+    }
     check((await text(page, "said")) === "12,000 dots on 200 x 200 mm", "the count is said aloud");
     await page.getByLabel("Contrast", {exact: true}).focus();
     await page.keyboard.press("ArrowRight");
@@ -157,6 +171,107 @@ async function onScreen(page) {
     await other.waitForFunction(() => document.getElementById("message").textContent.startsWith("mine.txt"));
     check(true, "what is no picture is refused by name");
     await other.close();
+}
+// A picture by ImageMagick.
+const picture = (name, ...how) => (execFileSync("convert", [...how, `${folder}/${name}`]), `${folder}/${name}`);
+// A chunk of a PNG.
+function chunk(kind, data) {
+    const named = Buffer.concat([Buffer.from(kind), data]), ends = Buffer.alloc(8);
+    let crc = ~0;
+    for (const byte of named) {
+        crc ^= byte;
+        for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
+    }
+    ends.writeUInt32BE(data.length);
+    ends.writeUInt32BE(~crc >>> 0, 4);
+    return Buffer.concat([ends.subarray(0, 4), named, ends.subarray(4)]);
+}
+// Once its drawing, or why there is none, is there.
+async function opens(page, file) {
+    await page.setInputFiles("#file", file);
+    await page.waitForFunction((name) => document.getElementById("name").textContent === name, file.split("/").at(-1));
+    await settled(page);
+}
+{
+    // Nothing is shown or saved but what the heading names.
+    const page = await opened({before: () => {
+        const real = window.createImageBitmap.bind(window);
+        window.createImageBitmap = async (...given) => {
+            if (window.held) await window.held.splice(0)[0];
+            return real(...given);
+        };
+    }});
+    let downloads = 0;
+    page.on("download", () => ++downloads);
+    await opens(page, picture("white.png", "-size", "60x40", "xc:white"));
+    check((await text(page, "message")).startsWith("there is nothing to draw"), "a white picture's sentence is said");
+    check((await text(page, "count")) === "no dots" && (await text(page, "page")) === "", "a white picture has no dots");
+    const blank = (await onScreen(page)).light;
+    await page.click("#svg");
+    await page.waitForFunction(() => document.getElementById("message").textContent.startsWith("Nothing was saved: there is nothing to draw"));
+    check(downloads === 0, "nothing is saved of a white picture");
+    await opens(page, picture("grey.png", "-size", "60x40", "xc:gray40"));
+    check((await text(page, "message")) === "" && (await text(page, "count")) === "40,000 dots" && (await onScreen(page)).light < blank - 20,
+          "the next picture is drawn where a white one left the page bare");
+
+    await page.evaluate(() => { window.held = [new Promise((resolve) => { window.release = resolve; })]; });
+    await page.setInputFiles("#file", picture("early.png", "-size", "30x30", "xc:gray20"));
+    await page.waitForFunction(() => window.held.length === 0);
+    await opens(page, picture("late.png", "-size", "60x20", "xc:gray60"));
+    await page.evaluate(() => window.release());
+    await opens(page, picture("late2.png", "-size", "60x20", "xc:gray60"));
+    check((await text(page, "page")) === "200 x 67 mm", "of two pictures that are dropped one after the other the later one stays");
+    await page.close();
+
+    const many = await opened({hash: "#" + encodeURIComponent('{"drawing": {"count": 100000000}}')});
+    check(/ask for 100000000 dots, and this page draws 2000000 at most/.test(await text(many, "message")) && (await text(many, "count")) === "no dots",
+          "a link with too many dots is told so");
+    await many.getByLabel("Dots, typed").fill("12k");
+    await many.keyboard.press("Enter");
+    await many.waitForFunction(() => document.getElementById("count").textContent === "12,000 dots");
+    await many.close();
+}
+{
+    // Pictures that a canvas does not hold, or not as they are.
+    const page = await opened({hash: "#" + encodeURIComponent(JSON.stringify({drawing: {count: 3000}}))});
+    const about = () => text(page, "about");
+    // ImageMagick makes none so high.
+    const tall = Buffer.alloc(401 * 70000);
+    for (let y = 0; y < 70000; ++y) tall.fill(y % 2000 / 8, 401 * y + 1, 401 * (y + 1));
+    const header = Buffer.from([0, 0, 1, 144, 0, 1, 17, 112, 8, 0, 0, 0, 0]);
+    writeFileSync(`${folder}/tall.png`, Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), chunk("IHDR", header),
+                                                      chunk("IDAT", deflateSync(tall)), chunk("IEND", Buffer.alloc(0))]));
+    await opens(page, `${folder}/tall.png`);
+    check((await about()) === "400 x 70000 pixels, read as 94 x 16384" && (await text(page, "count")) === "3,000 dots", `a picture over the limit is read smaller: ${await about()}`);
+    await opens(page, picture("deep.png", "-size", "64x64", "gradient:black-white", "-depth", "16", "-define", "png:bit-depth=16"));
+    check((await about()) === "64 x 64 pixels, read with 8 of their 16 bits", "16 bits are told");
+    const whole = readFileSync("assets/still_life.png");
+    writeFileSync(`${folder}/half.png`, whole.subarray(0, whole.length / 2));
+    await page.setInputFiles("#file", `${folder}/half.png`);
+    await page.waitForFunction(() => document.getElementById("message").textContent === "half.png is damaged.");
+    check((await text(page, "name")) === "deep.png", "a damaged picture is called damaged, and the one before stays");
+
+    // What is transparent is paper: beside the program, by how many dots each part has.
+    const ramp = ["-size", "60x60", "gradient:gray10-gray90"];
+    const see_through = ["(", ...ramp, ")", "(", "-size", "30x60", "xc:black", "xc:white", "+append", ")", "-alpha", "off", "-compose", "CopyOpacity", "-composite"];
+    const half = ["(", ...ramp, ")", "(", "-size", "30x60", "xc:gray50", "xc:white", "+append", ")", "-alpha", "off", "-compose", "CopyOpacity", "-composite"];
+    for (const [name, ...how] of [["colours.png", ...see_through, "-define", "png:color-type=6"], ["greys.png", ...see_through, "-define", "png:color-type=4"],
+                                  ["half.png", ...half, "-define", "png:color-type=4"], ["one.gif", ...see_through],
+                                  ["one.webp", ...see_through, "-define", "webp:lossless=true"],
+                                  ["key.png", "-size", "30x60", "xc:black", "gradient:gray20-gray90", "+append", "-transparent", "black", "-define", "png:color-type=2"]]) {
+        const file = picture(name, ...how);
+        await opens(page, file);
+        const theirs = `${folder}/${name}.svg`;
+        execFileSync(dapple, ["render", file, "-o", theirs, "--dots", "3000"], {stdio: "ignore"});
+        const parts = [await saved(page, "svg"), theirs].map((svg) => {
+            const counts = [0, 0, 0, 0, 0, 0];
+            for (const [, x, y] of readFileSync(svg, "utf8").matchAll(/cx="([\d.]+)" cy="([\d.]+)"/g))
+                ++counts[(x * 25.4 / 96 < 100 ? 0 : 3) + Math.min(Math.floor(y * 25.4 / 96 / 67), 2)];
+            return counts;
+        });
+        check(parts[1].some((each) => each > 0) && parts[0].every((each, i) => Math.abs(each - parts[1][i]) <= 15), `${name} has its dots where the program has them: ${parts[0]}, ${parts[1]}`);
+    }
+    await page.close();
 }
 {
     // The worker that places dots, which is the first one, comes late with an older drawing: it does not show any more.
@@ -222,6 +337,27 @@ for (const [name, look] of Object.entries({
     for (let by = 0; by <= 50; by += 10) await touch("touchMove", [380 - by, 400], [480 + by, 400]);
     await touch("touchEnd");
     await seen(async () => Math.abs(await zoom() - 2 * before) <= 2, `two fingers zoom: from ${before} % to twice as much`);
+
+    // On a slider a finger scrolls up and down, and moves it to the sides, or where it taps.
+    const count = () => text(page, "count");
+    const {x, y, width, height} = await page.getByLabel("Dots", {exact: true}).boundingBox(), middle = y + height / 2;
+    const finger = async (...points) => {
+        await touch("touchStart", points[0]);
+        for (const point of points.slice(1)) await touch("touchMove", point);
+        await touch("touchEnd");
+    };
+    const down = [...Array(12)].map((_, i) => [x + 0.2 * width + i, middle - 14 * i]);
+    await finger(...down);
+    await seen(() => page.evaluate(() => document.getElementById("rows").scrollTop > 50), "a swipe that begins on a slider scrolls");
+    await settled(page);
+    check((await count()) === "40,000 dots", `and leaves the slider alone: ${await count()}`);
+    await page.evaluate(() => { document.getElementById("rows").scrollTop = 0; });
+    await finger(...[...Array(8)].map((_, i) => [x + width * (0.5 - 0.04 * i), middle + i]));
+    await seen(async () => (await count()) !== "40,000 dots", "a swipe to the side moves it");
+    await settled(page);
+    const swiped = await count();
+    await finger([x + 0.7 * width, middle]);
+    await seen(async () => (await count()) !== swiped, "a tap too");
     await page.close();
 }
 {

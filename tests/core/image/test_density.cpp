@@ -33,13 +33,28 @@ TEST_CASE("the density is each pixel's value at its centre and halfway between t
     CHECK(density.mean() == doctest::Approx(28.0 / 8 / 16));
 }
 
+TEST_CASE("read by cells, the density is a pixel's value all over it, and patches lie in one pixel") {
+    Grid<float> grid(3, 2);
+    for (int i = 0; i < 6; ++i) grid.values[i] = static_cast<float>(i);
+    const Density density(grid, Sides::paper, {0, 0}, Reading::by_cell);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x)
+            for (const double part : {0.0, 0.3, 1 - 1e-9})
+                CHECK(density.at({(x + part) / 3, (y + part) / 3}) == 3 * y + x);
+    CHECK(density.at({0.5, 0.7}) == 0);
+    CHECK(density.look({4, 4, 4}).is_patch);
+    CHECK(density.look({4, 4, 4}).patch.c == 0);
+    CHECK_FALSE(density.look({4, 5, 4}).is_patch);  // from 0.94 to 1.13
+}
+
 TEST_CASE("no value in a square lies outside its bounds, at any depth") {
     std::mt19937 random(7);
     for (const auto& [width, height] : {std::pair{64, 64}, {100, 37}, {37, 100}, {1, 1}, {1, 300}, {5, 3}}) {
         const Grid<float> values = noise(width, height, width);
         for (const Density& density :
              {Density(values), Density(values, Sides::wrap), Density(values, Sides::paper, {0x1p-20, 0.625}),
-              Density(values, Sides::paper, {349525 * 0x1p-20, 0.25})}) {
+              Density(values, Sides::paper, {349525 * 0x1p-20, 0.25}),
+              Density(values, Sides::paper, {349525 * 0x1p-20, 0.25}, Reading::by_cell)}) {
             for (int trial = 0; trial < 3000; ++trial) {
                 const int depth = static_cast<int>(random() % 14);
                 const std::int64_t side = std::int64_t{1} << depth;

@@ -37,6 +37,17 @@ std::array<double, kBands> bands(const DotPieces& dots, double height) {
 
 }  // namespace
 
+TEST_CASE("cells in finer ones are the same density, on the same tiles") {
+    Grid<float> values(3, 2);
+    for (int i = 0; i < 6; ++i) values.values[i] = static_cast<float>(i) / 6;
+    const Density cells = page_density(values, Reading::by_cell), finer = in_finer_cells(cells, 5);
+    CHECK(finer.width() == 15);
+    CHECK(finer.tile_corner() == cells.tile_corner());
+    CHECK(finer.mean() == doctest::Approx(cells.mean()));
+    for (double y = 0.001; y < 0.7; y += 0.05)
+        for (double x = 0.001; x < 1; x += 0.05) CHECK(finer.at({x, y}) == cells.at({x, y}));
+}
+
 TEST_CASE("dots as placed neither keep off a picture's edges nor stand in rows along them") {
     Pipeline pipeline;
     StoredTile tile = read_tile(text_of(source_folder() / "assets/tiles/aperiodic4096.tile"));

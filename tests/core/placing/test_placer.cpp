@@ -98,7 +98,8 @@ TEST_CASE("the placer's dots are those that testing every point of every level f
         const PlacingTable table = make_placing_table(tile, ranking);
         for (const auto& [width, height] : {std::pair{24, 24}, {31, 7}, {1, 1}, {3, 40}}) {
             const Grid<float> values = blotches(width, height, size + width);
-            for (const Density& density : {Density(values), page_density(values)}) {
+            for (const Density& density :
+                 {Density(values), page_density(values), page_density(values, Reading::by_cell)}) {
                 const double scale = 350;
                 std::vector<Expected> expected;
                 test_every_point(density, scale, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
@@ -115,12 +116,14 @@ TEST_CASE("so they are of tiles of several kinds, turned or not") {
         const Tile tile = random_kinds(rule, kThreeKinds, size, size);
         const Ranking ranking = rank(tile, RankingMethod::energy);
         const PlacingTable table = make_placing_table(tile, ranking);
-        const Density density = page_density(blotches(31, 17, size));
-        std::vector<Expected> expected;
-        test_every_point(density, 350, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
-        const Dots dots = placed(table, density, {350});
-        CHECK(dots.size() > 20);
-        check_same(dots, expected);
+        for (const Reading reading : {Reading::bilinear, Reading::by_cell}) {
+            const Density density = page_density(blotches(31, 17, size), reading);
+            std::vector<Expected> expected;
+            test_every_point(density, 350, tile, ranking, size > 100 ? 3 : size > 20 ? 4 : 5, expected);
+            const Dots dots = placed(table, density, {350});
+            CHECK(dots.size() > 20);
+            check_same(dots, expected);
+        }
     }
 }
 
