@@ -46,7 +46,7 @@ Volume volume_from(const std::vector<std::filesystem::path>& inputs) {
 void turn_over(Volume& volume) {
     const float most = std::ranges::max(volume.density);
     for (float& density : volume.density) density = most - density;
-    check_volume(volume);
+    told_as("--invert", [&] { check_volume(volume); });
 }
 
 std::vector<glm::dvec3> placed(Volume volume, std::uint64_t count, int steps) {
@@ -66,7 +66,9 @@ std::vector<glm::dvec3> placed(Volume volume, std::uint64_t count, int steps) {
 std::vector<glm::dvec3> thinned(const std::filesystem::path& file, std::uint64_t count) {
     const std::vector<glm::dvec3> cloud = read_ply(file);
     std::vector<glm::dvec3> points;
-    for (const std::size_t point : even_subset(cloud, count)) points.push_back(cloud[point]);
+    told_as("--dots", [&] {
+        for (const std::size_t point : even_subset(cloud, count)) points.push_back(cloud[point]);
+    });
     return points;
 }
 

@@ -56,8 +56,12 @@ EnvironmentFile read_environment(const std::filesystem::path& path, LightBelowZe
         // Pixels of directions are no squares.
         decode_file(path, {.over_paper = false, .square_pixels = false}, sink, stop);
         const std::size_t count = below_zero == LightBelowZero::none ? without_below_zero(sink.radiance) : 0;
-        return {EnvironmentMap(std::move(sink.radiance)), !sink.header().scene_light, count,
-                sink.header().remark};
+        const std::size_t pixels = sink.radiance.values.size();
+        if (count == pixels)
+            throw std::runtime_error("light is below 0 at every pixel; repair the map first");
+        const std::string remark =
+            pixels == 1 ? "its one pixel is taken as even light from all around" : sink.header().remark;
+        return {EnvironmentMap(std::move(sink.radiance)), !sink.header().scene_light, count, remark};
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +
                                  "; make the map smaller first");

@@ -240,6 +240,13 @@ TEST_CASE("light below 0 is refused or taken as none, and a picture whose light 
     CHECK(json::parse(text_of(folder / "s.json"))["samples"].size() == 50);
     CHECK(run_dapple("lights " + map + " --clamp" + output).err.find("white") == clamped.err.npos);
 
+    PictureFile dark{.width = 8, .height = 4, .channels = 3, .type = "float"};
+    dark.values.assign(8 * 4 * 3, -1.0f);
+    write_picture(folder / "dark.exr", dark);
+    for (const char* const clamp : {"", " --clamp"})
+        check_refused(run_dapple("lights " + quoted(folder / "dark.exr") + clamp + output),
+                      "light is below 0 at every pixel; repair the map first");
+
     REQUIRE(std::system(("convert -size 16x8 gradient: " + quoted(folder / "map.png")).c_str()) == 0);
     const Outcome dim = run_dapple("lights " + quoted(folder / "map.png") + output);
     CHECK(dim.status == 0);
@@ -286,6 +293,7 @@ TEST_CASE("a map of one pixel is an even sky") {
     const Outcome outcome =
         run_dapple("lights " + quoted(folder / "sky.exr") + " -n 100 -o " + quoted(folder / "s.json"));
     CHECK_MESSAGE(outcome.status == 0, outcome.err);
+    CHECK(outcome.err.find("its one pixel is taken as even light from all around") != std::string::npos);
     const json file = json::parse(text_of(folder / "s.json"));
     CHECK(file["total_flux"][0].get<double>() == doctest::Approx(8 * std::acos(-1.0)));
     for (const json& sample : file["samples"])

@@ -283,7 +283,7 @@ TEST_CASE("volumes and clouds that are broken are refused in a sentence, and not
     scene.must_fail("volume ball --film " + scene("turn.gif") + to, "turn.gif");
     scene.must_fail("volume " + scene("old.svg") + to, "old.svg");
     put_text(scene("p.ply"), ascii + "property float z\nend_header\n1 2 3\n");
-    scene.must_fail("volume " + scene("p.ply") + " -n 2" + to, "2 points of a cloud that has 1");
+    scene.must_fail("volume " + scene("p.ply") + " -n 2" + to, "--dots: 2 points of a cloud that has 1");
     scene.must_fail("volume " + scene("p.ply") + " -n 1 -o " + scene("p.ply"), "p.ply");
 }
 
