@@ -41,9 +41,10 @@ class Reader {
           buffer_(kBufferBytes) {}
 
     void wait_for(std::uint64_t pixel_bytes) {
-        constexpr std::uint64_t kMegabyte = 1'000'000;
+        constexpr std::uint64_t kMegabyte = 1'000'000,
+                                kMost = 1'000'000;  // of megabytes: nanoseconds hold them
         const milliseconds all =
-            at_first_ + per_megabyte_ * static_cast<std::int64_t>(pixel_bytes / kMegabyte);
+            at_first_ + per_megabyte_ * static_cast<std::int64_t>(std::min(pixel_bytes / kMegabyte, kMost));
         patience_ = std::max(patience_, all);
     }
 

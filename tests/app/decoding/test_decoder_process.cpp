@@ -136,11 +136,12 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
     CHECK(has(Decoder("exit 3").sentence(), "without a word (exit 3)"));
     CHECK(has(Decoder("exit 127").sentence(), "the system does not load its decoder"));
     CHECK(has(Decoder("echo nonsense").sentence(), "says nothing that can be understood"));
-    // A header of 4 x 4 pixels, with a text that is empty, and one row of it.
-    CHECK(
-        has(Decoder(R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0r0123012301230123')")
-                .sentence(),
-            "without a word"));
+    // A header of 4 x 4 pixels, with two texts that are empty, and one row of it.
+    CHECK(has(
+        Decoder(
+            R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0r0123012301230123')")
+            .sentence(),
+        "without a word"));
     // A picture larger than was asked for.
     CHECK(has(Decoder(R"(printf 'p\0\0\0\100\0\0\0\100\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0')").sentence(),
               "megapixels"));

@@ -39,13 +39,15 @@ std::string bytes_of(Number number) {
 
 struct Sent {
     std::int32_t width = 3, height = 2, orientation = 1, grey = 0, scene_light = 0;
-    std::string description = "3 x 2 pixels";
+    std::string description = "3 x 2 pixels", remark = "";
 
     std::string header() const {
         std::string bytes = "p";
         for (const std::int32_t number : {width, height, orientation, grey, scene_light})
             bytes += bytes_of(number);
-        return bytes + bytes_of(static_cast<std::uint32_t>(description.size())) + description;
+        for (const std::string& text : {description, remark})
+            bytes += bytes_of(static_cast<std::uint32_t>(text.size())) + text;
+        return bytes;
     }
 };
 
@@ -189,10 +191,12 @@ TEST_CASE("what a decoder says to people commands no terminal") {
     const std::string sentence = "bad\x1b[2J\n";
     CHECK(said_of("e" + bytes_of(static_cast<std::uint32_t>(sentence.size())) + sentence) ==
           "bad\\x1b[2J\\n");
-    const Descriptor file = memory_with(Sent{.description = "3\x1b[2J"}.header() + kRows);
+    const Descriptor file =
+        memory_with(Sent{.description = "3\x1b[2J", .remark = "4\x1b[2J"}.header() + kRows);
     Taken taken;
     REQUIRE(receive_image(file.get(), {}, taken));
     CHECK(taken.header.description == "3\\x1b[2J");
+    CHECK(taken.header.remark == "4\\x1b[2J");
 }
 
 TEST_CASE("thousands of nearly right things that a decoder could send are each a picture or a sentence") {
