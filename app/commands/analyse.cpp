@@ -13,6 +13,7 @@
 #include "app/files/atomic_file.h"
 #include "app/files/drawing_format.h"
 #include "app/files/file_ending.h"
+#include "app/settings/project.h"
 #include "core/analysis/report.h"
 #include "core/analysis/spectrum_picture.h"
 #include "core/text/number_words.h"
@@ -53,8 +54,13 @@ ReportFormat report_format(const fs::path& path) {
     throw std::runtime_error(fmt::format("{}: does not end in .json, .html or .png", path.string()));
 }
 
-// Drawings that do not keep their dots as such.
+// Projects, and drawings that do not keep their dots as such.
 void check_has_dots(const fs::path& path) {
+    if (ends_as_project(path))
+        throw std::runtime_error(fmt::format(
+            "{0}: a project is neither points nor a picture; draw it by dapple render {0} -o {1}, and "
+            "analyse that",
+            path.string(), fs::path(path).replace_extension(".svg").string()));
     const std::string ending = ending_of(path);
     if (ending.empty()) return;
     for (const DrawingFormatName& format : kDrawingFormats) {

@@ -92,8 +92,8 @@ void check_apart(const CLI::App& command, RenderOptions& options, std::span<cons
     const bool figures = options.stats && !is_standard_stream(*options.stats);
     if (figures) written.push_back({*options.stats, "the figures"});
     check_apart(written, options.read);
-    if (figures && options.settings_from)
-        check_apart({written.back()}, {{*options.settings_from, "the settings"}});
+    if (figures && command.count("--settings-from") > 0)
+        check_apart({written.back()}, {{command["--settings-from"]->as<std::string>(), "the settings"}});
 }
 
 }  // namespace dapple

@@ -394,9 +394,14 @@ void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Shee
         "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
         "those of the whole");
     add_text(
-        app, "--region", "X,Y,WxH", [&region](const std::string& text) { region = parse_region(text); },
+        app, "--region", "X,Y,WxH|all",
+        [&region](const std::string& text) {
+            region.reset();
+            if (text != "all") region = parse_region(text);
+        },
         "Only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 from the "
-        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole");
+        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole. "
+        "all: drops the region of the project, or of the settings drawn with");
 }
 
 void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/commands/files_in_use.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
 #include "app/commands/remarks.h"
+#include "app/commands/settings_options.h"
 #include "app/files/sample.h"
 #include "app/files/save_drawing.h"
 #include "app/files/tile_library.h"
@@ -55,14 +56,9 @@ RecordCommand::RecordCommand(CLI::App& program) {
             options_.image = file;
             return;
         }
-        ProjectInput project = read_project_input(file);
+        const ProjectInput project = read_project_input(file);
         options_.image = project.picture;
-        options_.drawing = std::move(project.drawing);
-        // As the window plays it.
-        options_.film.machine =
-            project.saving.machine.value_or(usual_machine(DrawingFormat::svg, project.saving.tool));
-        options_.film.order = project.saving.order;
-        automatic_tone_ = options_.drawing.automatic_tone;
+        take({project.drawing, project.saving});
     };
     // First, so that it is taken before the other options, which say otherwise.
     command
@@ -71,6 +67,8 @@ RecordCommand::RecordCommand(CLI::App& program) {
             "The picture, or a project (.dapple) that the window saved; without "
             "one, the built-in sample")
         ->type_name("IMAGE");
+    add_settings_options(*command, options_.drawing,
+                         [this](const SavedSettings& settings) { take(settings); });
     command
         ->add_option(
             "-o,--output", options_.output,
@@ -97,6 +95,7 @@ RecordCommand::RecordCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
+    add_mask_options(*command, options_.drawing.mask, limit_);
     add_page_options(*command, options_.drawing);
     command->footer(
         "Films other than plot show dots as placed: round, in one ink, not relaxed, and at most 2,000,000 of "
@@ -120,15 +119,30 @@ RecordCommand::RecordCommand(CLI::App& program) {
                    {"--machine", "--order", "--style", "--dot-shape", "--pen-width", "--pens", "--placer"},
                    "applies to the film of a plot only; give --show plot too");
         if (kind != FilmKind::plot && kind != FilmKind::growth)
-            refuse(*command, {"--relax"}, "applies to the films of growth and of a plot only; leave it out");
+            refuse(*command, {"--relax", "--finer"},
+                   "applies to the films of growth and of a plot only; leave it out");
+        check_finer(*command, film_settings(options_.drawing, kind));
         std::vector<FileInUse> written;
         for (const std::filesystem::path& file : files_of(options_.output, options_.film))
             written.push_back({file, "the film"});
         std::vector<FileInUse> read{{options_.drawing.tile, "the tile"}};
         if (options_.image) read.push_back({*options_.image, "the picture"});
         check_apart(*command, {"--output"}, written, read);
+        if (region_)
+            fmt::print(stderr, "the film is of the whole page, not just of {}, the region that is saved\n",
+                       text_of_region(*region_));
         record(options_);
     });
+}
+
+void RecordCommand::take(const SavedSettings& settings) {
+    const SavingChoice& saving = settings.saving;
+    options_.drawing = settings.drawing;
+    // As the window plays it.
+    options_.film.machine = saving.machine.value_or(usual_machine(DrawingFormat::svg, saving.tool));
+    options_.film.order = saving.order;
+    region_ = saving.region;
+    automatic_tone_ = settings.drawing.automatic_tone;
 }
 
 }  // namespace dapple

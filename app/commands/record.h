@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/files/picture.h"
 #include "app/film/film.h"
+#include "app/settings/embedded_settings.h"
 #include "core/drawing/settings.h"
 
 namespace CLI {
@@ -32,7 +34,11 @@ class RecordCommand {
     RecordCommand& operator=(const RecordCommand&) = delete;
 
  private:
+    void take(const SavedSettings& settings);
+
     RecordOptions options_;
+    std::optional<Rectangle<double>> region_;  // of the settings, which are for drawings
+    PictureLimit limit_ = PictureLimit::usual;
     bool automatic_tone_ = true;  // before the options say another
 };
 

@@ -135,11 +135,31 @@ void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOp
                 : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.placing.scale));
 }
 
-// Throws if the page is too large for the format: better now than after the placing.
-void check_fits(DrawingFormat format, const PageSize& page, std::uint64_t dots, const SavingChoice& saving) {
+void check_fits_format(const PageSize& page, std::uint64_t dots, const RenderOptions& options) {
+    const DrawingFormat format = format_of(options);
     if (has_pixels(format))
-        static_cast<void>(with_option("--dpi", [&] { return raster_size(page, saving.dpi); }));
+        static_cast<void>(with_option("--dpi", [&] { return raster_size(page, options.saving.dpi); }));
     if (format == DrawingFormat::pdf) check_fits_pdf(page, dots);
+}
+
+// Throws if the page is too large for the format: better now than after the placing.
+void check_fits(const PageSize& page, std::uint64_t dots, const RenderOptions& options) {
+    try {
+        check_fits_format(page, dots, options);
+    } catch (const std::runtime_error& error) {
+        if (!draws_whole_page(options)) throw;
+        for (int n = 2; n <= kMostSheetsAtOnce; ++n) {
+            try {
+                const PageSize sheet{page.width_mm / n, page.height_mm / n, page.mm_per_page_unit};
+                check_fits_format(sheet, dots / static_cast<std::uint64_t>(n * n), options);
+            } catch (const std::runtime_error&) {
+                continue;
+            }
+            throw std::runtime_error(
+                fmt::format("{0}; --sheets {1}x{1} draws all of it in parts", error.what(), n));
+        }
+        throw;
+    }
 }
 
 // Throws if what is held of the drawing does not fit into memory: dots in an order that is not the tile's,
@@ -213,7 +233,7 @@ PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
 
     const DrawnPage page = page_for(layout_for(picture, options), options);
     const DrawingFormat format = format_of(options);
-    check_fits(format, page.part.size, 0, options.saving);
+    check_fits(page.part.size, 0, options);
     DrawingFile file{.path = options.output,
                      .format = format,
                      .settings = settings,
@@ -238,7 +258,7 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     DrawingToSave drawing = drawing_on(page, placed.drawing, placed.file);
     const DotStream dots = drawing.dots;
     check_not_empty(plan, dots.count, options);
-    check_fits(format, page.part.size, dots.count, options.saving);
+    check_fits(page.part.size, dots.count, options);
     const DotOrder order = order_of(drawing, format, settings.style);
     std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
     std::optional<double> curve_way;

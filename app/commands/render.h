@@ -25,16 +25,12 @@ struct WorkShare {
 };
 
 struct RenderOptions {
-    std::optional<std::filesystem::path> image;          // none: the built-in sample; "-": the standard input
-    std::optional<std::filesystem::path> project;        // that it was named by
-    std::optional<std::filesystem::path> settings_from;  // whose settings it is drawn with
-    std::optional<std::filesystem::path> mask;           // that --mask names
-    std::filesystem::path output;         // ends as drawing_format() has it; "-": the standard output
-    std::optional<DrawingFormat> format;  // none: what the output's name says, or SVG
+    std::optional<std::filesystem::path> image;  // none: the built-in sample; "-": the standard input
+    std::filesystem::path output;                // ends as drawing_format() has it; "-": the standard output
+    std::optional<DrawingFormat> format;         // none: what the output's name says, or SVG
     DrawingSettings drawing;
     SavingChoice saving;
-    Sheet sheet;                              // the whole drawing, or a part of it
-    std::optional<Rectangle<double>> region;  // a part instead of a sheet
+    Sheet sheet;  // the whole drawing, or a part of it; then without saving.region
     PictureLimit limit = PictureLimit::usual;
     WorkShare share;
     std::optional<double> memory;                // bytes that it may take; none: what is available

@@ -8,6 +8,7 @@
 
 #include "app/commands/batch.h"
 #include "app/commands/options.h"
+#include "app/commands/settings_options.h"
 #include "app/files/save_drawing.h"
 #include "core/drawing/drawing_facts.h"
 #include "core/drawing/gcode_choice.h"
@@ -45,11 +46,19 @@ void check_format(const RenderOptions& options) {
 
 void take_part(const CLI::App& command, RenderOptions& options) {
     Sheet& sheets = options.drawing.sheets;
+    std::optional<Rectangle<double>>& region = options.saving.region;
     const bool one_sheet = command.count("--sheet") > 0;
-    if (command.count("--sheets") > 0)
-        refuse(command, {"--sheet", "--region"}, "is a part of what --sheets draws; leave one of them out");
+    const bool one_region = region && command.count("--region") > 0;
+    if (one_region && one_sheet)
+        throw CLI::ValidationError("--region", "cannot be given together with --sheet");
+    if (command.count("--sheets") > 0) {
+        const char* const why = "is a part of what --sheets draws; leave one of them out";
+        refuse(command, {"--sheet"}, why);
+        if (one_region) refuse(command, {"--region"}, why);
+    }
     if (one_sheet) options.sheet.overlap_mm = sheets.overlap_mm;
-    if (one_sheet || options.region || !is_several(sheets)) sheets = {};
+    if (one_sheet || one_region || !is_several(sheets)) sheets = {};
+    if (one_sheet || is_several(sheets)) region.reset();
 }
 
 void take_usual_shape(const CLI::App& command, RenderOptions& options) {
@@ -67,8 +76,6 @@ void take_usual_shape(const CLI::App& command, RenderOptions& options) {
 void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     check_format(options);
     const DrawingFormat format = format_of(options);
-    if (options.region && command.count("--sheet") > 0)
-        throw CLI::ValidationError("--region", "cannot be given together with --sheet");
     if (options.stats && is_standard_stream(*options.stats) && is_standard_stream(options.output))
         throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
     if (is_several(options.drawing.sheets)) {
@@ -112,9 +119,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
                "a table has no shapes or lines, only dots; leave it out");
     if (drawing.style != DrawingStyle::dots)
         refuse(command, {"--dot-shape"}, "applies to --style dots only; leave it out, or give that style");
-    if (drawing.mask.has_finer() && !can_be_finer(drawing))
-        refuse(command, {"--finer"},
-               "makes dots smaller, which lines and dots as wide as their pen cannot be; leave it out");
+    check_finer(command, drawing);
     if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
         refuse(command, {"--dot-radius"},
                "a point is as large as the pen makes it; leave it out, or give another --dot-shape");

@@ -7,8 +7,8 @@
 
 namespace dapple {
 
-/// A part is drawn alone, even of what a project says to save as sheets. Throws CLI::ValidationError if both
-/// were asked for.
+/// A part is drawn alone, even of what a project says to save as sheets, and sheets are of the whole page,
+/// whatever region a project has. Throws CLI::ValidationError if both were asked for.
 void take_part(const CLI::App& command, RenderOptions& options);
 
 /// A pen whose width was given touches the paper once for each dot, or fills one of a given radius by a

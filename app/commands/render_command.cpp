@@ -14,13 +14,11 @@
 #include "app/commands/mural.h"
 #include "app/commands/options.h"
 #include "app/commands/project_input.h"
-#include "app/commands/remarks.h"
 #include "app/commands/render_checks.h"
 #include "app/commands/render_report.h"
+#include "app/commands/settings_options.h"
 #include "app/files/atomic_file.h"
 #include "app/files/save_drawing.h"
-#include "app/settings/embedded_settings.h"
-#include "app/settings/presets.h"
 #include "app/settings/project.h"
 #include "core/text/numbers.h"
 
@@ -34,7 +32,6 @@ void take_image(RenderOptions& options, const std::filesystem::path& file) {
         return;
     }
     ProjectInput project = read_project_input(file);
-    options.project = file;
     options.image = std::move(project.picture);
     options.drawing = std::move(project.drawing);
     options.saving = project.saving;
@@ -103,7 +100,7 @@ RenderCommand::RenderCommand(CLI::App& program) {
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
-    add_mask_options(*command);
+    add_mask_options(*command, options_.drawing.mask, options_.limit);
     add_page_options(*command, options_.drawing);
     add_saving_options(*command);
     command->footer(std::string(gcode_help()) + kExamples);
@@ -128,30 +125,11 @@ void RenderCommand::add_input_options(CLI::App& command) {
             "many "
             "drawings in a folder")
         ->type_name("IMAGE");
-    const auto read_settings = [this](const std::string& file) {
-        const SavedSettings read = settings_from(file);
-        options_.saving = read.saving;
-        options_.drawing = read.drawing;
-        options_.settings_from = file;
-        automatic_tone_ = read.drawing.automatic_tone;
-    };
-    command
-        .add_option_function<std::string>("--settings-from", read_settings,
-                                          "Draw with the settings of a project, or of a drawing (.svg, "
-                                          ".png) that Dapple made; the other options change them")
-        ->type_name("FILE");
-    const auto read_preset = [this](const std::string& name) {
-        const SavedSettings preset = preset_named(name, presets_folder()).settings;
-        options_.drawing = with_preset(preset.drawing, options_.drawing);
-        options_.saving = preset.saving;
-        automatic_tone_ = preset.drawing.automatic_tone;
-    };
-    command
-        .add_option_function<std::string>("--preset", read_preset,
-                                          "Draw with the settings of a preset; the other options change "
-                                          "them. `dapple presets` lists the presets")
-        ->type_name("PRESET")
-        ->excludes("--settings-from");
+    add_settings_options(command, options_.drawing, [this](const SavedSettings& settings) {
+        options_.drawing = settings.drawing;
+        options_.saving = settings.saving;
+        automatic_tone_ = settings.drawing.automatic_tone;
+    });
 }
 
 void RenderCommand::add_output_options(CLI::App& command) {
@@ -187,45 +165,6 @@ void RenderCommand::add_output_options(CLI::App& command) {
     add_memory(command, options_.memory);
 }
 
-void RenderCommand::add_mask_options(CLI::App& command) {
-    const auto light_of = [this](const char* option, const std::string& file) {
-        try {
-            return read_with_remark(file, options_.limit).light;
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
-        }
-    };
-    const auto read_mask = [this, light_of](const std::string& file) {
-        options_.drawing.mask = {};
-        options_.mask.reset();
-        if (file == "none") return;
-        options_.mask = file;
-        options_.drawing.mask = mask_of(light_of("--mask", file));
-    };
-    const auto read_finer = [this, light_of](const std::string& file) {
-        Mask& mask = options_.drawing.mask;
-        mask = file == "none" ? mask.without_finer() : with_fineness(mask, light_of("--finer", file));
-    };
-    command
-        .add_option_function<std::string>(
-            "--mask", read_mask,
-            "A grey picture laid over the whole picture, before it is cropped or turned: middle grey "
-            "(#808080) changes nothing, darker gives fewer dots, black none, lighter more, white four times "
-            "as many where the tone leaves room; kept with 512 pixels along its longer side. none: drops the "
-            "mask of the project")
-        ->type_name("FILE|none")
-        ->group("Tone");
-    command
-        .add_option_function<std::string>(
-            "--finer", read_finer,
-            "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
-            "and "
-            "smaller dots at the same tone, white four times as many of half the width. none: drops what the "
-            "project or --mask has of it")
-        ->type_name("FILE|none")
-        ->group("Tone");
-}
-
 void RenderCommand::add_saving_options(CLI::App& command) {
     add_number(command, setting::dpi, options_.saving.dpi)->group("Page");
     const auto read_bits = [this](const std::string& text) {
@@ -241,7 +180,7 @@ void RenderCommand::add_saving_options(CLI::App& command) {
     add_flag(command, setting::show_tiles, options_.drawing.show_tiles)->group("Page");
     add_flag(command, setting::registration, options_.drawing.registration)->group("Page");
     add_choice(command, setting::machine, options_.saving.machine)->group("Page");
-    add_arrangement_options(command, options_.saving.order, options_.sheet, options_.region);
+    add_arrangement_options(command, options_.saving.order, options_.sheet, options_.saving.region);
     add_mural_options(command, options_.drawing.sheets);
     add_gcode_options(command, options_.saving);
 }

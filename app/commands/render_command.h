@@ -22,7 +22,6 @@ class RenderCommand {
  private:
     void add_input_options(CLI::App& command);
     void add_output_options(CLI::App& command);
-    void add_mask_options(CLI::App& command);
     void add_saving_options(CLI::App& command);
     void run(const CLI::App& command);
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace dapple {
 
 bool draws_whole_page(const RenderOptions& options) {
-    return !options.region && options.sheet == Sheet{};
+    return !options.saving.region && options.sheet == Sheet{};
 }
 
 PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
@@ -39,13 +38,9 @@ PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
 }
 
 DrawnPage page_for(const PageLayout& layout, const RenderOptions& options) {
-    if (!options.region) return with_option("--overlap", [&] { return drawn_page(layout, options.sheet); });
-    const glm::dvec2 size = options.region->size();
-    if (std::min(size.x, size.y) < kShortestSideMm) {
-        throw std::runtime_error(fmt::format("--region: {:g} x {:g} mm is too small; give {:g} mm or more",
-                                             size.x, size.y, kShortestSideMm));
-    }
-    return with_option("--region", [&] { return drawn_region(layout, *options.region); });
+    if (options.saving.region)
+        return with_option("--region", [&] { return drawn_page(layout, options.saving); });
+    return with_option("--overlap", [&] { return drawn_page(layout, options.sheet); });
 }
 
 }  // namespace dapple

@@ -17,7 +17,8 @@ bool save(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFil
 
 bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const SavingWatch& watch) {
     const PageLayout layout = drawing.layout();
-    if (!is_several(file.settings.sheets)) return save(drawn_page(layout), drawing, file, file.path, watch);
+    if (!is_several(file.settings.sheets))
+        return save(drawn_page(layout, file.saving), drawing, file, file.path, watch);
     const std::vector<Sheet> all = all_sheets(file.settings.sheets);
     double saved = 0;
     for (const Sheet& sheet : all) {

@@ -1,6 +1,9 @@
 #include "core/drawing/drawing_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace dapple {
 namespace {
@@ -29,9 +32,15 @@ DrawnPage drawn_page(const PageLayout& layout, const Sheet& sheet) {
             cut_marks(layout.page, sheet)};
 }
 
-DrawnPage drawn_region(const PageLayout& layout, const Rectangle<double>& region) {
-    const glm::dvec2 corner = layout.picture.low;
-    return {layout, sheet_of(layout.page, {}, corner), region_of(layout.page, region, corner), {}};
+DrawnPage drawn_page(const PageLayout& layout, const SavingChoice& saving) {
+    DrawnPage page = drawn_page(layout);
+    if (!saving.region) return page;
+    const glm::dvec2 size = saving.region->size();
+    if (std::min(size.x, size.y) < kShortestSideMm)
+        throw std::runtime_error(fmt::format("{:g} x {:g} mm is too small; give {:g} mm or more", size.x,
+                                             size.y, kShortestSideMm));
+    page.part = region_of(layout.page, *saving.region, layout.picture.low);
+    return page;
 }
 
 Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,

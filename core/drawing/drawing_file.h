@@ -39,8 +39,9 @@ struct DrawnPage {
 
 /// Throws as sheet_of() does.
 DrawnPage drawn_page(const PageLayout& layout, const Sheet& sheet = {});
-/// Throws as region_of() does.
-DrawnPage drawn_region(const PageLayout& layout, const Rectangle<double>& region);
+/// The region that is chosen, or the whole. Throws as region_of() does, and for a region narrower or lower
+/// than kShortestSideMm.
+DrawnPage drawn_page(const PageLayout& layout, const SavingChoice& saving);
 
 /// A rectangle on the page, in millimetres, seen from the excerpt's corner.
 Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,

@@ -85,6 +85,8 @@ struct SavingChoice {
     // For several pens, see separations.h:
     bool separations = false;  // in pixels: a grey picture for each too
     bool pen_files = false;    // as lines: a file for each in place of one for all
+    // A part of the page, in mm from its upper left corner; none: all of it. Several sheets are of the whole.
+    std::optional<Rectangle<double>> region = {};
 
     bool operator==(const SavingChoice&) const = default;
 };

@@ -156,6 +156,21 @@ Rectangle<double> parse_region(std::string_view text) {
     return {{x, y}, {x + width, y + height}};
 }
 
+// The fewest decimals that come to the same end.
+static std::string length_between(double from, double to) {
+    for (int decimals = 0; decimals < 20; ++decimals) {
+        const std::string text = fmt::format("{:.{}f}", to - from, decimals);
+        if (from + *number_of<double>(text) == to) return text;
+    }
+    return fmt::format("{}", to - from);
+}
+
+std::string text_of_region(const Rectangle<double>& region) {
+    const auto [low, high] = region;
+    return fmt::format("{},{},{}x{}", low.x, low.y, length_between(low.x, high.x),
+                       length_between(low.y, high.y));
+}
+
 Excerpt sheet_of(const PageSize& page, const Sheet& sheet, glm::dvec2 picture_corner_mm) {
     check_overlap(page, sheet);
     const double unit = page.mm_per_page_unit;

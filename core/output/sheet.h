@@ -50,6 +50,9 @@ std::string name_of(const Sheet& sheet);
 /// the last one's is that of all without: "1,1,4x3in". Throws std::runtime_error saying what is wrong.
 Rectangle<double> parse_region(std::string_view text);
 
+/// The same region as parse_region() reads it, in millimetres: "120,80,50x40.5".
+std::string text_of_region(const Rectangle<double>& region);
+
 /// A part of a page, and its own size.
 struct Excerpt {
     PagePart part;

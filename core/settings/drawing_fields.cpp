@@ -119,9 +119,14 @@ static void describe(Fields& fields, OwnTemplate& own) {
     fields.text("file", file, [&file = file](const std::string& read) { file = read; });
 }
 
+static std::optional<Rectangle<double>> region_or_all(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return parse_region(text);
+}
+
 void describe(Fields& fields, SavingChoice& saving) {
     auto& [order, dpi, tool, machine, bits, gcode_template, feed_mm_per_min, dwell_s, acceleration_mm_per_s2,
-           pen_up, pen_down, laser_power, separations, pen_files] = saving;
+           pen_up, pen_down, laser_power, separations, pen_files, region] = saving;
     fields.choice(setting::order, order);
     fields.number(setting::dpi, dpi);
     fields.choice(setting::gcode_tool, tool);
@@ -136,6 +141,8 @@ void describe(Fields& fields, SavingChoice& saving) {
     fields.number(setting::laser_power, laser_power);
     fields.flag(setting::separations, separations);
     fields.flag(setting::pen_files, pen_files);
+    fields.text("region", region ? text_of_region(*region) : "",
+                [&region = region](const std::string& text) { region = region_or_all(text); });
 }
 
 void describe_drawing(Fields& fields, DrawingSettings& drawing, SavingChoice& saving) {

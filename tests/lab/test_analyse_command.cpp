@@ -89,6 +89,8 @@ TEST_CASE("analyse says why a drawing without its dots cannot be read") {
         scene.refuses(file + to_old,
                       "files cannot be read; give points (.csv, .tsv, .txt), a drawing by dapple render");
     }
+    scene.refuses(scene("cat.dapple") + to_old,
+                  "cat.dapple: a project is neither points nor a picture; draw");
     REQUIRE(run_dapple("render -o " + scene("line.svg") + " --dots 300 --style line").status == 0);
     scene.refuses(scene("line.svg") + to_old, "is drawn with strokes");
     REQUIRE(run_dapple("render -o " + scene("crosses.svg") + " --dots 300 --dot-shape cross").status == 0);

@@ -11,6 +11,7 @@
 
 #include "app/files/file_size.h"
 #include "core/drawing/drawing_facts.h"
+#include "core/drawing/drawing_file.h"
 #include "core/drawing/gcode_choice.h"
 #include "core/output/pen_figures.h"
 #include "core/output/stroke_figures.h"
@@ -109,6 +110,12 @@ std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const Pag
     return pens;
 }
 
+DotPieces dots_on(const PagePart& part, const DotPieces& dots) {
+    DotPieces some;
+    for (const Dots& piece : dots.pieces) cut_to(part, some.pieces.emplace_back(piece));
+    return some;
+}
+
 // In page units, as it is shown.
 double longest_line(const ShownStrokes& strokes) {
     double longest = 0;
@@ -196,22 +203,38 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
     const Stippling& stippling = drawing;
-    const PageSize& page = drawing.layout.page;
+    PageSize page = drawing.layout.page;
     info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
     if (!drawing.is_there()) {
         info_.trouble = "There is no drawing to save";
         return info_;
     }
-    DrawingToSave estimated{.dots = stream_of(stippling.dots, stippling.scale),
+    std::optional<PagePart> region;
+    DotPieces on_region;
+    if (settings.saving.region && !is_several(settings.drawing.sheets)) {
+        try {
+            const Excerpt part = drawn_page(drawing.layout, settings.saving).part;
+            region = part.part;
+            on_region = dots_on(part.part, stippling.dots);
+            page = part.size;
+        } catch (const std::exception& error) {
+            info_.trouble = error.what();
+            return info_;
+        }
+        info_.dots = on_region.size();
+    }
+    DrawingToSave estimated{.dots = stream_of(region ? on_region : stippling.dots, stippling.scale),
                             .page = page,
                             .pens = drawing.pens,
                             .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
                             .tile_size = pane.tile_size(),
                             .saving = settings.saving};
     if (format == DrawingFormat::svg) estimated.tiles = drawing.outlines;
+    if (region) move_to(*region, estimated.tiles);
     const DotOrder order =
-        settings.saving.order.value_or(usual_order(format, stippling.dots.size(), settings.drawing.style));
+        settings.saving.order.value_or(usual_order(format, info_.dots, settings.drawing.style));
     DrawingFacts drawn = facts_of(settings.drawing, settings.saving, format, estimated);
+    if (region) drawn.whole_page = false;
     if (const Sheet& sheets = settings.drawing.sheets; is_several(sheets)) {
         drawn.whole_page = false;
         drawn.page.width_mm = page.width_mm / sheets.columns + sheets.overlap_mm;
@@ -234,7 +257,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     info_.findings = findings_of(drawn);
     try {
         DotPieces some;
-        const bool in_blocks = has_pixels(format) && !drawing.blocks.empty() && drawing.strokes.lines.empty();
+        const bool in_blocks =
+            has_pixels(format) && !region && !drawing.blocks.empty() && drawing.strokes.lines.empty();
         if (in_blocks) {
             some = dots_on_patches(drawing, settings.saving.dpi);
             estimated.dots = stream_of(some, stippling.scale);

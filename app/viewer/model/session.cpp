@@ -365,6 +365,7 @@ void Session::copy_picture() {
     SavingChoice saving = settings.saving;
     drawing.sheets = {};
     saving.separations = false;  // one picture
+    saving.region.reset();
     const auto prepare = [path, prepared = file_to_write(path, drawing, saving)](
                              Workbench& bench, const std::stop_token& stop) -> WriteFile {
         WriteFile write = prepared(bench, stop);

@@ -222,6 +222,19 @@ bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& setting
     return changed;
 }
 
+// That only a part of the page is saved, which the settings that were opened say.
+bool draw_region(std::optional<Rectangle<double>>& region) {
+    const glm::dvec2 size = region->size();
+    hint(fmt::format("Saves only {:g} x {:g} mm of the page, from {:g} mm from its left and {:g} mm from its "
+                     "top.",
+                     size.x, size.y, region->low.x, region->low.y)
+             .c_str());
+    const bool whole = key_button("Save the whole page");
+    note_place("Save the whole page");
+    if (whole) region.reset();
+    return whole;
+}
+
 }  // namespace
 
 std::string size_in_words(const ExportInfo& info) {
@@ -257,11 +270,12 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
                               settings.drawing.background,
                               "Fills the page with the paper's colour under the dots; a plotter needs none.");
+    const Sheet& sheets = settings.drawing.sheets;
+    if (settings.saving.region && !is_several(sheets)) changed |= draw_region(settings.saving.region);
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
         return changed;
     }
-    const Sheet& sheets = settings.drawing.sheets;
     hint(is_several(sheets) ? fmt::format("{} x {} sheets, each a file, and a plan; together {}.",
                                           sheets.columns, sheets.rows, size_in_words(info))
                                   .c_str()

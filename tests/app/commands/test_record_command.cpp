@@ -92,6 +92,37 @@ TEST_CASE(
     CHECK(help.find("25") < at);
 }
 
+TEST_CASE("a film is drawn with masks, presets and another drawing's settings, as render draws") {
+    const Scene scene;
+    write_picture(scene("mask.png"), {.width = 2, .height = 1, .values = {0.0f, 1.0f}});
+    const std::string cat = " " + scene("cat.png") + " --relax 0 --width 50.8";
+    REQUIRE(run_dapple("render" + cat + " --dots 300 --ink '#205080' --region 5,6,7x8 -o " + scene("r.svg"))
+                .status == 0);
+    for (const std::string& options :
+         {" --dots 300 --mask " + scene("mask.png"), " --dots 300 --finer " + scene("mask.png"),
+          std::string(" --preset night --dots 300"), " --region all --settings-from " + scene("r.svg")}) {
+        CAPTURE(options);
+        const Outcome drawn = run_dapple("render" + cat + options + " --dpi 100 -o " + scene("a.png"));
+        CAPTURE(drawn.err);
+        REQUIRE(drawn.status == 0);
+        const bool region = options.starts_with(" --region all");
+        const Outcome made = run_dapple("record" + cat + (region ? options.substr(13) : options) +
+                                        " --seconds 0.2 --fps 10 --size 200 -o " + scene("film/"));
+        CAPTURE(made.err);
+        REQUIRE(made.status == 0);
+        CHECK(read_picture(scene("film/frame-0002.png")).light.values ==
+              read_picture(scene("a.png")).light.values);
+        CHECK((made.err.find("the film is of the whole page, not just of 5,6,7x8") != std::string::npos) ==
+              region);
+    }
+    const std::string film = "record " + scene("cat.png") + " -o " + scene("a.webp");
+    scene.must_fail(film + " --preset none", "there is no preset \"none\"");
+    scene.must_fail(film + " --show zoom --finer " + scene("mask.png"),
+                    "--finer: applies to the films of growth");
+    scene.must_fail(film + " --show plot --style line --finer " + scene("mask.png"), "--finer: makes dots");
+    scene.must_fail(film + " --mask " + scene("none.png"), "--mask: " + scene("none.png"));
+}
+
 TEST_CASE("what cannot be filmed is said in a sentence, and nothing is written") {
     const Scene scene;
     const std::string cat = "record " + scene("cat.png") + " -o ";

@@ -108,7 +108,8 @@ ViewerSettings nothing_usual() {
                   .pen_down = 75.5,
                   .laser_power = 900,
                   .separations = true,
-                  .pen_files = true};
+                  .pen_files = true,
+                  .region = parse_region("1.1,2.2,3.3x4.4")};
     return all;
 }
 
@@ -206,6 +207,16 @@ TEST_CASE("the command draws a project byte for byte as the window exports it") 
         CHECK(exported.size() > 10'000);
         CHECK(rendered(project, folder / ("command_" + std::string(name))) == exported);
     }
+    // A part of it too, until all is asked for.
+    const std::string whole = text_of(folder / "a.csv");
+    window.session.settings.saving.region = parse_region("20,30,100x50.5");
+    const std::string part = window.exported(folder / "part.csv");
+    CHECK(part.size() < whole.size() / 3);
+    window.session.save_project(project);
+    CHECK(rendered(project, folder / "command_a.csv") == part);
+    CHECK(rendered("--region all " + project, folder / "command_a.csv") == whole);
+    window.session.settings.saving.region.reset();
+    window.session.save_project(project);
     // Options given beside it say otherwise.
     drawing.dot_size = {};
     drawing.placing.count = 500;

@@ -52,6 +52,16 @@ TEST_CASE("sheets are read as column, row, columns and rows") {
     }
 }
 
+TEST_CASE("a region's text is read as the same region, in as few digits as do") {
+    for (const char* text : {"120,80,50x40.5", "0,0,0.01x100000", "1.1,2.2,3.3x4.4", "60.07,0.1,0.3x1e-7"}) {
+        CAPTURE(text);
+        const Rectangle<double> region = parse_region(text);
+        CHECK(parse_region(text_of_region(region)) == region);
+    }
+    CHECK(text_of_region(parse_region("1.1,2.2,3.3x4.4")) == "1.1,2.2,3.3x4.4");
+    CHECK(text_of_region(parse_region("1,1,4x3in")) == "25.4,25.4,101.6x76.2");
+}
+
 TEST_CASE(
     "regions with common edges share the dots out, and those at the page's edges take what lies on them") {
     // Positions in millimetres on a page of 90 x 60; edges are no binary fractions.

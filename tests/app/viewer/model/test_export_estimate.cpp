@@ -166,7 +166,7 @@ TEST_CASE("the size told of a PNG looks at few of many dots, and is the same as 
           estimated_bytes(DrawingFormat::png, DrawingSettings{}, all));
 }
 
-TEST_CASE("several pens' files have about the size told before") {
+TEST_CASE("several pens' files have about the size told before, and so has a region's") {
     TemporaryFolder folder;
     const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     DrawingSettings drawing;
@@ -183,8 +183,10 @@ TEST_CASE("several pens' files have about the size told before") {
         });
     };
     REQUIRE(brings([&] { return session.placed_once() && session.pane().page().settled(); }));
-    for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode", "a.dxf"}) {
+    for (const char* const name :
+         {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode", "a.dxf", "r.svg", "r.png", "r.csv"}) {
         INFO(std::string(name));
+        if (*name == 'r') session.settings.saving.region = parse_region("20,30,90x80.5");
         ExportEstimate estimate;
         const ExportInfo info = estimate.info(session.pane(), session.settings, drawing_format(name));
         REQUIRE(info.bytes);

@@ -100,6 +100,22 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
     CHECK(settings.drawing.mark.shape == DotShape::spiral);
 }
 
+TEST_CASE("that only a region is saved is told, and a click saves the whole page again") {
+    ViewerSettings settings;
+    settings.saving.region = parse_region("10,20,30x40");
+    HeadlessUi ui(
+        [&] { draw_export_panel(settings, DrawingFormat::svg, {.dots = 400, .bytes = 1e4, .trouble = {}}); });
+    settings.drawing.sheets.columns = 2;  // of the whole page
+    ui.frame();
+    CHECK_FALSE(ui.has("Save the whole page"));
+    settings.drawing.sheets.columns = 1;
+    ui.frame();
+    ui.click("Save the whole page");
+    CHECK_FALSE(settings.saving.region);
+    ui.frame();
+    CHECK_FALSE(ui.has("Save the whole page"));
+}
+
 TEST_CASE("a G-code template of one's own is named by its file, and what it says is taken over") {
     const TemporaryFolder folder;
     const std::string name = (folder / "own").string(), says = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
