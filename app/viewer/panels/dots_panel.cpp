@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -60,11 +59,11 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, 
     const std::string why = fmt::format(
         "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
         grouped(drawn.most_dots));
-    auto count = static_cast<double>(follows ? drawn.dots : *request.count);
+    std::uint64_t count = follows ? drawn.dots : *request.count;
     SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
     range.grouped = true;
     if (!slider_row(setting::count.names.row, count, range)) return false;
-    request.count = static_cast<std::uint64_t>(std::llround(count));
+    request.count = count;
     return true;
 }
 

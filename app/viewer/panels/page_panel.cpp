@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -139,9 +138,8 @@ class MarginRows {
 };
 
 bool draw_number_of_sheets(const char* label, int& number) {
-    double shown = number;
-    const bool changed = slider_row(
-        label, shown,
+    return slider_row(
+        label, number,
         {.min = 1,
          .max = 10,
          .neutral = 1,
@@ -149,8 +147,6 @@ bool draw_number_of_sheets(const char* label, int& number) {
          .hard_max = kMostSheetsAtOnce,
          .tip = "For a mural larger than the printer or the plotter: with more than one, each sheet is "
                 "exported into a file of its own, with a plan of how they join."});
-    number = static_cast<int>(std::lround(shown));
-    return changed;
 }
 
 bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {

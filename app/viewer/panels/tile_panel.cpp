@@ -147,7 +147,7 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
     draw_quadrants(square, tile, unit);
     draw_points(square, tile, std::min(state.shown, count), unit);
 
-    auto shown = static_cast<double>(std::min(state.shown, count));
+    std::size_t shown = std::min(state.shown, count);
     const auto all = static_cast<double>(count);
     if (slider_row("Points shown", shown,
                    {.min = 1,
@@ -156,7 +156,7 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
                     .format = "%.0f",
                     .grouped = true,
                     .tip = "Takes the tile's points away, those of the last ranks first."}))
-        state.shown = shown >= all ? SIZE_MAX : static_cast<std::size_t>(std::llround(shown));
+        state.shown = shown >= count ? SIZE_MAX : shown;
     if (tile.next_kind.size() > 1) {
         hint(
             fmt::format("{}: kind 0 of {}, each of {} points, dark ones come first. Below, each kind as tile "

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -82,8 +83,9 @@ std::string sentence_of(Refusal refusal, const SliderRange& range) {
     const std::string least = text_of(range.hard_min, range);
     if (refusal == kTooLittle)
         return (range.hard_min > 0 && least == "0" ? "Over " : "At least ") + least + ".";
-    return range.typed == TypedKind::length ? "That is no length; write 210, 21cm or 8in."
-                                            : "That is not a number; write 40000, 40k or 1.5M.";
+    if (range.typed == TypedKind::length) return "That is no length; write 210, 21cm or 8in.";
+    return fmt::format("That is not a {}number; write 40000, 40k or 1.5M.",
+                       range.typed == TypedKind::count ? "whole " : "");
 }
 
 void remember_refusal(Refusal refusal) {
@@ -146,8 +148,9 @@ bool typing_box(double& value, const SliderRange& range, float width, bool left)
     const std::string written = typed_before();
     if (written == shown) return false;  // what was not changed is not rounded
     const std::optional<double> typed = typed_value(written, range.typed, range.unit);
-    remember_refusal(refusal_of(typed, range));
-    if (!typed) return false;
+    const Refusal refusal = refusal_of(typed, range);
+    remember_refusal(refusal);
+    if (!typed || (refusal != kNothing && range.typed == TypedKind::count)) return false;
     value = std::clamp(*typed, range.hard_min, range.hard_max);
     return true;
 }
@@ -254,25 +257,22 @@ SliderRange range_of(const Setting& setting, const SliderNow& now) {
             .tip = now.tip};
 }
 
-bool slider_row(const Setting& setting, double& value, const SliderNow& now) {
+template <class Number>
+static bool row_of(const Setting& setting, Number& value, const SliderNow& now) {
     const std::string tip = sentence_of(setting);
     SliderRange range = range_of(setting, now);
     if (!range.tip) range.tip = tip.c_str();
     return slider_row(setting.names.row, value, range);
 }
 
-bool slider_row(const Setting& setting, float& value, const SliderNow& now) {
-    double wide = value;
-    if (!slider_row(setting, wide, now)) return false;
-    value = static_cast<float>(wide);
-    return true;
+bool slider_row(const Setting& setting, double& value, const SliderNow& now) {
+    return row_of(setting, value, now);
 }
-
+bool slider_row(const Setting& setting, float& value, const SliderNow& now) {
+    return row_of(setting, value, now);
+}
 bool slider_row(const Setting& setting, int& value, const SliderNow& now) {
-    double wide = value;
-    if (!slider_row(setting, wide, now)) return false;
-    value = static_cast<int>(std::lround(wide));
-    return true;
+    return row_of(setting, value, now);
 }
 
 }  // namespace dapple

@@ -27,12 +27,14 @@ std::size_t end_of_term(std::string_view text) {
 std::optional<double> product_of(std::string_view term, TypedKind kind, LengthUnit bare) {
     const bool of_lengths = kind == TypedKind::length;
     double product = 1;
-    bool has_length = !of_lengths;
+    bool has_length = !of_lengths, first = true;
     char sign = '*';
     while (true) {
         const std::size_t end = std::min(term.find_first_of("*/"), term.size());
         const std::string_view factor = trimmed(term.substr(0, end));
         std::optional<double> value = quantity_of(factor);
+        if (kind == TypedKind::count && first && !count_of(factor)) return std::nullopt;
+        first = false;
         // A number alone may still be the length: the last one is, if no other was.
         const bool last = end == term.size();
         if (of_lengths && sign == '*' && !has_length && (!value || last)) {

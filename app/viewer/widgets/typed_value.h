@@ -10,6 +10,8 @@ namespace dapple {
 
 enum class TypedKind {
     number,
+    count,   // as count_of() reads it, where each number that is added or taken away begins: not 10.000,
+             // nor 2.5
     length,  // comes back in millimetres: 8in, 21cm, 595pt
 };
 

@@ -95,8 +95,8 @@ struct SliderRange {
     double neutral = 0;       // the usual value; the filled track starts here
     SliderCurve curve = SliderCurve::linear;
     const char* format = "%.2f";
-    double hard_min = min, hard_max = max;  // what can be typed
-    TypedKind typed = TypedKind::number;
+    double hard_min = min, hard_max = max;  // what can be typed; what is not is the nearest that can,
+    TypedKind typed = TypedKind::number;    // but for a count, which then stays as it is
     LengthUnit unit = LengthUnit::mm;  // that lengths are shown and typed in; all above is in millimetres
     bool grouped = false;              // a whole number shown as 40,000
     const char* tip = nullptr;
@@ -149,11 +149,12 @@ double track_value(double position, const SliderRange& range);
 /// as "Margin, mm".
 bool slider_row(const char* label, double& value, const SliderRange& range);
 bool slider_row(const char* label, float& value, const SliderRange& range);
-/// Of whole numbers; true while it changes to another one.
+/// Of whole numbers, typed as counts; true while it changes to another one.
 template <std::integral Whole>
-bool slider_row(const char* label, Whole& value, const SliderRange& range) {
+bool slider_row(const char* label, Whole& value, SliderRange range) {
     const Whole before = value;
     auto wide = static_cast<double>(value);
+    range.typed = TypedKind::count;
     if (slider_row(label, wide, range)) value = static_cast<Whole>(std::llround(wide));
     return value != before;
 }

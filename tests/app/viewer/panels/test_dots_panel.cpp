@@ -77,9 +77,12 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
     DotsUi f;
     f.drawn.most_dots = 7'654'321;
     f.ui.frame();
-    f.ui.enter("Dots", "99999999999");
-    CHECK(f.settings.placing.count == 7'654'321);
+    f.ui.enter("Dots", "7,654,322");
+    CHECK(f.settings.placing.count == kDefaultDots);
     CHECK(f.ui.has("Refusal"));
+    f.ui.enter("Dots", "7,654,321");
+    CHECK(f.settings.placing.count == 7'654'321);
+    f.ui.enter("Dots", "3G");
     f.ui.move_to({1, 899});
     f.ui.frame(5);
     CHECK_FALSE(f.ui.has("Tip"));
@@ -151,14 +154,18 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
     f.ui.enter("Dots", "40k");
     CHECK(f.settings.placing.count == 40'000);
     CHECK_FALSE(f.ui.has("Refusal"));
-    f.ui.enter("Dots", "0");
-    CHECK(f.settings.placing.count == 1);
-    CHECK(f.ui.has("Refusal"));
-    f.ui.frame(5);
-    f.ui.frame();
-    CHECK_FALSE(f.ui.has("Refusal"));
-    f.ui.enter("Dots", "many");
-    CHECK(f.settings.placing.count == 1);
+    // As the command refuses it.
+    for (const char* const wrong : {"0", "-5", "1e13", "2,5", "10.000", "1.5", "40 thousand", "many"}) {
+        CAPTURE(wrong);
+        f.ui.enter("Dots", wrong);
+        CHECK(f.settings.placing.count == 40'000);
+        CHECK(f.ui.has("Refusal"));
+        f.ui.frame(5);
+        f.ui.frame();
+        CHECK_FALSE(f.ui.has("Refusal"));
+    }
+    f.ui.enter("Settle", "2.5");
+    CHECK_FALSE(f.settings.relax);
     CHECK(f.ui.has("Refusal"));
 }
 

@@ -91,7 +91,9 @@ TEST_CASE("a mural's sheets share strips, and say how large they are or why they
     ui.enter("Overlap, mm", "120");
     CHECK(ui.has("No sheets"));
     CHECK(ui.place("Below") == below);
-    ui.enter("Sheets across", "1000");
+    ui.enter("Sheets across", "101");
+    CHECK(sheets.columns == 2);
+    ui.enter("Sheets across", "100");
     CHECK(sheets.columns == kMostSheetsAtOnce);
 }
 

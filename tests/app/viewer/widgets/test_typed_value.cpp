@@ -60,6 +60,20 @@ TEST_CASE("a count is a whole number, and nobody has to guess what a point stand
     CHECK_FALSE(count_of("-5"));
 }
 
+TEST_CASE("a typed count is one that the command takes, or several of them and what becomes of them") {
+    const auto count = [](const char* text) { return typed_value(text, TypedKind::count); };
+    CHECK(count("3M") == 3e6);
+    CHECK(count("1e9") == 1e9);
+    CHECK(count("0") == 0);
+    CHECK(count("-5") == -5);
+    CHECK(count("40k + 500") == 40'500);
+    CHECK(count("40k*1.1") == doctest::Approx(44'000));
+    for (const char* wrong : {"2,5", "10.000", "1.5", "10.000 + 5", "5 + 10.000", "0.5*40k", "1.0001k"}) {
+        CAPTURE(wrong);
+        CHECK_FALSE(count(wrong));
+    }
+}
+
 TEST_CASE("where lengths are in inches, a number alone is inches, and a unit still says what it is") {
     const auto in_inches = [](const char* text) {
         return typed_value(text, TypedKind::length, LengthUnit::inch);
