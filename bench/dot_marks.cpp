@@ -60,9 +60,11 @@ std::vector<glm::dvec2> relaxed_on_torus(const std::vector<glm::dvec2>& points, 
     const Density grey(Grid<float>(1, 1, 1.0f));
     DotPieces pieces;
     pieces.pieces.push_back(std::move(dots));
-    Relaxation relaxation(std::move(pieces), grey,
-                          {.scale = scale * side * side, .threads = 0, .kernel = kernel});
-    for (int step = 0; step < steps; ++step) relaxation.step();
+    const RelaxingRequest relaxing{
+        .scale = scale * side * side, .threads = 0, .keeps_density = kernel == kSampleKernel};
+    Relaxation relaxation(std::move(pieces), grey, relaxing);
+    for (const RelaxingStep& how : relaxing_steps(steps, relaxing))
+        if (how.kind != RelaxingStep::Kind::warp) relaxation.step(how);  // these see edges
     const Dots moved = relaxation.dots_as_taken();
     std::vector<glm::dvec2> result;
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -11,6 +11,7 @@ RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps) {
     request.automatic_tone = false;
     request.placing = {.count = count, .threads = 0};
     request.relax = steps;
+    request.page.margins = Margins{};  // so that the page ends with the picture
     const DrawingPlan plan = pipeline.plan(request);
     Stippling drawn;
     const std::clock_t start = std::clock();

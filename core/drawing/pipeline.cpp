@@ -304,6 +304,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     const auto make_density = [&](double scale) {
         toned.ink.level.reset();
         if (by_level()) toned.ink.level = level_of(scale, tile_->tile().size());
+        plan.ink = toned.ink;
         plan.density = density_for(toned, request.mask);
     };
     if (count) {
@@ -403,17 +404,28 @@ RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, doubl
     RelaxingRequest relaxing{
         .scale = scale,
         .threads = plan.placing.threads,
-        .kernel = pictures ? kPictureKernel : kSampleKernel,
         .keeps_density = !pictures,
         .ink = plan.placing.count && !pictures
                    ? ink_for(*plan.density, scale, kSampleKernel, static_cast<double>(*plan.placing.count))
                    : 1,
         .stirring = stirring_of(placer.table(), scale)};
+    // What has a tone is seen, unless lines are.
+    if (pictures && !plan.joined && plan.histogram && plan.pens.empty()) {
+        relaxing.light = std::make_shared<const InkCurve>(plan.ink);
+        relaxing.cut_off = !keeps_dots_inside(plan.setup);
+    }
     if (pictures && !plan.joined) {
         relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
         relaxing.areas = {static_cast<float>(smallest_area(plan.size)), plan.finer};
     }
     return relaxing;
+}
+
+// Whether its dots are more than are settled at once.
+bool is_streamed(const DrawingPlan& plan, double scale) {
+    const double dots =
+        plan.placing.count ? static_cast<double>(*plan.placing.count) : expected_dots(*plan.density, scale);
+    return dots > static_cast<double>(kDotsAtOnce);
 }
 
 }  // namespace
@@ -429,12 +441,15 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
-        const RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
+        RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
+        if (is_streamed(plan, drawn.scale))
+            relaxing.carried = carried(tile_->placer(), density, plan.placing, relaxing);
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
-        while (drawn.steps < plan.steps) {
-            if (!relaxation.step(watch.stop)) return false;
-            drawn.relax_ms += milliseconds_since(start);
+        for (const RelaxingStep& how : relaxing_steps(plan.steps, relaxing)) {
+            if (!relaxation.step(how, watch.stop)) return false;
+            drawn.relax_ms += milliseconds_since(std::exchange(start, Clock::now()));
+            if (how.kind == RelaxingStep::Kind::warp) continue;
             ++drawn.steps;
             if (drawn.steps < plan.steps && watch.step &&
                 !watch.step(drawn, [&] { return sized(relaxation.dots()); }))
@@ -484,14 +499,16 @@ std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::sto
         const StreamRequest request{
             .placing = plan.placing, .part = {}, .finish = sizes_by_place(plan, drawing.scale)};
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawing.scale);
-        if (plan.steps > relaxing.lloyd_steps)  // once for all parts
-            relaxing.blurred = std::make_shared<const BlurredDensity>(
-                blurred_for_kernels(*plan.density, drawing.scale, relaxing.kernel, relaxing.areas));
-        drawing.dots = [table = tile_->placer().shared_table(), density = plan.density, request,
+        const bool streamed = is_streamed(plan, drawing.scale);
+        if (plan.steps > 0 && streamed)  // once for all parts
+            share_work(tile_->placer(), *plan.density, plan.placing, plan.steps, relaxing);
+        const auto settled = plan.steps > 0 && !streamed ? std::make_shared<SettledDots>() : nullptr;
+        drawing.dots = [table = tile_->placer().shared_table(), density = plan.density, request, settled,
                         steps = plan.steps, relaxing](const PagePart& part, const std::stop_token& stopped) {
             const auto placer = std::make_shared<Placer>(table);
             StreamRequest of_part = request;
             of_part.part = part;
+            if (settled) return settled->on(*placer, *density, of_part, steps, relaxing, stopped);
             DotStream dots =
                 steps > 0 ? relaxed_stream(*placer, *density, of_part, steps, kDotsAtOnce, stopped, relaxing)
                           : dapple::stream(*placer, *density, of_part);

@@ -44,6 +44,7 @@ struct DrawingPlan {
     bool joined = false;         // by lines: see InkedDots
     double stroke_width_mm = 0;  // of lines that reach half as far beyond; 0: filled dots, or no margins
     PageSize page;               // of the picture
+    InkedDots ink;               // that the tone's density is of
     double full_load = 0;        // see InkCurve
     Palette pens;                // several, in the order in which they draw; none: one
     PenDensities by_pen;         // whose sum is the density above

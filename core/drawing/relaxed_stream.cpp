@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/relaxing/energy_steps.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
 
@@ -30,9 +29,7 @@ class Bands {
         relaxing_.scale = scale();
         relaxing_.threads = request_.placing.threads;
         relaxing_.stirring = stirring_of(placer.table(), scale());
-        if (steps > relaxing_.lloyd_steps && !relaxing_.blurred)  // once for all bands
-            relaxing_.blurred = std::make_shared<const BlurredDensity>(
-                blurred_for_kernels(density, scale(), relaxing_.kernel, relaxing_.areas));
+        share_work(placer, density, request_.placing, steps, relaxing_);
     }
 
     double scale() const { return request_.placing.scale; }
@@ -96,6 +93,55 @@ class Bands {
 };
 
 }  // namespace
+
+DotStream SettledDots::on(Placer& placer, const Density& density, const StreamRequest& request, int steps,
+                          const RelaxingRequest& relaxing, const std::stop_token& stop) {
+    const std::lock_guard lock(mutex_);
+    if (!dots_) {
+        auto all = std::make_shared<DotPieces>();
+        const auto scale = placer.place(density, request.placing, *all, stop);
+        if (!scale || !relax(*all, density, steps, relaxing, stop)) return {};
+        if (request.finish)
+            for (Dots& piece : all->pieces) request.finish(piece);
+        scale_ = *scale;
+        dots_ = std::move(all);
+    }
+    if (request.part == PagePart{}) return stream_of(dots_, scale_);
+    DotPieces part = *dots_;
+    for (Dots& piece : part.pieces) cut_to(request.part, piece);
+    return stream_of(std::make_shared<const DotPieces>(std::move(part)), scale_);
+}
+
+std::shared_ptr<const Displacement> carried(Placer& placer, const Density& density,
+                                            const PlacingRequest& placing, const RelaxingRequest& relaxing) {
+    const Warp warp(
+        density,
+        {.scale = relaxing.scale, .dots = expected_dots(density, relaxing.scale), .areas = relaxing.areas});
+    Warp::Count count(warp);
+    PlacingRequest page = placing;
+    page.window = {};
+    const auto rows = static_cast<float>(1 / relaxing_row(relaxing.scale));
+    placer.hand_over(density, page, [&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const glm::dvec2 place(piece.x[i], piece.y[i]);
+            const float area =
+                relaxing.areas.differ() ? relaxing.areas.at(static_cast<float>(density.at(place)), place) : 1;
+            count.add(rows * piece.x[i], rows * piece.y[i], area);
+        }
+        return true;
+    });
+    return std::make_shared<const Displacement>(count.displacement());
+}
+
+void share_work(Placer& placer, const Density& density, const PlacingRequest& placing, int steps,
+                RelaxingRequest& relaxing) {
+    if (!relaxing.carried) relaxing.carried = carried(placer, density, placing, relaxing);
+    for (const RelaxingStep& step : relaxing_steps(steps, relaxing)) {
+        if (relaxing.blurred || step.kind != RelaxingStep::Kind::energy) continue;
+        relaxing.blurred = std::make_shared<const BlurredDensity>(
+            blurred_for_kernels(density, relaxing.scale, step.kernel, relaxing.areas));
+    }
+}
 
 DotStream relaxed_stream(Placer& placer, const Density& density, const StreamRequest& request, int steps,
                          std::uint64_t dots_at_once, const std::stop_token& stop,

@@ -22,7 +22,7 @@ bool have_own_widths(const PenChoice& pens) {
 constexpr double kSeenMm = 0.1;        // between dots, at reading distance
 constexpr double kNoWait = 2'000'000;  // dots
 // Few dots have to show a picture with what evenness they can get, and their steps take no time.
-constexpr double kFew = 12'800, kMany = 80'000;
+constexpr double kFew = 13'600, kMany = 40'000;
 
 }  // namespace
 

@@ -107,10 +107,10 @@ inline PenUse pen_use(const DrawingRequest& request) {
 /// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
 double widest_stroke(const DrawingRequest& request);
 
-inline constexpr int kFewestUsualSteps = 8;
+inline constexpr int kFewestUsualSteps = 7;
 
-/// The steps after which a drawing looks as good as it needs to: 20 for 12,800 dots and fewer, from there on
-/// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 80,000 and more; none where dots lie closer than
+/// The steps after which a drawing looks as good as it needs to: 12 for 13,600 dots and fewer, from there on
+/// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 40,000 and more; none where dots lie closer than
 /// the eye can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
 

@@ -111,7 +111,7 @@ class Sharing {
                  const std::stop_token& stop) const {
         Relaxation relaxation(in_one_piece(dots), density,
                               {.scale = request_.scale, .threads = request_.threads, .by_radius = by_radius});
-        relaxation.step(stop);
+        relaxation.step({}, stop);
         return relaxation.dots_as_taken();
     }
 

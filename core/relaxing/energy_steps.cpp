@@ -185,7 +185,7 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float tone)
             share * (seen.y * pixels + seen.value * slope_y)};
 }
 
-DotStep EnergySteps::step(std::size_t dot) {
+DotStep EnergySteps::step(std::size_t dot, float stride) {
     const float x = rows_.x[dot], y = rows_.y[dot];
     const float tone = areas_.tone_of(blurred_.sharpest(x * page_.pixels, y * page_.pixels));
     const float density = tone * areas_.finer.times_at(page_.place(x, y));
@@ -198,8 +198,8 @@ DotStep EnergySteps::step(std::size_t dot) {
         areas_.differ() ? by_dots<true>(x, y, kernels.variance) : by_dots<false>(x, y, kernels.variance);
     const DotStep rise = slope(x, y, kernels, tone);
     const float ink = ink_ * 2 * std::numbers::pi_v<float> * kernels.variance * kernels.variance / on_black2;
-    // Half of what would overshoot: the energy bends most along waves as long as kernels are wide.
-    float stride = 0.5f * (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
+    // The energy bends most along waves as long as kernels are wide.
+    stride *= (kPictureKernel / kernel_) * (kPictureKernel / kernel_);
     // Around a dot others are about as large, so that forces are as much stronger or weaker.
     if (areas_.differ()) stride /= rows_.areas[dot];
     DotStep step{stride * (dots.x + ink * rise.x), stride * (dots.y + ink * rise.y)};

@@ -19,8 +19,9 @@
 namespace dapple {
 
 /// A kernel's standard deviation, in distances between dots. Wider ones lower the spectrum further, and cost
-/// distances and structure: those of pictures, and those of samples, whose sums are to be near an integral.
-inline constexpr float kPictureKernel = 0.45f, kSampleKernel = 0.7f;
+/// distances: those that make dots even, those of pictures, and those of samples, whose sums are to be near
+/// an integral.
+inline constexpr float kEvenKernel = 0.36f, kPictureKernel = 0.45f, kSampleKernel = 0.7f;
 
 /// The ink, which is the density where areas do not differ, as kernels of that width see it, which dots
 /// placed at this scale have.
@@ -46,8 +47,9 @@ class EnergySteps {
 
     void begin_row(std::int64_t row) { cursors_.begin(rows_, row); }
 
-    /// The step of a dot of that row; each one asked for lies further to the right than the one before.
-    DotStep step(std::size_t dot);
+    /// The step of a dot of that row, by such a stride: one of 1 and more overshoots the energy's steepest
+    /// waves. Each dot asked for lies further to the right than the one before.
+    DotStep step(std::size_t dot, float stride);
 
  private:
     // A Gaussian that stands for two kernels: its variance, and how far apart dots are where it lies.

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kMostNearRows = 8;
 
-constexpr float kOvershoot = 1.8f;
 // Farther in than this nothing has to be known of an edge: most dots lie there.
 constexpr float kFarFromEdge = 0.5f;
 static_assert(-kFarFromEdge < kLeastBeyond);
@@ -26,12 +25,12 @@ constexpr auto kOutwards = [] {
 
 }  // namespace
 
-DotStep LloydSteps::step(std::size_t dot) {
+DotStep LloydSteps::step(std::size_t dot, float stride) {
     const PixelAnchor anchor = centroid_.anchor(rows_.x[dot], rows_.y[dot]);
     const VoronoiCell cell = cell_of(row_, dot, centroid_.density_at(anchor, 0, 0));
     const Centroid centroid = centroid_.of(cell, anchor);
     if (!centroid.has_ink) return {};
-    DotStep step{kOvershoot * centroid.x, kOvershoot * centroid.y};
+    DotStep step{stride * centroid.x, stride * centroid.y};
     const float length2 = step.x * step.x + step.y * step.y;
     if (length2 > kCellReach * kCellReach) {
         const float shorter = kCellReach / std::sqrt(length2);

@@ -1,9 +1,9 @@
 #pragma once
 // Steps of weighted Lloyd relaxation (Lloyd 1982; for stippling Secord 2002).
 //
-// Each dot goes towards the centroid of its Voronoi cell, 1.8 times the way, which takes half as many steps
-// as going just there. Weighted by density squared, so that the dots keep the density that they were placed
-// with.
+// Each dot goes towards the centroid of its Voronoi cell, some times the way: 1.8 times takes half as many
+// steps as going just there, and short and long ones by turns fewer still. Weighted by density squared, so
+// that the dots keep the density that they were placed with.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,9 +35,9 @@ class LloydSteps {
         cursors_.begin(rows_, row);
     }
 
-    /// The step of a dot of that row, at most kCellReach long; each one asked for lies further to the right
-    /// than the one before.
-    DotStep step(std::size_t dot);
+    /// The step of a dot of that row, `stride` times the way to its centroid, at most kCellReach long; each
+    /// one asked for lies further to the right than the one before.
+    DotStep step(std::size_t dot, float stride);
 
  private:
     // Dots of a row: those before `left` and from `right` on are still to be looked at.

@@ -351,7 +351,12 @@ for (const [name, look] of Object.entries({
     await seen(() => page.evaluate(() => document.getElementById("rows").scrollTop > 50), "a swipe that begins on a slider scrolls");
     await settled(page);
     check((await count()) === "40,000 dots", `and leaves the slider alone: ${await count()}`);
-    await page.evaluate(() => { document.getElementById("rows").scrollTop = 0; });
+    // The panel scrolls on for a while after a swipe; while it does, a finger stops it and moves nothing.
+    await seen(() => page.evaluate(() => new Promise((told) => {
+        const rows = document.getElementById("rows");
+        rows.scrollTop = 0;
+        requestAnimationFrame(() => requestAnimationFrame(() => told(rows.scrollTop === 0)));
+    })), "the panel is back where it was");
     await finger(...[...Array(8)].map((_, i) => [x + width * (0.5 - 0.04 * i), middle + i]));
     await seen(async () => (await count()) !== "40,000 dots", "a swipe to the side moves it");
     await settled(page);

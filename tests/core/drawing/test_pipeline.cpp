@@ -187,29 +187,29 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
         return pipeline.plan({.placer = placer, .placing = {.count = count}, .relax = relax}).steps;
     };
     for (const int n : {0, 1, 7, 100}) CHECK(steps(5000, n) == n);
-    // 8 of 80,000 dots, and twice as many of a quarter of them, but no more than 20.
-    CHECK(steps(100, {}) == 20);
-    CHECK(steps(12'800, {}) == 20);
-    CHECK(steps(20'000, {}) == 16);
-    CHECK(steps(80'000, {}) == 8);
-    CHECK(steps(1'900'000, {}) == 8);
+    // 7 of 40,000 dots, and more of fewer by the root of their number, but no more than 12.
+    CHECK(steps(100, {}) == 12);
+    CHECK(steps(13'600, {}) == 12);
+    CHECK(steps(20'000, {}) == 10);
+    CHECK(steps(40'000, {}) == 7);
+    CHECK(steps(1'900'000, {}) == 7);
     CHECK(steps(50'000'000, {}) == 0);
     CHECK(steps(50'000'000, 2) == 2);
     CHECK(steps(5000, {}, PlacerKind::figure8) == 0);
     CHECK(steps(5000, 3, PlacerKind::figure8) == 0);
     // On a wall so many can be seen: 10 m wide, 1 mm apart.
-    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps == 8);
+    CHECK(pipeline.plan({.placing = {.count = 50'000'000}, .page = {.width_mm = 10'000}}).steps == 7);
     // By a scale as by the count that it comes to.
     for (const double scale : {1000, 11'000, 30'000, 50'000'000}) {
         const DrawingPlan plan = pipeline.plan({.placing = {.scale = scale, .count = {}}});
         CHECK(plan.steps == steps(static_cast<std::uint64_t>(expected_dots(*plan.density, scale)), {}));
     }
-    CHECK(usual_steps(3e6, 3e6) == 8);
+    CHECK(usual_steps(3e6, 3e6) == 7);
     CHECK(usual_steps(3e6, 2e4) == 0);
     // What is usual is known where others are asked for.
     const DrawingPlan own = pipeline.plan({.placing = {.count = 80'000}, .relax = 3});
     CHECK(own.steps == 3);
-    CHECK(own.usual_steps == 8);
+    CHECK(own.usual_steps == 7);
 }
 
 TEST_CASE(
@@ -245,7 +245,10 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     Stippling placed;
     REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, {.count = 2500, .thresholds = true}, placed));
     REQUIRE(relax(placed.dots, *plan.density, 3,
-                  {.scale = placed.scale, .stirring = stirring_of(tile.placer().table(), placed.scale)}));
+                  {.scale = placed.scale,
+                   .even_from = static_cast<float>(kSolidLoad / plan.full_load),
+                   .stirring = stirring_of(tile.placer().table(), placed.scale),
+                   .light = std::make_shared<const InkCurve>(plan.ink)}));
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
@@ -264,7 +267,8 @@ TEST_CASE(
                   {.scale = placed.scale,
                    .even_from = static_cast<float>(kSolidLoad / plan.full_load),
                    .areas = {.smallest = 0.16f},  // 0.4 mm and 1 mm
-                   .stirring = stirring_of(tile.placer().table(), placed.scale)}));
+                   .stirring = stirring_of(tile.placer().table(), placed.scale),
+                   .light = std::make_shared<const InkCurve>(plan.ink)}));
     const Dots settled = joined(placed.dots);
     CHECK(dots.x == settled.x);
     CHECK(dots.y == settled.y);
@@ -476,31 +480,35 @@ TEST_CASE("whoever watches sees every step but the last, with its dots") {
                                             }}));
         CHECK(seen == std::vector<int>{0, 1, 2, 3});
         CHECK(drawn.steps == 4);
-        // What was seen is what a drawing with so many steps on this density has.
-        for (int steps = 0; steps < 4; ++steps) {
-            DrawingPlan shorter = plan;
-            shorter.steps = steps;
-            CHECK(same(dots[static_cast<std::size_t>(steps)], drawn_by(pipeline, shorter)));
+        // All dots at once, on their way from where they were placed.
+        DrawingPlan as_placed = plan;
+        as_placed.steps = 0;
+        CHECK(same(dots.front(), drawn_by(pipeline, as_placed)));
+        for (std::size_t i = 1; i < dots.size(); ++i) {
+            CHECK(dots[i].size() == dots.front().size());
+            CHECK(!same(dots[i], dots[i - 1]));
+            CHECK(dots[i].radius.size() == (sized ? dots[i].size() : 0));
         }
     }
 }
 
-TEST_CASE("whoever watches may end the drawing, with the steps done so far") {
+TEST_CASE("whoever watches may end the drawing, with the dots that were seen last") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
         const DrawingPlan plan =
             pipeline.plan({.placing = {.count = 1500}, .relax = 4, .dot_size = sized ? kByTone : DotSize{}});
         for (const int last : {0, 1, 3}) {
+            Dots seen;
             Stippling drawn;
-            REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto&) {
-                                                    return now.steps < last;
-                                                }}));
-            DrawingPlan shorter = plan;
-            shorter.steps = last;
+            REQUIRE(
+                pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto& copy) {
+                                                seen = joined(copy());
+                                                return now.steps < last;
+                                            }}));
             CAPTURE(sized);
             CAPTURE(last);
             CHECK(drawn.steps == last);
-            CHECK(same(joined(drawn.dots), drawn_by(pipeline, shorter)));
+            CHECK(same(joined(drawn.dots), seen));
         }
     }
 }

@@ -64,7 +64,8 @@ Dots whole_page(const Density& density, const PlacingRequest& request, int steps
     Stippling all;
     REQUIRE(stipple(test_tile(), density, PlacerKind::exact, request, all));
     const double stirring = stirring_of(test_tile().placer().table(), all.scale);
-    const RelaxingRequest relaxing{.scale = all.scale, .threads = request.threads, .stirring = stirring};
+    RelaxingRequest relaxing{.scale = all.scale, .threads = request.threads, .stirring = stirring};
+    relaxing.carried = carried(test_tile().placer(), density, request, relaxing);
     REQUIRE(relax(all.dots, density, steps, relaxing));
     scale = all.scale;
     return joined(all.dots);
@@ -111,7 +112,7 @@ TEST_CASE("a drawing relaxed in bands is the whole page relaxed at once, to the 
             const Dots streamed = all_of(bands, &pieces);
             CHECK(pieces > (steps == 2 ? 10 : 3));
             // Most of the page has no say in a band.
-            CHECK(relaxing_rim(scale, steps) < 0.08 * steps);
+            CHECK(relaxing_rim(scale, steps) < 0.08 * steps + 0.01);
             CHECK(bands.scale == scale);
             CHECK(bands.count == whole.size());
             CHECK(same(streamed, whole));

@@ -127,11 +127,10 @@ TEST_CASE("a step goes down the energy of all dots' ink and the wanted ink, as a
         const Density ink(std::move(inks));
         Stippling placed;
         REQUIRE(stipple(test_tile(), density, PlacerKind::exact, {.count = 600}, placed));
-        Relaxation relaxation(
-            placed.dots, density,
-            {.scale = placed.scale, .lloyd_steps = 0, .areas = {.smallest = static_cast<float>(smallest)}});
+        Relaxation relaxation(placed.dots, density,
+                              {.scale = placed.scale, .areas = {.smallest = static_cast<float>(smallest)}});
         const std::vector<glm::dvec2> dots = positions(joined(placed.dots));
-        REQUIRE(relaxation.step());
+        REQUIRE(relaxation.step({RelaxingStep::Kind::energy, 0.5f, kPictureKernel}));
         const std::vector<glm::dvec2> after = positions(relaxation.dots_as_taken());
         const double black = 16 * placed.scale;  // dots on an area of 1
         const double least = 2 * 0.45 * 0.45 / black * width * width;
@@ -200,9 +199,9 @@ TEST_CASE("on one grey the low part of the spectrum all but vanishes") {
     Stippling placed;
     REQUIRE(stipple(test_tile(), grey, PlacerKind::exact, {.count = 2000}, placed));
     const auto after = [&](int lloyd, int energy, float kernel = kPictureKernel) {
-        Relaxation relaxation(placed.dots, grey,
-                              {.scale = placed.scale, .lloyd_steps = lloyd, .kernel = kernel});
-        for (int i = 0; i < lloyd + energy; ++i) REQUIRE(relaxation.step());
+        Relaxation relaxation(placed.dots, grey, {.scale = placed.scale});
+        for (int i = 0; i < lloyd; ++i) REQUIRE(relaxation.step());
+        for (int i = 0; i < energy; ++i) REQUIRE(relaxation.step({RelaxingStep::Kind::energy, 0.5f, kernel}));
         return low_spectrum(positions(joined(relaxation.dots())));
     };
     const double lloyd = after(20, 0);
